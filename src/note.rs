@@ -1,7 +1,7 @@
 //! What the maker of a page or a trace should know and the result survives.
 
 use crate::braille::Code;
-use crate::listing::{counted, first_few};
+use crate::listing::{counted, first_few, list};
 
 /// What on a page a remark is about, for programs: its sentence may change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -267,15 +267,14 @@ pub enum Note {
     /// None of a drawing's lines has room in an overview, so there is none.
     #[error("there is no overview, as no line of the drawing has room in it; spread the figure over several sheets")]
     NoRoomForOverview,
-    /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
-    #[error(
-        "{} {} the textures of several colours{}, as none of them fills two thirds{}",
-        counted(*.0, "outlined area"),
-        if *.0 == 1 { "has" } else { "have" },
-        if *.0 == 1 { "" } else { " each" },
-        if *.0 == 1 { " of it" } else { "" }
-    )]
-    MixedAreas(usize),
+    /// Areas that are outlined have textures of several colours, as none of these holds the area clearly.
+    #[error("{}", mixed_areas(*.count, .places))]
+    MixedAreas {
+        /// How many.
+        count: usize,
+        /// In which parts of the figure they are, in words, each part once.
+        places: Vec<&'static str>,
+    },
     /// What was left out as the maker of the page wants few shapes; perhaps nothing.
     #[error("{}", simplified(*.shapes, *.lines, *.most))]
     Simplified {
@@ -315,53 +314,55 @@ pub enum Note {
 impl Note {
     /// What on the page it is about, of the kinds `not-on-page`, `taken-as` and `faulty`.
     pub fn about(&self) -> Option<About> {
-        match self {
-            Self::NotOnPage(about, _) | Self::TakenAs(about, _) | Self::Faulty(about, _) => Some(*about),
-            _ => None,
-        }
+        self.kind().1
     }
 
     /// Its kind as a word for programs, such as `lines-left-out`, which stays the same when the sentence changes.
     pub fn id(&self) -> &'static str {
+        self.kind().0
+    }
+
+    /// Its kind, and what it is about where the kind alone does not say that.
+    fn kind(&self) -> (&'static str, Option<About>) {
         match self {
-            Self::ColourProfileIgnored(..) => "colour-profile-ignored",
-            Self::LeftOut(..) => "left-out",
-            Self::NotOnPage(..) => "not-on-page",
-            Self::NotInPng(..) => "not-in-png",
-            Self::TakenAs(..) => "taken-as",
-            Self::Faulty(..) => "faulty",
-            Self::FirstPageOnly { .. } => "first-page-only",
-            Self::TextsLeftOut(..) => "texts-left-out",
-            Self::LetteringLeftOut { .. } => "lettering-left-out",
-            Self::GroundAsPaper { .. } => "ground-as-paper",
-            Self::TextsNotRead(..) => "texts-not-read",
-            Self::NoBrailleCode(..) => "no-braille-code",
-            Self::NotInBraille { .. } => "not-in-braille",
-            Self::InOtherCells(..) => "in-other-cells",
-            Self::NotTranslated { .. } => "not-translated",
-            Self::NotContracted => "not-contracted",
-            Self::NoRoomForTitle { .. } => "no-room-for-title",
-            Self::NoRoomForNumber => "no-room-for-number",
-            Self::Subject { .. } => "subject",
-            Self::NoSubject(..) => "no-subject",
-            Self::BackgroundCalmed(..) => "background-calmed",
-            Self::Abbreviated(..) => "abbreviated",
-            Self::NoKey(..) => "no-key",
-            Self::NoTexts => "no-texts",
-            Self::LabelsLeftOut { .. } => "labels-left-out",
-            Self::NoLines => "no-lines",
-            Self::NoContours => "no-contours",
-            Self::LinesOff => "lines-off",
-            Self::LinesLeftOut { .. } => "lines-left-out",
-            Self::TooDense { .. } => "too-dense",
-            Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
-            Self::LinesNotInOverview { .. } => "lines-not-in-overview",
-            Self::NoRoomForOverview => "no-room-for-overview",
-            Self::MixedAreas(..) => "mixed-areas",
-            Self::Simplified { .. } => "simplified",
-            Self::EmptyPage => "empty-page",
-            Self::UnevenDots => "uneven-dots",
-            Self::TooBlack { .. } => "too-black",
+            Self::ColourProfileIgnored(..) => ("colour-profile-ignored", None),
+            Self::LeftOut(..) => ("left-out", None),
+            Self::NotOnPage(about, _) => ("not-on-page", Some(*about)),
+            Self::NotInPng(..) => ("not-in-png", None),
+            Self::TakenAs(about, _) => ("taken-as", Some(*about)),
+            Self::Faulty(about, _) => ("faulty", Some(*about)),
+            Self::FirstPageOnly { .. } => ("first-page-only", None),
+            Self::TextsLeftOut(..) => ("texts-left-out", None),
+            Self::LetteringLeftOut { .. } => ("lettering-left-out", None),
+            Self::GroundAsPaper { .. } => ("ground-as-paper", None),
+            Self::TextsNotRead(..) => ("texts-not-read", None),
+            Self::NoBrailleCode(..) => ("no-braille-code", None),
+            Self::NotInBraille { .. } => ("not-in-braille", None),
+            Self::InOtherCells(..) => ("in-other-cells", None),
+            Self::NotTranslated { .. } => ("not-translated", None),
+            Self::NotContracted => ("not-contracted", None),
+            Self::NoRoomForTitle { .. } => ("no-room-for-title", None),
+            Self::NoRoomForNumber => ("no-room-for-number", None),
+            Self::Subject { .. } => ("subject", None),
+            Self::NoSubject(..) => ("no-subject", None),
+            Self::BackgroundCalmed(..) => ("background-calmed", None),
+            Self::Abbreviated(..) => ("abbreviated", None),
+            Self::NoKey(..) => ("no-key", None),
+            Self::NoTexts => ("no-texts", None),
+            Self::LabelsLeftOut { .. } => ("labels-left-out", None),
+            Self::NoLines => ("no-lines", None),
+            Self::NoContours => ("no-contours", None),
+            Self::LinesOff => ("lines-off", None),
+            Self::LinesLeftOut { .. } => ("lines-left-out", None),
+            Self::TooDense { .. } => ("too-dense", None),
+            Self::ShapesNotInOverview(..) => ("shapes-not-in-overview", None),
+            Self::LinesNotInOverview { .. } => ("lines-not-in-overview", None),
+            Self::NoRoomForOverview => ("no-room-for-overview", None),
+            Self::MixedAreas { .. } => ("mixed-areas", None),
+            Self::Simplified { .. } => ("simplified", None),
+            Self::EmptyPage => ("empty-page", None),
+            Self::UnevenDots => ("uneven-dots", None),
+            Self::TooBlack { .. } => ("too-black", None),
         }
     }
 }
@@ -447,6 +448,15 @@ fn no_subject([x, y]: [i32; 2]) -> String {
              100 percent or within its pixels, from the left and from the top"
         )
     }
+}
+
+fn mixed_areas(count: usize, places: &[&str]) -> String {
+    let (have, each, of_it) = if count == 1 { ("has", "", " of it") } else { ("have", " each", "") };
+    let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
+    format!(
+        "{areas}, in the {places} of the figure, {have} the textures of several colours{each}, as none of them fills \
+         two thirds{of_it}"
+    )
 }
 
 fn simplified(shapes: usize, lines: usize, most: usize) -> String {

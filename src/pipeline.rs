@@ -6,6 +6,7 @@ mod adapt;
 mod areas;
 mod bars;
 pub mod colours;
+mod decisions;
 mod dots;
 mod draw;
 mod drawn_areas;

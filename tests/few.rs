@@ -82,7 +82,8 @@ fn of_a_drawing_what_hangs_together_is_drawn_whole_or_not_at_all() {
 
 #[test]
 fn areas_that_no_colour_holds_are_told() {
-    let told = |sample: &str| with(sample, 0).notes.iter().any(|note| matches!(note, Note::MixedAreas(1..)));
+    let told =
+        |sample: &str| with(sample, 0).notes.iter().any(|note| matches!(note, Note::MixedAreas { count: 1.., .. }));
     let samples = ["astronaut.png", "chelsea.png", "coffee.png", "rocket.jpg"];
     assert!(samples.iter().any(|sample| told(sample)), "some photograph has an area of two colours");
     assert!(!told("map.svg"), "a drawing has no such areas");

@@ -3,7 +3,7 @@
 
 use crate::common::page::{of_sample, page_for};
 use crate::common::{apart, samples};
-use tactograph::internals::geom::nearby::{Nearby, Segment};
+use tactograph::internals::geom::nearby::Nearby;
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::internals::page::{Class, Dots, Page, Run, Shape, Texture};
 use tactograph::internals::pipeline::Drawing;
@@ -179,12 +179,8 @@ fn holds(made: &Drawing, name: &str, profile: &Profile) {
 fn glyphs_hold(page: &Page, profile: &Profile, name: &str) {
     let (textures, swell, place) = (&profile.textures, profile.print.swell, page.figure.place);
     let mut nearby = Nearby::new(place, textures.line_gap + textures.length);
-    for (number, run) in page.figure.lines.iter().flat_map(|line| &line.runs).enumerate() {
-        for (index, (&a, &b)) in run.polyline().segments().enumerate() {
-            let half_width = 0.5 * (run.width + swell);
-            let (line, index) = (number as u32, index as u32);
-            nearby.insert(Segment { a, b, half_width, line, index, arc: 0.0 });
-        }
+    for (number, run) in (0..).zip(page.figure.lines.iter().flat_map(|line| &line.runs)) {
+        nearby.insert_line(number, run.polyline(), 0.5 * (run.width + swell));
     }
     let reach = textures.line_gap + 0.5 * (profile.lines.width_max + textures.length);
     for Texture { glyphs, class, .. } in &page.figure.textures {

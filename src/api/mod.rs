@@ -133,7 +133,7 @@ fn not_a_page<'p>(picture: impl Into<Picture<'p>>) -> Result<Picture<'p>, Error>
     let picture = picture.into();
     match picture.0 {
         PixelSource::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
-        _ => Ok(picture),
+        PixelSource::File(_) | PixelSource::Rgba8 { .. } => Ok(picture),
     }
 }
 
@@ -143,7 +143,7 @@ fn with_request<T>(
     title: &str,
     work: impl FnOnce(&Request<'_>) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let plan = Plan::new(&options.profile)?;
+    let plan = options.given.plan(&options.profile)?;
     let fonts = || options.fonts.database();
     let cancelled = || options.is_cancelled();
     let request = Request {

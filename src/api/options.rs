@@ -218,8 +218,6 @@ impl Options {
         } else {
             GivenLines::Picture(lines.as_ref().to_vec())
         });
-        self.profile.set("lines.detail", "1")?;
-        self.profile.set("lines.shapes", "0")?;
         Ok(self)
     }
 

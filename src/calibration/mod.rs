@@ -177,7 +177,7 @@ fn textured(class: Class, params: &textures::Params) -> Section {
     );
     let keys: Decides = match params.palette.sign(class) {
         Sign::Dot => &["textures.dot_pitch", "textures.white_from"],
-        _ => &["textures.along", "textures.across", "textures.white_from"],
+        Sign::Rhombus { .. } => &["textures.along", "textures.across", "textures.white_from"],
     };
     Section { blocks: vec![Block { starts_row: true, ..samples::table(&rows) }], keys, key }
 }

@@ -29,11 +29,22 @@ pub use unify::unify_areas;
 /// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary
 /// one.
 pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) -> Classes {
+    let [classes] = sort_for(raster, contours, params, [params.min_area]);
+    classes
+}
+
+/// [`sort`] for several least areas, px2, in place of that of the parameters: most of the work is the same for all.
+pub fn sort_for<const N: usize>(
+    raster: &Raster,
+    contours: &[Polyline<PxPoint>],
+    params: &Params,
+    min_areas: [f32; N],
+) -> [Classes; N] {
     let cells = |pixels: u32| ((pixels as f32 / params.cell.max(1.0)).round() as u32).clamp(1, pixels);
     let from = raster.size();
     let size = Size::new(cells(from.width), cells(from.height));
     if contours.is_empty() && size.len() > 1 && raster.is_flat() {
-        return of_one_colour(raster, size, params);
+        return min_areas.map(|_| of_one_colour(raster, size, params));
     }
     let cells_per_px = (size.area() as f32 / from.area() as f32).sqrt();
     let grid = blur::average(raster, contours, size, params.blur * cells_per_px, params.beside);
@@ -45,17 +56,19 @@ pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) ->
     };
 
     let sigma = params.smoothing * cells_per_px;
-    let min_cells = params.min_area * cells_per_px * cells_per_px;
-    let labels = clean::smooth(&memberships, &grid, sigma);
-    let labels = clean::join_small(labels, &memberships, &grid, min_cells);
-    let labels = clean::join_undecided(labels, &memberships, &grid, min_cells);
-    let (region, regions) = clean::regions(&labels, &grid);
-    let lightness = clean::lightness(&colours, &region, &grid);
-    let fringe = match params.fringe {
-        true => clean::fringe(&colours, &region, &regions, size, sigma, min_cells),
-        false => Vec::new(),
-    };
-    Classes { size, region, regions, lightness, fringe }
+    let smooth = clean::smooth(&memberships, &grid, sigma);
+    min_areas.map(|min_area| {
+        let min_cells = min_area * cells_per_px * cells_per_px;
+        let labels = clean::join_small(smooth.clone(), &memberships, &grid, min_cells);
+        let labels = clean::join_undecided(labels, &memberships, &grid, min_cells);
+        let (region, regions) = clean::regions(&labels, &grid);
+        let lightness = clean::lightness(&colours, &region, &grid);
+        let fringe = match params.fringe {
+            true => clean::fringe(&colours, &region, &regions, size, sigma, min_cells),
+            false => Vec::new(),
+        };
+        Classes { size, region, regions, lightness, fringe }
+    })
 }
 
 /// A picture of one colour: as one cell has it, so have all.

@@ -15,8 +15,9 @@ const CLEARLY: f32 = 0.65;
 
 /// Gives outlined areas one class each, and components within an area or between areas, which are smaller than
 /// `min_cells` cells, to their neighbours on the same side of the outline. `area` has the number of the area of each
-/// cell, 0 for the ground between them, which may have any classes. Returns how many areas still have several classes.
-pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> usize {
+/// cell, 0 for the ground between them, which may have any classes. Returns the numbers of the areas that still have
+/// several classes.
+pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> Vec<usize> {
     let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
     let before: Vec<AreaClass> = classes.region.iter().map(class_of).collect();
     let held = holders(&before, area);
@@ -32,7 +33,7 @@ pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> usi
     for (&area, &label) in area.iter().zip(&labels).filter(|(area, _)| **area > 0) {
         is_mixed[area] |= *seen[area].get_or_insert(label) != label;
     }
-    is_mixed.iter().filter(|is_mixed| **is_mixed).count()
+    (0..is_mixed.len()).filter(|&area| is_mixed[area]).collect()
 }
 
 /// By area the label that holds it clearly, if one does; the ground has none.
@@ -130,17 +131,17 @@ mod tests {
         let mixed =
             unify_areas(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0);
         assert_eq!(rows(&sorted), ["bbbbbbbb", "bbrrrrbb", "bbrrrrbb", "bbrrrrbb", "bbbbbbbb"]);
-        assert_eq!(mixed, 0);
+        assert_eq!(mixed, [0_usize; 0]);
         assert_eq!(sorted.regions.len(), 2);
         assert!(sorted.lightness.values.iter().all(|lightness| (lightness - 0.4).abs() < 1e-6), "of one boldness");
     }
 
     #[test]
-    fn an_area_of_two_classes_keeps_them_and_is_counted() {
+    fn an_area_of_two_classes_keeps_them_and_is_told() {
         let two = ["bbbbbb", "brrbbb", "brrbbb", "bbbbbb"];
         let mut sorted = classes(&two);
         let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0);
-        assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), 1));
+        assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), vec![1]));
     }
 
     #[test]
@@ -148,7 +149,7 @@ mod tests {
         // three red cells beyond the outline, fewer than the least
         let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
         let area = areas(&["1111000000", "1111000000", "1111000000", "1111000000"]);
-        assert_eq!(unify_areas(&mut sorted, &area, 4.0), 0);
+        assert_eq!(unify_areas(&mut sorted, &area, 4.0), [0_usize; 0]);
         assert_eq!(rows(&sorted), ["rrrr......"; 4]);
     }
 }

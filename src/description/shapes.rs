@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_4;
 
 use crate::geom::ninths::ninth;
-use crate::geom::{nearest_on_segment, outline};
+use crate::geom::{nearest_on_segment, polygon};
 use crate::lines::{Arrow, arrows};
 use crate::page::Line;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -69,13 +69,13 @@ impl LineShape {
     }
 
     fn area(&self) -> f32 {
-        outline::area(&self.path)
+        polygon::area(&self.path)
     }
 
     /// Whether another closed shape lies within this one.
     fn holds(&self, other: &Self) -> bool {
         let sides = self.path.iter().zip(&self.path[1..]);
-        self.extent.contains_box(&other.extent) && outline::is_inside(sides, other.path[0])
+        self.extent.contains_box(&other.extent) && polygon::is_inside(sides, other.path[0])
     }
 
     /// The side at which it is an open rectangle, such as a bar of a chart that stands on its axis.
@@ -118,7 +118,7 @@ impl LineShape {
         let mm = |name: &'static str, length: f32| (name, Value::from(length.round()));
         if self.closed {
             let holds = ("holds", holds.into());
-            let roundness = outline::roundness(self.area(), self.length);
+            let roundness = polygon::roundness(self.area(), self.length);
             let as_wide = width.min(height) >= AS_WIDE * width.max(height);
             return match roundness >= ROUND && as_wide {
                 true => wording.say("shape-round", &[place, mm("across", 0.5 * (width + height)), holds]),

@@ -137,10 +137,8 @@ impl Device {
 
     /// The only sheet of a pin display: its field, mm. None for devices that take paper.
     pub fn field(&self) -> Option<[f32; 2]> {
-        match self.family {
-            Family::Pins { columns, rows } => Some([columns, rows].map(|pins| f32::from(pins) * PIN)),
-            _ => None,
-        }
+        let Family::Pins { columns, rows } = self.family else { return None };
+        Some([columns, rows].map(|pins| f32::from(pins) * PIN))
     }
 }
 

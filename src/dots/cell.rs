@@ -35,15 +35,38 @@ pub(super) fn centre([column, row]: Cell, grid: &Grid) -> MmPoint {
     MmPoint::new(at(column, &grid.columns), at(row, &grid.rows))
 }
 
-/// The outermost dots within `part` of the sheet: first and last column, first and last row; the last is before the
-/// first where there are none.
-pub(super) fn within(part: MmRect, grid: &Grid) -> [[i32; 2]; 2] {
-    let range = |from: f32, to: f32, centres: &[f32]| {
-        let first = centres.partition_point(|&centre| centre < from) as i32;
-        let end = centres.partition_point(|&centre| centre <= to) as i32;
-        [first, end - 1]
-    };
-    [range(part.min.x, part.max.x, &grid.columns), range(part.min.y, part.max.y, &grid.rows)]
+/// A part of a grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CellBox {
+    /// The first column and row.
+    first: Cell,
+    /// The last ones; before the first where there are none.
+    last: Cell,
+}
+
+impl CellBox {
+    /// The dots within `part` of the sheet.
+    pub(super) fn within(part: MmRect, grid: &Grid) -> Self {
+        let first = |from: f32, centres: &[f32]| centres.partition_point(|&centre| centre < from) as i32;
+        let last = |to: f32, centres: &[f32]| centres.partition_point(|&centre| centre <= to) as i32 - 1;
+        Self {
+            first: [first(part.min.x, &grid.columns), first(part.min.y, &grid.rows)],
+            last: [last(part.max.x, &grid.columns), last(part.max.y, &grid.rows)],
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        (0..2).any(|axis| self.first[axis] > self.last[axis])
+    }
+
+    pub(super) fn holds(&self, cell: Cell) -> bool {
+        (0..2).all(|axis| (self.first[axis]..=self.last[axis]).contains(&cell[axis]))
+    }
+
+    /// The dot nearest to another; there has to be one.
+    pub(super) fn nearest(&self, cell: Cell) -> Cell {
+        [0, 1].map(|axis| cell[axis].clamp(self.first[axis], self.last[axis]))
+    }
 }
 
 /// The distance of two dots in steps, diagonal ones included (Chebyshev).

@@ -14,7 +14,7 @@ use super::ridge::RidgePoint;
 use super::tips::FoundContour;
 use crate::geom::circle as circle_through;
 use crate::geom::nearby::Index;
-use crate::geom::outline::circle_points;
+use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
 use crate::units::{Px, PxPoint, Size};

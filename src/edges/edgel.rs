@@ -65,35 +65,12 @@ pub struct Edges {
     pub regions: Option<Tree>,
     /// How many of the lines are dashed in the picture; here they have no gaps.
     pub dashed: usize,
-    /// What the person who makes the page asks of their drawing.
-    pub constraints: Constraints,
-}
-
-/// What the person who makes a page asks of the drawing of its contours. The pipeline sets it and heeds it; the
-/// detector leaves it empty.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Constraints {
-    /// Boxes in which nothing is drawn, in shares of the picture: left, top, right, bottom.
-    pub erased: Vec<[f32; 4]>,
-    /// How near to chains that a person added nothing else is drawn, px.
-    pub room: f32,
-    /// Regions whose outlines come before all others.
-    pub subjects: Vec<u32>,
-    /// Whether no other region has an outline.
-    pub only_subjects: bool,
 }
 
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self {
-            size,
-            edgels: Vec::new(),
-            chains: Vec::new(),
-            regions: None,
-            dashed: 0,
-            constraints: Constraints::default(),
-        }
+        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, dashed: 0 }
     }
 
     /// Appends an edge that was found in the pixels.

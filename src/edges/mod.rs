@@ -60,7 +60,7 @@ use chain::Chain;
 use contour::ContourPoint;
 use discs::Disc;
 pub use drawing::find_in_vector;
-pub use edgel::{ChainKind, ChainRange, Constraints, Edgel, Edges};
+pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
 use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;

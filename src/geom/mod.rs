@@ -6,7 +6,7 @@ pub mod distance;
 pub mod link;
 pub mod nearby;
 pub mod ninths;
-pub mod outline;
+pub mod polygon;
 pub mod polyline;
 pub mod simplify;
 pub mod walk;

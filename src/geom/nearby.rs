@@ -5,6 +5,7 @@ use std::ops::Range;
 use lyon::geom::euclid::{Box2D, Point2D};
 
 use super::nearest_on_segment;
+use super::polyline::{Located, PolylineRef};
 use crate::units::Mm;
 
 /// A segment with the half of its width and whose it is. Lengths are in the unit of its points.
@@ -166,6 +167,13 @@ impl<U: Copy> Nearby<U> {
     pub fn insert(&mut self, segment: Segment<U>) {
         self.longest = self.longest.max((segment.b - segment.a).length());
         self.put_over(segment.a.min(segment.b), segment.a.max(segment.b), segment);
+    }
+
+    /// Adds the segments of a polyline, which is the line of this number and twice `half_width` wide.
+    pub fn insert_line<V: Located<Unit = U>>(&mut self, line: u32, polyline: PolylineRef<'_, V>, half_width: f32) {
+        for (index, (a, b)) in (0..).zip(polyline.segments()) {
+            self.insert(Segment { a: a.at(), b: b.at(), half_width, line, index, arc: 0.0 });
+        }
     }
 
     /// The length of the longest segment.

@@ -43,7 +43,7 @@ impl Angle {
 
     /// Whether a box lies between them as a whole.
     pub(super) fn holds_box(&self, place: MmRect) -> bool {
-        crate::geom::outline::corners(place).into_iter().all(|corner| self.holds(corner))
+        crate::geom::polygon::corners(place).into_iter().all(|corner| self.holds(corner))
     }
 
     /// The angle in which a point stands near the vertex.

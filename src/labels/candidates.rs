@@ -1,9 +1,10 @@
 //! Places where a label could lie, the best first.
 
+use super::cost::{Attachment, cost};
 use super::forms::Form;
 use super::placed::{PlacedAs, Wanted};
 use super::surroundings::{AT_END, NEAR, Surroundings};
-use crate::geom::outline::{corners, distance_to_box};
+use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -33,46 +34,16 @@ pub(super) const BEFORE_LEADER: f32 = 3.0;
 const LEAVES_LABEL: f32 = 0.7;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
 const BESIDE: f32 = 2.0;
-/// What a label of a point at the lower side of a shape costs for each mm that its middle is off the point, so that it
-/// stands in the middle below the shape where there is room, and not below the next one.
-const OFF_MIDDLE: f32 = 0.5;
-/// What a label of such a point costs elsewhere than below it, mm.
-const NOT_BELOW: f32 = 12.0;
-/// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a
-/// row of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the
-/// bars.
-const ALONG: f32 = 3.0;
-/// What a label costs for each mm above or below the row of the line that leads to it: a word that is whole just above
-/// that line is better than one that is divided beside it.
-const OFF_THE_ROW: f32 = 1.8;
-/// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
-/// on: more than a step of a grid of dots, mm.
-const ON_THE_LEFT: f32 = 3.0;
-const ABOVE_OR_BELOW: f32 = 4.0;
-/// What a label beside a point costs for each mm that its middle is above or below the point: a third of its distance,
-/// as a finger goes on along the row.
-const OFF_LEVEL: f32 = 0.3;
-/// What a label above or below a point costs for each mm that its middle is left or right of the point.
-const OFF_CENTRE: f32 = 0.1;
 /// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
 const TO_LEADER: f32 = 3.5;
 /// What rounding may add to a distance, mm.
 const EPSILON_MM: f32 = 0.01;
-/// What a leader line costs: the millimetres that another place may lie further away.
-const LEADER: f32 = 10.0;
-/// What a leader line across other lines costs: more than an abbreviation.
-const ACROSS: f32 = 2000.0;
-/// What a leader line across other lines costs where the drawing's own crossed them too: less than an abbreviation.
-const ACROSS_AS_DRAWN: f32 = 300.0;
-/// What each mm costs that it then lies from where that began, beside its text: on the other side it would stand among
-/// other things.
-const FROM_PRINT: f32 = 2.0;
-/// What each mm of a leader line costs that runs along a line, of which it would be felt as a part.
-const ALONG_A_LINE: f32 = 20.0;
-/// Least distance to what a leader line leads to, mm: a shorter one is felt as a dot.
-const SHORTEST_LEADER: f32 = 6.0;
-/// What a glyph costs that has to go.
-const GLYPH: f32 = 0.3;
+/// Least distance to what a leader line leads to, mm: less than half of it would be the line itself, which is felt as
+/// a dot then.
+const SHORTEST_LEADER: f32 = 2.0 * BEFORE_LEADER;
+/// Least blank between two leader lines, mm: nearer a finger slips from one to the other. As much as the blank that
+/// tells a leader line from its own label.
+const BETWEEN_LEADERS: f32 = BEFORE_LEADER;
 /// Most places that are kept for a form, and how far apart they are, mm: enough to choose from, and not all in one
 /// spot.
 const MOST: usize = 48;
@@ -153,7 +124,7 @@ impl Candidate {
     pub(super) fn is_too_near(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
         let Spacing { aside, above } = spacing;
         // nearly all pairs are far apart, and their distances need not be known
-        let far = aside.max(above).max(TO_LEADER + off).max(BEFORE_LEADER) + EPSILON_MM;
+        let far = aside.max(above).max(TO_LEADER + off).max(BETWEEN_LEADERS) + EPSILON_MM;
         if !self.extent().inflate(far, far).intersects(&other.extent()) {
             return false;
         }
@@ -170,7 +141,7 @@ impl Candidate {
             })
         };
         let leaders = || match (self.leader, other.leader) {
-            (Some([a, b]), Some([c, d])) => segment_distance((a, b), (c, d)) < BEFORE_LEADER,
+            (Some([a, b]), Some([c, d])) => segment_distance((a, b), (c, d)) < BETWEEN_LEADERS,
             _ => false,
         };
         near || over(self.leader, other.place) || over(other.leader, self.place) || leaders()
@@ -223,26 +194,6 @@ fn of_form(
 /// How far a label may lie from what it names, mm.
 fn reach(label: &Wanted) -> f32 {
     label.led_from.map_or(FAR, |from| FAR.max((from - label.anchor.center()).length() + BEYOND))
-}
-
-/// How a label is joined to what it names.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Attachment {
-    /// It stands beside that.
-    Beside,
-    /// By a leader line that crosses no other.
-    Leader([MmPoint; 2]),
-    /// By a leader line across others.
-    LeaderAcross([MmPoint; 2]),
-}
-
-impl Attachment {
-    fn leader(self) -> Option<[MmPoint; 2]> {
-        match self {
-            Self::Beside => None,
-            Self::Leader(segment) | Self::LeaderAcross(segment) => Some(segment),
-        }
-    }
 }
 
 /// A label in a place; none if it cannot be joined to what it names from there.
@@ -311,45 +262,6 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
     segments
         .into_iter()
         .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))
-}
-
-/// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
-fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment, around: &Surroundings<'_>) -> f32 {
-    let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
-    let distance = distance(label, place, around);
-    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
-    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
-    let leader = match join {
-        Attachment::Beside => 0.0,
-        Attachment::Leader(_) => LEADER,
-        Attachment::LeaderAcross([from, to]) => {
-            let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
-            across + ALONG_A_LINE * room.along(from, to, end)
-        }
-    };
-    // on the side where its text stood
-    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
-    of_form + distance + aside + elsewhere + GLYPH * glyphs + leader
-}
-
-/// How far a place is from what a label names, mm: more in directions in which it reads worse.
-fn distance(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> f32 {
-    let &Surroundings { is_at_lower_side, line_on, anchor, .. } = around;
-    let (gap, is_point) = (distance_to_box(anchor, place), label.anchor.is_empty());
-    // beside a point; in place of a text
-    let away = place.center() - anchor;
-    let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
-    match (is_point, is_beside) {
-        (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
-        (true, true) => gap + OFF_LEVEL * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
-        (true, false) => gap + OFF_CENTRE * away.x.abs() + ABOVE_OR_BELOW,
-        // in the row of the line's end, and rather away from it than back over it
-        (false, _) if line_on.is_some() => {
-            let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
-            (away.x * if is_back { ALONG } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
-        }
-        (false, _) => (ALONG * away.x).hypot(away.y),
-    }
 }
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands

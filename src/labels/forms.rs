@@ -71,7 +71,7 @@ const DIVIDED: f32 = 15.0;
 /// What two lines cost that tear an equation, or a number from its unit: more than any place within reach in one.
 const TORN: f32 = 60.0;
 /// What an abbreviation costs: more than any place within reach.
-const ABBREVIATED: f32 = 1000.0;
+pub(super) const ABBREVIATED: f32 = 1000.0;
 
 /// The forms of each text, or why it has none. A text in several labels is translated once.
 pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Forms, Unplaced>> {

@@ -17,6 +17,7 @@ mod candidates;
 mod choose;
 mod columns;
 mod context;
+mod cost;
 mod forms;
 mod groups;
 mod letters;

@@ -2,7 +2,7 @@
 
 use crate::braille::Lacking;
 use crate::geom::nearest_on_segment;
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::units::{MmPoint, MmRect};
 
 /// How labels are placed, mm.

@@ -4,7 +4,7 @@ use std::f32::consts::TAU;
 
 use super::angles::{self, Angle};
 use crate::geom::nearest_on_segment;
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::page::{Line, Pen, Texture};
 use crate::units::{MmPoint, MmRect, MmVector};
 

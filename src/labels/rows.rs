@@ -129,7 +129,7 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
             let left = edge.left_of(anchor, width);
             left >= area.min.x && left + width <= area.max.x
         }
-        _ => false,
+        GroupDirection::Row | GroupDirection::BelowPoints => false,
     };
     // the first number of a column, or the last of a row, that has a unit: zero may have none
     let has_unit = |i: &usize| {

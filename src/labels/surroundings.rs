@@ -4,7 +4,7 @@ use super::angles::Angle;
 use super::placed::{Params, Wanted};
 use super::room::Room;
 use crate::geom::nearest_on_segment;
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::units::{MmPoint, MmRect};
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie

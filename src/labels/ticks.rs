@@ -107,7 +107,9 @@ fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
     let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
     let (across, beside) = match group.lies {
         GroupDirection::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
-        _ => (MmVector::new(0.0, 1.0), MmVector::new(BESIDE * pitch, 0.0)),
+        GroupDirection::Row | GroupDirection::BelowPoints => {
+            (MmVector::new(0.0, 1.0), MmVector::new(BESIDE * pitch, 0.0))
+        }
     };
     let has_tick = |&label: &usize| {
         let place = wanted[label].anchor;

@@ -59,7 +59,7 @@ fn gap(label: usize, group: &Group, context: &Context<'_>) -> Option<f32> {
         {
             at.y - all.max.y
         }
-        _ => return None,
+        GroupDirection::Row | GroupDirection::BelowPoints | GroupDirection::Column(_) => return None,
     };
     (is_axis && (0.0..IN_PRINT).contains(&gap)).then_some(gap)
 }
@@ -84,13 +84,15 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
                 let x = if is_left { row.min.x } else { row.max.x - size.x };
                 (MmPoint::new(x, row.min.y - MIN_SPACING.above() - size.y), -1.0)
             }
-            _ => (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + MIN_SPACING.above()), 1.0),
+            GroupDirection::Row | GroupDirection::BelowPoints => {
+                (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + MIN_SPACING.above()), 1.0)
+            }
         };
         // beside an axis it would stand above what the axis is that of, such as the first bar of a chart
         let is_above = |corner: MmPoint| match group.lies {
             GroupDirection::Column(_) if is_left => corner.x <= row.max.x,
             GroupDirection::Column(_) => corner.x + size.x >= row.min.x,
-            _ => true,
+            GroupDirection::Row | GroupDirection::BelowPoints => true,
         };
         let at_end = MmPoint::new(row.max.x + MIN_SPACING.aside(), row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {

@@ -7,7 +7,7 @@ use super::limits::LEADER_END;
 use super::rules::LABEL_LINE;
 use crate::geom::crossing;
 use crate::geom::nearby::Nearby;
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::page::{BrailleText, Page, Run, text_name};
 use crate::units::{MmPoint, MmVector};
 

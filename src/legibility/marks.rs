@@ -2,7 +2,7 @@
 //! between any two.
 
 use crate::geom::nearby::Index;
-use crate::geom::outline::is_in_convex;
+use crate::geom::polygon::is_in_convex;
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::page::{Dots, Glyph, Line, Names, Page, Pen, Run, Shape, text_name};
 use crate::units::{Mm, MmPoint, MmRect};

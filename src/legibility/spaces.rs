@@ -85,7 +85,14 @@ fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
         let reach = match mark.part {
             PagePart::Texture(_) => texture_reach(limits),
             PagePart::Braille(_) => BRAILLE_GAP,
-            _ => 0.0,
+            PagePart::OrientationMark
+            | PagePart::Tick
+            | PagePart::Frame
+            | PagePart::Line(_)
+            | PagePart::OverviewFrame
+            | PagePart::OverviewLine(_)
+            | PagePart::Numbers(_)
+            | PagePart::Leader(_) => 0.0,
         };
         index.around(extent.min, extent.max, reach, |&id| {
             let other = &marks[id as usize];
@@ -160,10 +167,7 @@ pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
     let felt = page.risen();
     let marks = marks_of(&felt);
     let index = index(&marks, texture_reach(limits).max(3.0));
-    let of = |mark: &Mark| match mark.part {
-        PagePart::Texture(texture) => Some(texture as usize),
-        _ => None,
-    };
+    let of = |mark: &Mark| if let PagePart::Texture(texture) = mark.part { Some(texture as usize) } else { None };
     let (mut found, mut last, mut glyph) = (Vec::new(), None, 0);
     for (mark, texture) in marks.iter().filter_map(|mark| Some((mark, of(mark)?))) {
         glyph = if last == Some(texture) { glyph + 1 } else { 0 };

@@ -1,10 +1,12 @@
 //! Few shapes: where the maker of a page wants no more than some, the most salient ones stay.
 
 use super::clearance::Cleared;
+use super::outlines::Outlines;
 use super::params::Params;
-use super::vertex::FoundIn;
+use super::vertex::{FoundIn, nearby};
 use crate::geom::components::DisjointSets;
 use crate::geom::nearby::Nearby;
+use crate::units::MmRect;
 
 /// How many of the lines are left out as there are to be few.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,9 +17,36 @@ pub struct Beyond {
     pub lines: usize,
 }
 
-/// Keeps of the lines, which come in the order of their saliency, the first shapes, at most so many, and as many single
-/// open lines. Outlines of regions are shapes already, and none of them goes.
-pub(super) fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
+/// Leaves out the lines beyond as many as there are to be beside outlines, and those that are too short beside them.
+pub(super) fn keep_beside_outlines(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
+    let Some((most, length)) = outlines.others else { return };
+    if !cleared.iter().any(|line| line.rank.is_outline()) {
+        return;
+    }
+    let mut count = 0;
+    cleared.retain(|line| {
+        let is_outline = line.rank.is_outline();
+        count += usize::from(!is_outline && line.polyline.length() >= length);
+        is_outline || (count <= most && line.polyline.length() >= length)
+    });
+}
+
+/// Keeps of the lines, which come in the order of their saliency, as many shapes and single open lines as are asked for
+/// at most.
+pub(super) fn keep(drawn: &mut Vec<&Cleared>, of_outlines: usize, area: MmRect, params: &Params) -> Beyond {
+    match params.most_shapes {
+        None => Beyond::default(),
+        Some(most) if params.of_drawing => {
+            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+            keep_first_things(drawn, most, &all, params)
+        }
+        Some(most) => keep_first(drawn, most, of_outlines),
+    }
+}
+
+/// Keeps the first shapes, at most so many, and as many single open lines. Outlines of regions are shapes already, and
+/// none of them goes.
+fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
     let mut budget = Budget::new(most.saturating_sub(of_outlines), most);
     // a photograph's exact lines were added by a person
     let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
@@ -27,26 +56,41 @@ pub(super) fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: us
 
 /// The same of a drawing. There lines that meet are one shape, and are drawn together or not at all. `all` has the
 /// segments of the lines, under their places among them.
-pub(super) fn keep_first_things(drawn: &mut Vec<&Cleared>, most: usize, all: &Nearby, params: &Params) -> Beyond {
-    let thing = things(drawn, all, params);
-    let mut things = vec![(0.0_f32, 0_usize, false); thing.len()];
-    for (&thing, line) in thing.iter().zip(drawn.iter()) {
-        let (saliency, lines, has_ring) = &mut things[thing];
-        *saliency += line.saliency;
-        *lines += 1;
-        *has_ring |= line.polyline.closed;
+fn keep_first_things(drawn: &mut Vec<&Cleared>, most: usize, all: &Nearby, params: &Params) -> Beyond {
+    let thing_of_line = things(drawn, all, params);
+    let mut things = vec![Thing::default(); thing_of_line.len()];
+    for (&thing, line) in thing_of_line.iter().zip(drawn.iter()) {
+        things[thing].add(line);
     }
-    let mut order: Vec<usize> = (0..things.len()).filter(|&thing| things[thing].1 > 0).collect();
-    order.sort_by(|&a, &b| things[b].0.total_cmp(&things[a].0).then(a.cmp(&b)));
+    let mut order: Vec<usize> = (0..things.len()).filter(|&thing| things[thing].lines > 0).collect();
+    order.sort_by(|&a, &b| things[b].saliency.total_cmp(&things[a].saliency).then(a.cmp(&b)));
     let mut budget = Budget::new(most, most);
-    let mut stays = vec![false; things.len()];
-    for number in order {
-        let (_, lines, has_ring) = things[number];
-        stays[number] = budget.has(has_ring || lines > 1);
-    }
-    let mut of_line = thing.into_iter();
-    drawn.retain(|_| of_line.next().is_some_and(|thing| stays[thing]));
+    order.into_iter().for_each(|number| things[number].stays = budget.has(things[number].is_shape()));
+    let mut of_line = thing_of_line.into_iter();
+    drawn.retain(|_| of_line.next().is_some_and(|thing| things[thing].stays));
     budget.beyond
+}
+
+/// Lines of a drawing that hang together.
+#[derive(Debug, Clone, Default)]
+struct Thing {
+    saliency: f32,
+    lines: usize,
+    has_ring: bool,
+    /// Whether it is drawn.
+    stays: bool,
+}
+
+impl Thing {
+    fn add(&mut self, line: &Cleared) {
+        self.saliency += line.saliency;
+        self.lines += 1;
+        self.has_ring |= line.polyline.closed;
+    }
+
+    fn is_shape(&self) -> bool {
+        self.has_ring || self.lines > 1
+    }
 }
 
 /// How many more may be drawn, and how many are beyond it.

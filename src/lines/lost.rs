@@ -136,7 +136,6 @@ impl LossTally {
 mod tests {
     use super::*;
     use crate::lines::vertex::FoundIn;
-    use crate::lines::vertex::Vertex;
 
     fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
         let vertex = |(x, y): (f32, f32)| Vertex {

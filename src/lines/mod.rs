@@ -35,10 +35,12 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
+use arrowheads::DrawnHeads;
 use candidates::LineCandidates;
 use clearance::Cleared;
-use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
-use vertex::{Vertex, nearby};
+use points::{DrawnPoints, Point};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use vertex::Vertex;
 
 pub use arrowheads::{Arrow, arrows, is_triangle};
 pub use few::Beyond;
@@ -81,57 +83,43 @@ pub fn draw_with(
     let params = Params { of_drawing: edges.of_drawing(), ..*params };
     let candidates = |params: &Params| LineCandidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
-    keep_few_others(&mut cleared, outlines);
+    few::keep_beside_outlines(&mut cleared, outlines);
     faint::without_scraps(&mut cleared, &candidates.lines, &params);
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
     let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
     let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.
-    let mut beyond = match params.most_shapes {
-        Some(most) if params.of_drawing => {
-            let all = nearby(drawn.iter().map(|line| &line.polyline), area, &params);
-            few::keep_first_things(&mut drawn, most, &all, &params)
-        }
-        Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
-        None => Beyond::default(),
-    };
+    let mut beyond = few::keep(&mut drawn, outlines.shapes, area, &params);
     // A page of few shapes has no points; each is a shape that is left out.
     let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
     beyond.shapes += candidates.points.len() - points.len();
-    let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
-    let handed_on = if params.hands_marks_on { points.iter().map(points::Point::mark).collect() } else { Vec::new() };
-    let mut marks = LineMarks { points: handed_on, scales: candidates.scales.clone(), heads: candidates.heads.clone() };
-    let points = if params.hands_marks_on { &[] } else { points };
-    let points = points::draw(points, &polylines, area, &params);
-    lost.rings += points.lost;
-    let heads = if params.hands_marks_on { &mut [] } else { &mut marks.heads[..] };
-    let heads = arrowheads::draw(heads, &polylines, area, &params);
-    let finish = |(number, line): (usize, &Cleared)| -> Vec<Line> {
-        let (shaft, anchored) = heads.shaft(number, &line.polyline, &line.anchored);
-        let parts = points.parts(number, &shaft, &anchored, &params);
-        parts.iter().filter_map(|(part, anchored)| weight::finish(part, anchored, &params)).collect()
+    let mut marks =
+        LineMarks { points: Vec::new(), scales: candidates.scales.clone(), heads: candidates.heads.clone() };
+    let (points, heads) = if params.hands_marks_on {
+        marks.points = points.iter().map(Point::mark).collect();
+        (DrawnPoints::default(), DrawnHeads::default())
+    } else {
+        let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
+        let points = points::draw(points, &polylines, area, &params);
+        (points, arrowheads::draw(&mut marks.heads, &polylines, area, &params))
     };
-    let finish_mark = |mark: &Polyline<Vertex>| weight::finish(mark, &vec![false; mark.vertices.len()], &params);
-    // on a grid of dots the first lines get the dots that they need
-    let mut lines: Vec<Line> = points.rings.iter().filter_map(finish_mark).collect();
-    let others: Vec<Line> =
-        drawn.into_par_iter().enumerate().flat_map_iter(|(number, line)| finish((number, line))).collect();
-    lines.extend(others);
-    lines.extend(heads.heads.iter().filter_map(finish_mark));
-    Lines { lines, marks, lost, beyond }
+    lost.rings += points.lost;
+    Lines { lines: finished(&drawn, &points, &heads, &params), marks, lost, beyond }
 }
 
-/// Leaves out the lines beyond as many beside outlines as there are to be, and those that are too short beside them.
-fn keep_few_others(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
-    let Some((most, length)) = outlines.others else { return };
-    if !cleared.iter().any(|line| line.rank.is_outline()) {
-        return;
-    }
-    let mut count = 0;
-    cleared.retain(|line| {
-        let is_outline = line.rank.is_outline();
-        count += usize::from(!is_outline && line.polyline.length() >= length);
-        is_outline || (count <= most && line.polyline.length() >= length)
-    });
+/// The lines as they are drawn: the rings of hollow points, then lines with their beads, then the heads of arrows.
+fn finished(drawn: &[&Cleared], points: &DrawnPoints, heads: &DrawnHeads, params: &Params) -> Vec<Line> {
+    let finish = |(number, line): (usize, &&Cleared)| -> Vec<Line> {
+        let (shaft, anchored) = heads.shaft(number, &line.polyline, &line.anchored);
+        let parts = points.parts(number, &shaft, &anchored, params);
+        parts.iter().filter_map(|(part, anchored)| weight::finish(part, anchored, params)).collect()
+    };
+    let finish_mark = |mark: &Polyline<Vertex>| weight::finish(mark, &vec![false; mark.vertices.len()], params);
+    // on a grid of dots the first lines get the dots that they need
+    let mut lines: Vec<Line> = points.rings.iter().filter_map(finish_mark).collect();
+    let others: Vec<Line> = drawn.par_iter().enumerate().flat_map_iter(finish).collect();
+    lines.extend(others);
+    lines.extend(heads.heads.iter().filter_map(finish_mark));
+    lines
 }

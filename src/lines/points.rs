@@ -14,7 +14,7 @@ use super::marks::PointMark;
 use super::params::{HEADING, Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
-use crate::geom::outline::{circle_points, roundness};
+use crate::geom::polygon::{circle_points, roundness};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -277,7 +277,11 @@ impl DrawnPoints {
         for (_, at) in self.beads.iter().filter(|(of, _)| *of == number) {
             add_bead(&mut line, &mut anchored, *at, BEAD * params.width_max);
         }
-        if self.holes.is_empty() { vec![(line, anchored)] } else { outside(&line, &anchored, &self.holes) }
+        match self.holes[..] {
+            [] => vec![(line, anchored)],
+            // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
+            ref holes => outside(&line, &anchored, holes, params.min_gap),
+        }
     }
 }
 
@@ -296,8 +300,14 @@ fn add_bead(line: &mut Polyline<Vertex>, anchored: &mut Vec<bool>, at: MmPoint, 
     anchored.splice(nearest + 1..nearest + 1, [true, true]);
 }
 
-/// The parts of a line, with what is anchored of it, that lie in none of the holes.
-fn outside(line: &Polyline<Vertex>, anchored: &[bool], holes: &[(MmPoint, f32)]) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+/// The parts of a line, with what is anchored of it, that lie in none of the holes. An end of the line shorter than
+/// `least`, mm, is none of them.
+fn outside(
+    line: &Polyline<Vertex>,
+    anchored: &[bool],
+    holes: &[(MmPoint, f32)],
+    least: f32,
+) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
     let hole_at = |vertex: &Vertex| holes.iter().find(|(at, radius)| (vertex.at - *at).length() < *radius);
     let Some(inside) = line.vertices.iter().position(|vertex| hole_at(vertex).is_some()) else {
         return vec![(line.clone(), anchored.to_vec())];
@@ -334,8 +344,14 @@ fn outside(line: &Polyline<Vertex>, anchored: &[bool], holes: &[(MmPoint, f32)])
         }
         before = Some(vertex);
     }
-    let parts = parts.into_iter().filter(|(vertices, _)| vertices.len() > 1);
-    parts.map(|(vertices, anchored)| (Polyline::open(vertices), anchored)).collect()
+    let last = parts.len() - 1;
+    let parts = parts.into_iter().enumerate().filter(|(_, (vertices, _))| vertices.len() > 1);
+    let parts = parts.map(|(number, (vertices, anchored))| (number, Polyline::open(vertices), anchored));
+    let is_end = |number: usize| !line.closed && (number == 0 || number == last);
+    let stays = |(number, part, anchored): (usize, Polyline<Vertex>, Vec<bool>)| {
+        (!is_end(number) || part.length() >= least).then_some((part, anchored))
+    };
+    parts.filter_map(stays).collect()
 }
 
 #[cfg(test)]
@@ -419,6 +435,16 @@ mod tests {
         let bead: Vec<f32> = before.vertices.iter().filter(|at| at.width > 4.0).map(|at| at.at.x).collect();
         assert!(matches!(bead[..], [a, b] if (a + b - 60.0).abs() < 0.15), "{bead:?}");
         assert_eq!(anchored.len(), before.vertices.len());
+    }
+
+    #[test]
+    fn of_a_tick_under_a_hollow_point_nothing_sticks_out() {
+        let drawn = |length: f32| {
+            let tick = line(&[(60.0, 50.0 - 0.5 * length), (60.0, 50.0 + 0.5 * length)], false, 0.0, FoundIn::Vector);
+            let drawn = DrawnPoints { holes: vec![(MmPoint::new(60.0, 50.0), 2.5)], ..DrawnPoints::default() };
+            drawn.parts(0, &tick, &vec![false; tick.vertices.len()], &PARAMS).len()
+        };
+        assert_eq!((drawn(8.0), drawn(40.0)), (0, 2));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::params::Params;
 use crate::edges::{ChainKind, Edgel};
-use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
 use crate::geom::{mix, nearest_on_segment};
 use crate::units::{Mm, MmPoint, MmRect, PageTransform};
@@ -227,9 +227,7 @@ impl Polyline<Vertex> {
 pub(super) fn nearby<'a>(lines: impl Iterator<Item = &'a Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
     let mut segments = Nearby::new(area, params.max_spacing());
     for (line, polyline) in (0..).zip(lines) {
-        for (index, (a, b)) in (0..).zip(polyline.segments()) {
-            segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
-        }
+        segments.insert_line(line, polyline.view(), 0.0);
     }
     segments
 }

@@ -144,7 +144,7 @@ fn wrong_signs(page: &Page) -> Vec<usize> {
                 apart.min(180.0 - apart) > TURNED
             }
             (Shape::Dot { .. }, Sign::Dot) => false,
-            _ => true,
+            (Shape::Dot { .. }, Sign::Rhombus { .. }) | (Shape::Rhombus { .. }, Sign::Dot) => true,
         });
         2 * wrong.count() > texture.glyphs.len()
     };

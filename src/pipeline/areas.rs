@@ -6,7 +6,7 @@
 
 use crate::classes::{Classes, Region};
 use crate::geom::crossing;
-use crate::geom::nearby::{Index, Nearby, Segment};
+use crate::geom::nearby::{Index, Nearby};
 use crate::page::{Line, Page, Texture};
 use crate::raster::plane::Plane;
 use crate::units::{Mm, MmPoint, MmRect, Size};
@@ -78,9 +78,7 @@ const MOST_TRIED: usize = 12;
 pub(super) fn index_of(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
     let mut index = Nearby::new(area, reach);
     for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
-        for (number, (&a, &b)) in (0..).zip(run.polyline().segments()) {
-            index.insert(Segment { a, b, half_width: 0.5 * run.width, line, index: number, arc: 0.0 });
-        }
+        index.insert_line(line, run.polyline(), 0.5 * run.width);
     }
     index
 }

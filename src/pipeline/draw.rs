@@ -1,16 +1,16 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
+use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
-
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::leaders;
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
 use super::outlines::{outlines_of_figure, regions_of_figure};
-use super::overview::{draw_overview, told_of_overview};
+use super::overview::{draw_overview, seen_in_figure, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request};
@@ -21,7 +21,7 @@ use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified};
 use super::words::{Words, become_labels};
 use crate::classes::{self, Classes};
-use crate::edges::{self, Edges, PictureKind, Ridges};
+use crate::edges::{self, Edges, Ridges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
@@ -29,7 +29,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
-use crate::regions::{Chosen, Detail, Mask, OutlineAreas};
+use crate::regions::{Chosen, Detail, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
@@ -61,10 +61,9 @@ pub(super) struct Found {
     layout: Layout,
     texts: Vec<Text>,
     edges: Edges,
-    /// Parts of the picture that stay blank.
-    erased: Vec<[f32; 4]>,
-    /// The thing around which the rest is calmed.
-    calmed_around: Option<Mask>,
+    decisions: Decisions,
+    /// How large the overview should be: it may be laid out smaller.
+    overview: OverviewSize,
     notes: Vec<Note>,
 }
 
@@ -84,8 +83,9 @@ pub(super) fn find(
     let Read { picture, content } = read(picture, &options, given.text_reader.as_ref(), watch)?;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
-    let (overview, layout) = overview_of(&picture, &content, given, plan).fitting(source, plan, layout_of)?;
-    let layout = with_room(&lettered, layout, &|size| layout_of(size, overview));
+    let overview = overview_of(&picture, &content, given, plan);
+    let (laid_out, layout) = overview.fitting(source, plan, layout_of)?;
+    let layout = with_room(&lettered, layout, &|size| layout_of(size, laid_out));
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
@@ -94,20 +94,20 @@ pub(super) fn find(
 
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let (mut edges, of_given) = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
-        find_edges(&picture, &content, &layout, plan, watch)
-    })?;
-    notes.extend(of_given);
+    let Contours { mut edges, mut decisions, told } =
+        contours_of(given, picture.raster.size(), &layout, erased, request, || {
+            find_edges(&picture, &content, &layout, plan, watch)
+        })?;
+    notes.extend(told);
     notes.extend(told_short(given, &layout, plan));
     if plan.profile().figure.lines && given.lines.is_none() {
-        let draw = |edges: &Edges| draw_lines(edges, None, true, &layout, plan, &mut |_| ()).lines.lines;
+        let draw = |edges: &Edges| draw_lines(edges, LinesOf::Picture(None), &layout, plan, &mut |_| ()).lines.lines;
         notes.extend(leaders::whole_or_none(&mut edges, &mut texts, become_labels(words), &layout, draw));
     }
-    let (calmed_around, told) = subject::prepare(given, &mut edges, source, &layout, plan);
-    notes.extend(told);
+    notes.extend(subject::prepare(given, (&mut edges, &mut decisions), source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
-    Ok(Found { picture, is_flat, layout, texts, edges, erased, calmed_around, notes })
+    Ok(Found { picture, is_flat, layout, texts, edges, decisions, overview, notes })
 }
 
 /// Everything but the page: draws the contours and colours that were found.
@@ -118,36 +118,42 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } = found;
+    let Found { picture, is_flat, layout, texts, edges, decisions, overview: size_of_overview, mut notes } = found;
     let has_lines = plan.profile().figure.lines && !edges.is_empty();
-    // lines that a person gave stay as they are
-    let may_join = given.lines.is_none();
-    let (drawn, (overview, mut classes)) = {
+    let (drawn, (overview, mut areas_of_colours)) = {
         let (edges, layout) = (&edges, &layout);
-        let regions = regions_of_figure(edges, layout, plan, watch);
-        let lines = |watch: &mut Watch<'_>| draw_lines(edges, regions.as_ref(), may_join, layout, plan, watch);
-        in_parallel(has_lines, watch, lines, |watch| {
-            let overview = draw_overview(edges, regions.as_ref(), may_join, layout, plan, watch);
-            (overview, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
-        })
+        let regions = regions_of_figure(edges, &decisions, layout, plan, watch);
+        let lines_of = lines_of(given, regions.as_ref(), &decisions);
+        let lines = |watch: &mut Watch<'_>| draw_lines(edges, lines_of, layout, plan, watch);
+        let overview = |edges: &Edges, watch: &mut Watch<'_>| {
+            draw_overview(edges, lines_of, size_of_overview, layout, plan, watch)
+        };
+        let follows_figure = has_lines && regions.is_some() && plan.lines().most_shapes.is_some();
+        let (drawn, (own, areas)) = in_parallel(has_lines, watch, lines, |watch| {
+            let own = (!follows_figure).then(|| overview(edges, watch));
+            (own, AreasOfColours::of(given, &picture.raster, edges, layout, plan, watch))
+        });
+        let of_figure = |watch| overview(&seen_in_figure(edges, &drawn.lines.lines, layout, plan), watch);
+        let overview = own.unwrap_or_else(|| of_figure(watch));
+        (drawn, (overview, areas))
     };
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
     notes.extend(told_left_out(&drawn, &edges, &layout));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
-    if let Some(classes) = &mut classes {
+    if let Some(AreasOfColours { classes, with_small }) = &mut areas_of_colours {
         let size = picture.raster.size();
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
-        if of_picture && erased.is_empty() {
-            notes.extend(small_areas::told(classes, &picture.raster, &edges, &layout, plan));
-        }
+        // what is erased is not there on purpose
+        let with_small = with_small.as_ref().filter(|_| decisions.erased.is_empty());
+        notes.extend(with_small.and_then(|fine| small_areas::told(classes, fine, &layout, plan)));
         let outlines = areas.as_ref().filter(|_| of_picture);
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
-        blank(classes, &erased);
+        blank(classes, &decisions.erased);
         notes.extend(if of_picture { blank_ground(classes, plan) } else { None });
-        calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
+        decisions.calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     notes.extend(told_of_overview(&overview));
@@ -155,8 +161,11 @@ pub(super) fn draw(
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let of_drawing = edges.of_drawing();
     drop((picture.raster, edges));
+    let classes = areas_of_colours.map(|areas| areas.classes);
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, of_drawing, plan)));
+    notes.extend(
+        classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, of_drawing, plan)),
+    );
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
@@ -177,8 +186,16 @@ fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
     (short > 0).then(|| Note::NotOnPage(About::Lines, format!("{short} {noun} of those given, as {why}")))
 }
 
+/// The contours of a picture, and what is decided about the lines that are drawn of them.
+pub(super) struct Contours {
+    pub(super) edges: Edges,
+    pub(super) decisions: Decisions,
+    /// What is told of those that were given.
+    pub(super) told: Option<Note>,
+}
+
 /// The contours of a picture of this size: what a person gave, or what `find` finds, with the lines that were added,
-/// and without what is erased; and what is told of the first.
+/// and without what is erased.
 ///
 /// # Errors
 /// If what was given cannot be read or is of another shape than the picture.
@@ -186,10 +203,10 @@ pub(super) fn contours_of(
     given: &Given,
     size: Size,
     layout: &Layout,
-    erased: &[[f32; 4]],
+    erased: Vec<[f32; 4]>,
     request: &Request<'_>,
     find: impl FnOnce() -> Edges,
-) -> Result<(Edges, Option<Note>), Error> {
+) -> Result<Contours, Error> {
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
     let mut told = None;
     let mut edges = match &given.lines {
@@ -201,11 +218,20 @@ pub(super) fn contours_of(
         }
         None => find(),
     };
+    let room_of_added = request.plan.lines().max_spacing() * px_per_mm;
     if let Some(added) = &given.added {
-        added.add_to(&mut edges, request.plan.lines().max_spacing() * px_per_mm)?;
+        added.add_to(&mut edges, room_of_added)?;
     }
-    erase(&mut edges, erased.to_vec());
-    Ok((edges, told))
+    erase(&mut edges, &erased);
+    Ok(Contours { edges, decisions: Decisions { erased, room_of_added, ..Decisions::default() }, told })
+}
+
+/// Whose lines are drawn of contours: those that a person gave stay as they are.
+pub(super) fn lines_of<'a>(given: &Given, regions: Option<&'a Chosen>, decisions: &'a Decisions) -> LinesOf<'a> {
+    match given.lines {
+        Some(_) => LinesOf::Person,
+        None => LinesOf::Picture(regions.map(|of_figure| OutlinedRegions { of_figure, decisions })),
+    }
 }
 
 /// The lines of a picture of lines, as contours of a picture of this size, and what is told of letters in it, which are
@@ -231,7 +257,7 @@ fn edges_of_drawn(
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
-    let edges = edges_of(&picture, content.kind(), &request.plan.edges(px_per_mm), None, &mut |_| ());
+    let edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
     Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, told))))
 }
 
@@ -280,11 +306,10 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
     Ok(())
 }
 
-/// The contours of a picture: those of a vector drawing from its own geometry. Its kind, where it is known, is not
-/// found out again.
+/// The contours of a picture: those of a vector drawing from its own geometry.
 pub(super) fn edges_of(
     picture: &decode::Decoded,
-    kind: Option<&PictureKind>,
+    content: &Content,
     params: &edges::Params,
     regions: Option<Detail>,
     watch: &mut Watch<'_>,
@@ -293,14 +318,8 @@ pub(super) fn edges_of(
     if let Some(drawing) = &picture.drawing {
         return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
     }
-    let own;
-    let kind = match kind {
-        Some(kind) => kind,
-        None => {
-            own = run(watch, Stage::Edges, || PictureKind::of(raster, picture.lossy));
-            &own
-        }
-    };
+    // only pixels of one colour are of no kind
+    let Some(kind) = content.kind() else { return Edges::none(raster.size()) };
     let Some(detail) = regions.filter(|_| !kind.is_drawing) else {
         return run(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
     };
@@ -324,7 +343,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), plan.region_detail(), watch);
+        return edges_of(picture, content, &plan.edges(px_per_mm), plan.region_detail(), watch);
     };
     watch(Event::Skip(Stage::Edges, reason));
     Edges::none(picture.raster.size())
@@ -340,12 +359,10 @@ pub(super) struct FigureLines {
     pub(super) instead: Option<BarStyle>,
 }
 
-/// The lines of the figure, with the outlines of its `regions`; bars of a chart may be drawn otherwise if they
-/// `may_join`.
+/// The lines of the figure.
 pub(super) fn draw_lines(
     edges: &Edges,
-    regions: Option<&Chosen>,
-    may_join: bool,
+    lines_of: LinesOf<'_>,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
@@ -357,14 +374,14 @@ pub(super) fn draw_lines(
     } else {
         let transform = PageTransform::new(edges.size, layout.figure);
         return run(watch, Stage::Lines, || {
-            let (outlines, areas) = outlines_of_figure(edges, regions, &transform, plan);
+            let (outlines, areas) = outlines_of_figure(edges, lines_of.regions(), &transform, plan);
             let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
                 let params = lines::Params { detail, ..plan.lines() };
                 draw_whole(edges, &outlines, transform, layout, &params, plan)
             };
             let detail = plan.lines().detail;
             let drawn = draw(edges, &transform, detail);
-            if !may_join || plan.lines().most_shapes.is_some() {
+            if matches!(lines_of, LinesOf::Person) || plan.lines().most_shapes.is_some() {
                 return FigureLines { lines: drawn, areas, instead: None };
             }
             let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
@@ -419,28 +436,44 @@ fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
 }
 
-/// The areas that a person gave, or the colours of the picture.
-fn areas_of_colours(
-    given: &Given,
-    raster: &Raster,
-    edges: &Edges,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> Option<Classes> {
-    match &given.areas {
-        Some(areas) => plan.profile().figure.textures.then(|| areas.clone()),
-        None => sort_colours(raster, edges, layout, plan, watch),
+/// The areas of a figure by their colours.
+struct AreasOfColours {
+    classes: Classes,
+    /// The same with areas that are too small for a texture, where such are told.
+    with_small: Option<Classes>,
+}
+
+impl AreasOfColours {
+    /// The areas that a person gave, or the colours of the picture.
+    fn of(
+        given: &Given,
+        raster: &Raster,
+        edges: &Edges,
+        layout: &Layout,
+        plan: &Plan,
+        watch: &mut Watch<'_>,
+    ) -> Option<Self> {
+        if let Some(areas) = &given.areas {
+            return plan.profile().figure.textures.then(|| Self { classes: areas.clone(), with_small: None });
+        }
+        if small_areas::are_told(edges, layout) {
+            let [classes, small] = sort_colours(raster, [1.0, small_areas::LEAST], edges, layout, plan, watch)?;
+            return Some(Self { classes, with_small: Some(small) });
+        }
+        let [classes] = sort_colours(raster, [1.0], edges, layout, plan, watch)?;
+        Some(Self { classes, with_small: None })
     }
 }
 
-pub(super) fn sort_colours(
+/// The colours of a picture, sorted for each of these least areas, in shares of that of the profile.
+pub(super) fn sort_colours<const N: usize>(
     raster: &Raster,
+    shares: [f32; N],
     edges: &Edges,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> Option<Classes> {
+) -> Option<[Classes; N]> {
     if !plan.profile().figure.textures {
         watch(Event::Skip(Stage::Classes, "figure.textures is off"));
         return None;
@@ -451,6 +484,7 @@ pub(super) fn sort_colours(
     let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
     Some(run(watch, Stage::Classes, || {
         let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
-        classes::sort(raster, &contours, &plan.classes(px_per_mm))
+        let params = plan.classes(px_per_mm);
+        classes::sort_for(raster, &contours, &params, shares.map(|share| share * params.min_area))
     }))
 }

@@ -7,7 +7,7 @@ use super::label::CLEARANCE;
 use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
 use crate::geom::nearest_on_segment;
-use crate::geom::outline::{distance_to_box, row_inside};
+use crate::geom::polygon::{distance_to_box, row_inside};
 use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Page, Parts, Texture};
 use crate::profile::Plan;
 use crate::raster::plane::Plane;

@@ -1,10 +1,12 @@
 //! What a person gives beside the picture: lines that are drawn in place of those that would be found.
 
+use super::decisions::Decisions;
 use super::hand_lines::{HandLines, added, near, outside, without};
 use super::label::Position;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::Edges;
+use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
@@ -43,6 +45,21 @@ pub enum GivenLines {
 }
 
 impl Given {
+    /// The plan by which a page is made of it. Of lines that a person gave, all are drawn that have room: few of them
+    /// would be others than were meant.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] with every fault of the profile.
+    pub fn plan(&self, profile: &Profile) -> Result<Plan, Error> {
+        if self.lines.is_none() {
+            return Plan::new(profile);
+        }
+        let mut profile = profile.clone();
+        profile.set("lines.detail", "1")?;
+        profile.set("lines.shapes", "0")?;
+        Plan::new(&profile)
+    }
+
     /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on
     /// the sheet.
     ///
@@ -93,13 +110,11 @@ fn around(boxes: &[[f32; 4]]) -> Vec<[f32; 4]> {
 }
 
 /// Takes the parts of contours out that lie in boxes, in shares of the picture.
-pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
-    if boxes.is_empty() {
-        return;
-    }
+pub(super) fn erase(edges: &mut Edges, boxes: &[[f32; 4]]) {
     let size = edges.size;
-    without(edges, |_, _, edgel| is_in(share(edgel.at, size), &boxes));
-    edges.constraints.erased = boxes;
+    if !boxes.is_empty() {
+        without(edges, |_, _, edgel| is_in(share(edgel.at, size), boxes));
+    }
 }
 
 /// Leaves the cells in boxes, in shares of the picture, without a colour.
@@ -131,15 +146,15 @@ pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -
 }
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.
-pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges) -> Vec<RegionOutline> {
+pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges, decisions: &Decisions) -> Vec<RegionOutline> {
     let own = added(edges);
-    if edges.constraints.erased.is_empty() && own.is_empty() {
+    if decisions.erased.is_empty() && own.is_empty() {
         return outlines;
     }
     let near = near(&own);
     let gone = |point: &TracePoint| {
-        is_in(share(point.at, edges.size), &edges.constraints.erased)
-            || near.nearest(point.at, edges.constraints.room, |_| true).is_some()
+        is_in(share(point.at, edges.size), &decisions.erased)
+            || near.nearest(point.at, decisions.room_of_added, |_| true).is_some()
     };
     let parts = |RegionOutline { contour, region }: &RegionOutline| {
         let part = |(vertices, closed)| RegionOutline { contour: TracedContour { vertices, closed }, region: *region };
@@ -160,15 +175,14 @@ pub(super) fn is_in([x, y]: [f32; 2], boxes: &[[f32; 4]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::edges::{ChainKind, Constraints, Edgel};
+    use crate::edges::{ChainKind, Edgel};
 
     #[test]
     fn a_line_that_was_added_and_erased_again_takes_no_room() {
         let size = Size::new(200, 100);
         let row = |y: f32| (10..190).map(move |x| PxPoint::new(x as f32, y));
         let edgels = |y: f32| row(y).map(|at| Edgel { at, strength: 40.0, contrast: [0.0; 3] });
-        let constraints = Constraints { room: 8.0, ..Constraints::default() };
-        let mut edges = Edges { constraints, ..Edges::none(size) };
+        let mut edges = Edges::none(size);
         edges.push(edgels(20.0), false);
         edges.push_as(ChainKind { added: true, ..ChainKind::default() }, edgels(70.0), false);
         let outline = |y: f32| TracedContour {
@@ -176,12 +190,28 @@ mod tests {
             closed: false,
         };
         let outline = |y: f32| RegionOutline { contour: outline(y), region: 0 };
-        let room = |edges: &Edges| [22.0, 72.0].map(|y| with_room(vec![outline(y)], edges).len());
-        assert_eq!(room(&edges), [1, 0], "only what was added takes room");
-        erase(&mut edges, vec![[0.0, 0.6, 1.0, 0.65]]);
-        assert_eq!(room(&edges), [1, 0], "nothing was erased");
-        erase(&mut edges, vec![[0.0, 0.68, 1.0, 0.71]]);
-        assert_eq!(room(&edges), [1, 1]);
+        let mut room_without = |erased: &[[f32; 4]]| {
+            erase(&mut edges, erased);
+            let decisions = Decisions { erased: erased.to_vec(), room_of_added: 8.0, ..Decisions::default() };
+            [22.0, 72.0].map(|y| with_room(vec![outline(y)], &edges, &decisions).len())
+        };
+        assert_eq!(room_without(&[]), [1, 0], "only what was added takes room");
+        assert_eq!(room_without(&[[0.0, 0.6, 1.0, 0.65]]), [1, 0], "nothing was erased");
+        assert_eq!(room_without(&[[0.0, 0.68, 1.0, 0.71]]), [1, 1]);
+    }
+
+    #[test]
+    fn of_lines_that_a_person_gave_all_are_drawn() {
+        let mut profile = Profile::named("swell-a4").expect("it is built in");
+        for (key, value) in [("lines.detail", "0.5"), ("lines.shapes", "3")] {
+            profile.set(key, value).expect("a key and its value");
+        }
+        let of = |lines: Option<GivenLines>| {
+            let plan = Given { lines, ..Given::default() }.plan(&profile).expect("it makes sense");
+            (plan.lines().detail, plan.lines().most_shapes)
+        };
+        assert_eq!(of(None), (0.5, Some(3)));
+        assert_eq!(of(Some(GivenLines::Picture(Vec::new()))), (1.0, None));
     }
 
     #[test]

@@ -4,8 +4,8 @@ use lyon::geom::euclid::Box2D;
 
 use super::kept_lines::LineName;
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
-use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::polyline::Polyline;
+use crate::geom::nearby::Nearby;
+use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::lines::{Line, Pen, Run};
 use crate::page::Page;
 use crate::profile::Plan;
@@ -149,7 +149,6 @@ impl HandLines {
         for range in &own.chains {
             found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
         }
-        found.constraints.room = reach;
         Ok(())
     }
 
@@ -294,14 +293,25 @@ fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
 
 /// The segments of contours, to be found by their places.
 pub(super) fn near(edges: &Edges) -> Nearby<Px> {
-    let area = Box2D::new(PxPoint::zero(), PxPoint::new(edges.size.width as f32, edges.size.height as f32));
-    let mut near = Nearby::new(area, CELL);
-    for (line, chain) in (0..).zip(edges.chains()) {
-        for (index, (a, b)) in (0..).zip(chain.segments()) {
-            near.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
-        }
+    let mut near = index_of(edges.size);
+    (0..).zip(edges.chains()).for_each(|(line, chain)| near.insert_line(line, chain, 0.0));
+    near
+}
+
+/// The segments of drawn lines, to be found by their places in a picture of this size.
+pub(super) fn near_drawn(lines: &[Line], size: Size, transform: &PageTransform) -> Nearby<Px> {
+    let mut near = index_of(size);
+    for (line, run) in (0..).zip(lines).flat_map(|(number, line)| line.runs.iter().map(move |run| (number, run))) {
+        let points: Vec<PxPoint> = run.points.iter().map(|&at| transform.to_px(at)).collect();
+        near.insert_line(line, PolylineRef { vertices: &points, closed: run.closed }, 0.0);
     }
     near
+}
+
+/// An index for a picture of this size.
+fn index_of(size: Size) -> Nearby<Px> {
+    let area = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
+    Nearby::new(area, CELL)
 }
 
 /// Side of the cells of that, px.

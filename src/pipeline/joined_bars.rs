@@ -305,8 +305,7 @@ impl Chart {
     /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be
     /// no grid.
     fn kept(&self, edges: &Edges, has_grid: bool, rows: &[BarRow], low: &[Bar]) -> Kept {
-        let mut others =
-            Edges { dashed: edges.dashed, constraints: edges.constraints.clone(), ..Edges::none(edges.size) };
+        let mut others = Edges { dashed: edges.dashed, ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
             let is_grid = !has_grid && self.is_gridline(edges, chain);

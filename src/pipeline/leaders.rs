@@ -5,7 +5,7 @@ use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::{Line, Pen};
@@ -127,10 +127,7 @@ fn of(
     let chains: Vec<Vec<MmPoint>> = edges.chains.iter().map(points).collect();
     let mut index = Nearby::new(figure, BESIDE_TEXT);
     for (line, (points, chain)) in (0..).zip(chains.iter().zip(&edges.chains)) {
-        let polyline = PolylineRef { vertices: points, closed: chain.closed };
-        for (number, (&a, &b)) in (0..).zip(polyline.segments()) {
-            index.insert(Segment { a, b, half_width: 0.0, line, index: number, arc: 0.0 });
-        }
+        index.insert_line(line, PolylineRef { vertices: points, closed: chain.closed }, 0.0);
     }
     let longest = LONGEST * figure.width().max(figure.height());
     let is_leader = |number: usize| -> Option<Leader> {

@@ -6,7 +6,7 @@ use super::texts::Text;
 use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::labels::NEAR;
 use crate::lines::{Line, Lines, LostSign, is_triangle};
 use crate::page::Figure;

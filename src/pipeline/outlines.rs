@@ -1,5 +1,6 @@
 //! Outlines of regions, for the figure and for the overview.
 
+use super::decisions::{Decisions, OutlinedRegions};
 use super::given::with_room;
 use super::progress::{Stage, Watch, run};
 use crate::edges::Edges;
@@ -14,52 +15,59 @@ const OTHERS: usize = 8;
 const OTHERS_LENGTH: f32 = 8.0;
 
 /// The regions that get an outline in the figure.
-pub(super) fn regions_of_figure(edges: &Edges, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Option<Chosen> {
+pub(super) fn regions_of_figure(
+    edges: &Edges,
+    decisions: &Decisions,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Option<Chosen> {
     let tree = edges.regions.as_ref()?;
     let transform = PageTransform::new(edges.size, layout.figure);
-    let params = params_of(edges, plan, false);
-    let choose = || tree.chosen(transform.mm_per_px(), &params, &edges.constraints.subjects, OfFigure::Unknown);
+    let params = params_of(decisions, plan, false);
+    let choose = || tree.chosen(transform.mm_per_px(), &params, &decisions.subjects, OfFigure::Unknown);
     Some(run(watch, Stage::Regions, choose))
 }
 
 /// The outlines of the regions of a figure, where `transform` puts it, and the areas inside them.
 pub(super) fn outlines_of_figure(
     edges: &Edges,
-    chosen: Option<&Chosen>,
+    regions: Option<OutlinedRegions<'_>>,
     transform: &PageTransform,
     plan: &Plan,
 ) -> (Outlines, Option<OutlineAreas>) {
-    let Some((tree, chosen)) = edges.regions.as_ref().zip(chosen) else { return (Outlines::default(), None) };
-    let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params_of(edges, plan, false), chosen);
-    (outlines_with_room(outlines, &areas, None, edges), Some(areas))
+    let Some((tree, regions)) = edges.regions.as_ref().zip(regions) else { return (Outlines::default(), None) };
+    let OutlinedRegions { of_figure, decisions } = regions;
+    let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params_of(decisions, plan, false), of_figure);
+    (outlines_with_room(outlines, &areas, None, (edges, decisions)), Some(areas))
 }
 
 /// The outlines of an overview, where `transform` puts it, of a figure with such regions: where there are to be few
 /// shapes, it has no others.
 pub(super) fn outlines_of_overview(
     edges: &Edges,
-    of_figure: Option<&Chosen>,
+    regions: Option<OutlinedRegions<'_>>,
     transform: &PageTransform,
     plan: &Plan,
 ) -> Outlines {
-    let Some((tree, of_figure)) = edges.regions.as_ref().zip(of_figure) else { return Outlines::default() };
-    let params = params_of(edges, plan, true);
+    let Some((tree, regions)) = edges.regions.as_ref().zip(regions) else { return Outlines::default() };
+    let OutlinedRegions { of_figure, decisions } = regions;
+    let params = params_of(decisions, plan, true);
     let of_figure = match params.drawn {
         Some(_) => OfFigure::Only(&of_figure.regions),
         None => OfFigure::Preferred(&of_figure.regions),
     };
-    let chosen = tree.chosen(transform.mm_per_px(), &params, &edges.constraints.subjects, of_figure);
+    let chosen = tree.chosen(transform.mm_per_px(), &params, &decisions.subjects, of_figure);
     let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params, &chosen);
     let others = (params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH);
-    outlines_with_room(outlines, &areas, Some(others), edges)
+    outlines_with_room(outlines, &areas, Some(others), (edges, decisions))
 }
 
-fn params_of(edges: &Edges, plan: &Plan, of_overview: bool) -> regions::Params {
+fn params_of(decisions: &Decisions, plan: &Plan, of_overview: bool) -> regions::Params {
     let params = plan.regions(of_overview);
-    if edges.constraints.only_subjects {
-        regions::Params { most: edges.constraints.subjects.len(), ..params }
-    } else {
-        params
+    match decisions.calmed_around {
+        Some(_) => regions::Params { most: decisions.subjects.len(), ..params },
+        None => params,
     }
 }
 
@@ -67,11 +75,11 @@ fn outlines_with_room(
     outlines: Vec<RegionOutline>,
     areas: &OutlineAreas,
     others: Option<(usize, f32)>,
-    edges: &Edges,
+    (edges, decisions): (&Edges, &Decisions),
 ) -> Outlines {
     Outlines {
-        outlines: with_room(outlines, edges),
-        subjects: edges.constraints.subjects.len(),
+        outlines: with_room(outlines, edges, decisions),
+        subjects: decisions.subjects.len(),
         shapes: areas.count(),
         others,
     }

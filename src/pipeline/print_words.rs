@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::label::CLEARANCE;
-use crate::geom::outline::distance_to_box;
+use crate::geom::polygon::distance_to_box;
 use crate::page::{BrailleText, Medium, Page, Parts, PrintText, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect};

@@ -30,9 +30,9 @@ pub(super) struct Read {
 pub(super) enum Content {
     /// It is of one colour: there is nothing to find.
     Uniform,
-    /// Nothing but that it has more than one colour.
-    Unknown,
-    /// What kind of picture it is.
+    /// It is a vector drawing, whose contours come from its paths: nobody asks of what kind its pixels are.
+    OfPaths,
+    /// Pixels of this kind.
     OfKind(PictureKind),
 }
 
@@ -40,7 +40,7 @@ impl Content {
     fn of(raster: &Raster, kind: Option<PictureKind>) -> Self {
         match kind {
             _ if raster.is_flat() => Self::Uniform,
-            None => Self::Unknown,
+            None => Self::OfPaths,
             Some(kind) => Self::OfKind(kind),
         }
     }
@@ -52,7 +52,7 @@ impl Content {
     /// What kind of picture it is, if that is known.
     pub(super) fn kind(&self) -> Option<&PictureKind> {
         match self {
-            Self::Uniform | Self::Unknown => None,
+            Self::Uniform | Self::OfPaths => None,
             Self::OfKind(kind) => Some(kind),
         }
     }

@@ -1,6 +1,7 @@
 //! A page that was read, drawn anew for another paper or device.
 
 use super::areas;
+use super::decisions::LinesOf;
 use super::draw::{DrawnMarks, FigureLines, draw_lines};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
@@ -8,7 +9,7 @@ use super::key::KeySheets;
 use super::label::{Label, Position};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
-use super::request::Request;
+use super::request::{OverviewSize, Request};
 use super::textures::{blank_ground, draw_textures, told_bare};
 use super::told_lines::{left_out, told_left_out};
 use super::words::{Words, WrittenWords};
@@ -105,9 +106,9 @@ pub(super) fn marks(
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     request.go_on()?;
     // the lines of a page stay lines of their own
-    let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, None, false, &layout, plan, watch);
+    let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().unwrap_or(&edges);
-    let overview = draw_overview(edges_of_overview, None, false, &layout, plan, watch);
+    let overview = draw_overview(edges_of_overview, LinesOf::Person, OverviewSize::Own, &layout, plan, watch);
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, &edges, &layout).map(of_page).into_iter().collect();
     notes.extend(hand_lines.told_outside());
@@ -127,16 +128,16 @@ pub(super) fn marks(
     notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
     request.go_on()?;
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, false, plan)));
+    notes
+        .extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
-    let lost_signs = drawn.lost.signs;
     Ok(DrawnMarks {
         figure,
         overview: overview.marks,
         layout,
         is_flat: false,
         left_out,
-        lost_signs,
+        lost_signs: drawn.lost.signs,
         texts: Vec::new(),
         notes,
     })

@@ -128,7 +128,7 @@ impl OverviewSize {
             (Self::OfPhotograph, MediumParams::Print(_)) => params
                 .overview
                 .map(|overview| OverviewParams { scale: scale_of_photograph(overview.scale), ..overview }),
-            _ => params.overview,
+            (Self::OfPhotograph, MediumParams::Dots { .. }) | (Self::Own, _) => params.overview,
         };
         layout::Params { overview, ..params }
     }

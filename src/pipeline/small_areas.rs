@@ -1,57 +1,54 @@
 //! Coloured areas of a drawing that are too small for a texture: what they mean is not on the page, and not in the key.
 
-use crate::classes::{self, Classes};
+use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::geom::distance::distances;
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::raster::Raster;
-use crate::units::{MmVector, PageTransform};
+use crate::units::{MmVector, Size};
 use crate::{About, Note};
 
 /// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
 pub(super) const BROAD: f32 = 1.5;
 /// The smallest area that is told, as a share of the smallest with a texture: what is smaller is a mark.
-const LEAST: f32 = 0.2;
+pub(super) const LEAST: f32 = 0.2;
 /// So much of it at least has no texture, or another one, as it was too small.
 const MOSTLY: f32 = 0.5;
 
-/// Of each region the radius of the largest circle in it, mm, and the cell in its middle.
-pub(super) fn broadest(classes: &Classes, mm_per_cell: f32) -> Vec<(f32, usize)> {
-    let size = classes.size;
+/// Of each area, of which there are so many, the radius of the largest circle in it, mm, and the cell in its middle.
+/// `area` has the number of the area of each cell, if it is in one.
+pub(super) fn broadest(area: &[Option<u32>], count: usize, size: Size, mm_per_cell: f32) -> Vec<(f32, usize)> {
     let (width, height) = (size.width as usize, size.height as usize);
-    let region = |x: usize, y: usize| classes.region[y * width + x];
+    let area_at = |x: usize, y: usize| area[y * width + x];
     let is_border = |cell: usize| {
         let (x, y) = (cell % width, cell / width);
         let inside = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
-        let own = region(x, y);
-        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| region(x, y) != own)
+        let own = area_at(x, y);
+        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| area_at(x, y) != own)
     };
     let borders: Vec<bool> = (0..size.len()).map(is_border).collect();
-    let mut broadest = vec![(0.0_f32, 0_usize); classes.regions.len()];
+    let mut broadest = vec![(0.0_f32, 0_usize); count];
     for (cell, depth) in distances(&borders, size).into_iter().enumerate() {
-        if let Some(region) = classes.region[cell]
-            && (depth + 0.5) * mm_per_cell > broadest[region as usize].0
+        if let Some(area) = area[cell]
+            && (depth + 0.5) * mm_per_cell > broadest[area as usize].0
         {
-            broadest[region as usize] = ((depth + 0.5) * mm_per_cell, cell);
+            broadest[area as usize] = ((depth + 0.5) * mm_per_cell, cell);
         }
     }
     broadest
 }
 
-/// What the maker is told of the areas of a drawing that are too small for a texture, on paper. `classes` are the
-/// sorted colours of its picture.
-pub(super) fn told(classes: &Classes, raster: &Raster, edges: &Edges, layout: &Layout, plan: &Plan) -> Option<Note> {
-    if !edges.of_drawing() || !matches!(layout.medium, Medium::Print(_)) {
-        return None;
-    }
-    let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
-    let params = plan.classes(px_per_mm);
-    let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
-    let fine = classes::sort(raster, &contours, &classes::Params { min_area: LEAST * params.min_area, ..params });
+/// Whether areas that are too small are told: those of a drawing, on paper.
+pub(super) fn are_told(edges: &Edges, layout: &Layout) -> bool {
+    edges.of_drawing() && matches!(layout.medium, Medium::Print(_))
+}
+
+/// What the maker is told of areas that are too small for a texture. `classes` are the sorted colours of the picture,
+/// `fine` those with areas from [`LEAST`] on.
+pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Plan) -> Option<Note> {
     let least = plan.profile().colours.min_area;
-    let lost = lost(classes, &fine, layout.figure.width() / fine.size.width as f32, least);
+    let lost = lost(classes, fine, layout.figure.width() / fine.size.width as f32, least);
     let (first, cell) = *lost.first()?;
     let mut colours: Vec<&str> = lost.iter().map(|(region, _)| fine.regions[*region].class.name()).collect();
     colours.sort_unstable();
@@ -90,7 +87,7 @@ fn lost(classes: &Classes, fine: &Classes, mm_per_cell: f32, least: f32) -> Vec<
         let cells = fine.regions[region].cells as f32;
         cells * cell_area < least && gone[region] as f32 >= MOSTLY * cells
     };
-    let broad = broadest(fine, mm_per_cell).into_iter().enumerate();
+    let broad = broadest(&fine.region, fine.regions.len(), fine.size, mm_per_cell).into_iter().enumerate();
     let lost = broad.filter(|(region, (radius, _))| *radius >= 2.0 * BROAD && is_lost(*region));
     lost.map(|(region, (_, cell))| (region, cell)).collect()
 }
@@ -100,7 +97,6 @@ mod tests {
     use super::*;
     use crate::classes::{Class, Region};
     use crate::raster::plane::Plane;
-    use crate::units::Size;
 
     /// Twenty by ten cells of a square mm with boxes of a class: left, top, width, height.
     fn classes(boxes: &[(Class, [usize; 4])]) -> Classes {

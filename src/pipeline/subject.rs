@@ -1,5 +1,6 @@
 //! What the picture is about, as its maker says by places on it.
 
+use super::decisions::Decisions;
 use super::given::{Given, blank_where};
 use super::hand_lines::without;
 use crate::classes::Classes;
@@ -18,16 +19,15 @@ const LEAST_AREA: f32 = 15.0;
 /// Lines this near to the subject belong to it, cells: its own contours run along its border.
 const MARGIN: f32 = 3.0;
 
-/// Finds the subjects among regions, or within closed contours, and tells the contours of them; where a calm background
-/// is asked for, takes what is not of them out of the contours. Returns the cells around which textures are to be left
-/// out too, if any are.
+/// Finds the subjects among regions, or within closed contours, and writes them into the decisions; where a calm
+/// background is asked for, takes what is not of them out of the contours.
 pub(super) fn prepare(
     given: &Given,
-    edges: &mut Edges,
+    (edges, decisions): (&mut Edges, &mut Decisions),
     source: Size,
     layout: &Layout,
     plan: &Plan,
-) -> (Option<Mask>, Vec<Note>) {
+) -> Vec<Note> {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
     let tree = edges.regions.as_ref().filter(|_| !given.subjects.is_empty());
@@ -40,40 +40,36 @@ pub(super) fn prepare(
     for [x, y] in given.subjects.iter().take(MOST) {
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
-        let found = subject_at(edges, share, layout, &most_telling).and_then(|(mask, is_first)| {
+        let found = subject_at(edges, share, mm_per_px, &most_telling).and_then(|(mask, region)| {
             let [least, greatest] = mask.extent()?;
             let side = (greatest - least) * mm_per_px;
-            Some((mask, [side.x, side.y].map(|side| side.round() as u32), is_first))
+            Some((mask, [side.x, side.y].map(|side| side.round() as u32), region))
         });
         match found {
-            Some((mask, mm, is_first)) => {
+            Some((mask, mm, region)) => {
                 all = Some(all.map_or(mask.clone(), |all| all.with(&mask)));
-                notes.push(Note::Subject { at: percent, mm, is_first });
+                decisions.subjects.extend(region.filter(|region| !decisions.subjects.contains(region)));
+                notes.push(Note::Subject { at: percent, mm, is_first: region.is_some() });
             }
             None => notes.push(Note::NoSubject(percent)),
         }
     }
-    let around = all.filter(|_| given.calm_background);
-    if let Some(subject) = &around {
+    decisions.calmed_around = all.filter(|_| given.calm_background);
+    if let Some(subject) = &decisions.calmed_around {
         notes.push(Note::BackgroundCalmed(calm(edges, subject, layout, plan).round() as u32));
     }
-    (around, notes)
+    notes
 }
 
-/// The cells of the subject at a place, in shares of the picture, and whether it is a region, whose outline is drawn
-/// first.
-fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling: &[u32]) -> Option<(Mask, bool)> {
-    let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
+/// The cells of the subject at a place, in shares of the picture, and which region it is, if it is one, whose outline
+/// is drawn first.
+fn subject_at(edges: &Edges, [x, y]: [f32; 2], mm_per_px: f32, most_telling: &[u32]) -> Option<(Mask, Option<u32>)> {
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     let found = edges.regions.as_ref().and_then(|tree| {
         let region = tree.subject_at(at, mm_per_px, most_telling)?;
-        Some((region, tree.mask(&[region])))
+        Some((tree.mask(&[region]), Some(region)))
     });
-    let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px).map(|mask| (mask, false)) };
-    if !edges.constraints.subjects.contains(&region) {
-        edges.constraints.subjects.push(region);
-    }
-    Some((mask, true))
+    found.or_else(|| Some((ring_around(edges, at, mm_per_px)?, None)))
 }
 
 /// The inside of the smallest closed contour around a place.
@@ -102,11 +98,93 @@ fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 
     };
     let is_weak: Vec<bool> = mean(edges).into_iter().map(|strength| strength < strong).collect();
     without(edges, |number, range, edgel| is_weak[number] && !range.kind.added && !near.contains(edgel.at));
-    edges.constraints.only_subjects = true;
     (before - length(edges)) * PageTransform::new(edges.size, layout.figure).mm_per_px()
 }
 
 /// Leaves the cells of colours that are not of the subject blank.
 pub(super) fn blank_around(classes: &mut Classes, subject: &Mask, picture: Size) {
     blank_where(classes, |[x, y]| !subject.contains(PxPoint::new(x * picture.width as f32, y * picture.height as f32)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::edges::ChainKind;
+    use crate::pipeline::label::Position;
+    use crate::pipeline::request::{Fit, OverviewSize};
+    use crate::profile::Profile;
+
+    const SIZE: Size = Size { width: 400, height: 300 };
+
+    /// Contours of a picture: rectangles (left, top, width, height) of a strength.
+    fn rectangles(of: &[([f32; 4], f32)]) -> Edges {
+        let mut edges = Edges::none(SIZE);
+        for &([left, top, width, height], strength) in of {
+            push(&mut edges, [left, top, width, height], strength, ChainKind::default());
+        }
+        edges
+    }
+
+    fn push(edges: &mut Edges, [left, top, width, height]: [f32; 4], strength: f32, kind: ChainKind) {
+        let corners = [(left, top), (left + width, top), (left + width, top + height), (left, top + height)];
+        let edgel = |(x, y): (f32, f32)| Edgel { at: PxPoint::new(x, y), strength, contrast: [0.0; 3] };
+        edges.push_as(kind, corners.into_iter().map(edgel), true);
+    }
+
+    /// What is decided and told of these places, in percent of the picture.
+    fn prepared(edges: &mut Edges, places: &[[f32; 2]], calm_background: bool) -> (Decisions, Vec<Note>) {
+        let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense");
+        let layout = Fit::default().layout(SIZE, &plan, OverviewSize::Own).expect("there is room");
+        let subjects = places.iter().map(|place| place.map(Position::Percent)).collect();
+        let given = Given { subjects, calm_background, ..Given::default() };
+        let mut decisions = Decisions::default();
+        let notes = prepare(&given, (edges, &mut decisions), SIZE, &layout, &plan);
+        (decisions, notes)
+    }
+
+    #[test]
+    fn without_regions_the_smallest_ring_around_a_place_is_the_subject() {
+        let mut edges = rectangles(&[([40.0, 30.0, 320.0, 240.0], 40.0), ([160.0, 120.0, 80.0, 60.0], 40.0)]);
+        let before = edges.clone();
+        let (decisions, notes) = prepared(&mut edges, &[[50.0, 50.0], [15.0, 15.0], [2.0, 2.0]], false);
+        let [Note::Subject { mm: [inner, _], is_first: false, .. }, Note::Subject { mm: [outer, _], .. }, none] =
+            &notes[..]
+        else {
+            panic!("{notes:?}")
+        };
+        assert!((*outer as f32 / *inner as f32 - 4.0).abs() < 0.1, "{outer} mm around {inner} mm");
+        assert_eq!(*none, Note::NoSubject([2, 2]));
+        assert_eq!(decisions, Decisions::default(), "only regions have an outline that comes first");
+        assert_eq!(edges, before);
+    }
+
+    #[test]
+    fn a_ring_too_small_for_a_finger_is_no_subject() {
+        let mut edges = rectangles(&[([193.0, 144.0, 6.0, 6.0], 40.0)]);
+        let (_, notes) = prepared(&mut edges, &[[49.0, 49.0]], false);
+        assert_eq!(notes, [Note::NoSubject([49, 49])]);
+    }
+
+    #[test]
+    fn around_a_calm_subject_weak_lines_go_and_strong_and_added_ones_stay() {
+        let subject = ([160.0, 120.0, 80.0, 60.0], 12.0);
+        let (weak, strong) = (([20.0, 20.0, 60.0, 40.0], 12.0), ([300.0, 20.0, 60.0, 40.0], 90.0));
+        let mut edges = rectangles(&[subject, weak, strong]);
+        let added = [20.0, 220.0, 60.0, 40.0];
+        push(&mut edges, added, 12.0, ChainKind { added: true, ..ChainKind::default() });
+        let (decisions, notes) = prepared(&mut edges, &[[50.0, 50.0]], true);
+        let firsts: Vec<(f32, f32)> = edges.chains().map(|chain| chain.vertices[0].at.to_tuple()).collect();
+        assert_eq!(firsts, [(160.0, 120.0), (300.0, 20.0), (20.0, 220.0)]);
+        assert!(matches!(notes[..], [Note::Subject { .. }, Note::BackgroundCalmed(mm)] if mm > 0), "{notes:?}");
+        let around = decisions.calmed_around.expect("textures around it are left out too");
+        assert!(around.contains(PxPoint::new(200.0, 150.0)) && !around.contains(PxPoint::new(50.0, 40.0)));
+    }
+
+    #[test]
+    fn places_beyond_the_most_are_told() {
+        let mut edges = rectangles(&[([40.0, 30.0, 320.0, 240.0], 40.0)]);
+        let (_, notes) = prepared(&mut edges, &[[50.0, 50.0]; MOST + 3], false);
+        assert_eq!(notes.len(), MOST + 1);
+        assert!(notes[0].to_string().contains("3 of the subjects, as 100 are the most"), "{}", notes[0]);
+    }
 }

@@ -1,16 +1,20 @@
 //! From sorted colours to the textures of the figure: which areas have one, and what the maker is told of the others.
 
+use lyon::geom::euclid::Box2D;
+
 use super::dots;
 use super::given::blank_cells;
 use super::progress::{Event, Stage, Watch, run};
 use super::small_areas::{BROAD, broadest};
 use crate::classes::{self, Class, Classes};
+use crate::geom::components::{self, Connectivity};
+use crate::geom::{nearest_on_segment, ninths};
 use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Texture};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
-use crate::units::{MmVector, PxPoint, Size};
+use crate::units::{MmPoint, MmRect, MmVector, PxPoint, Size};
 use crate::{About, Note, textures};
 
 /// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on
@@ -39,7 +43,24 @@ pub(super) fn fit_to_areas(
     let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
     let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
     let mixed = classes::unify_areas(classes, &area, min_cells);
-    (mixed > 0).then_some(Note::MixedAreas(mixed))
+    let part = |number: &usize| ninths::NAMES[part_of_area(&area, *number, classes.size)];
+    let mut places: Vec<&str> = mixed.iter().map(part).collect();
+    places.sort_by_key(|place| ninths::NAMES.iter().position(|name| name == place));
+    places.dedup();
+    (!mixed.is_empty()).then_some(Note::MixedAreas { count: mixed.len(), places })
+}
+
+/// The part of the figure in which the middle of an area lies. `area` has the number of the area of each cell.
+fn part_of_area(area: &[usize], number: usize, size: Size) -> usize {
+    let width = size.width as usize;
+    let cells = (0..area.len()).filter(|&cell| area[cell] == number);
+    let add = |([x, y], count): ([f32; 2], f32), cell: usize| {
+        ([x + (cell % width) as f32 + 0.5, y + (cell / width) as f32 + 0.5], count + 1.0)
+    };
+    let ([x, y], count) = cells.fold(([0.0; 2], 0.0), add);
+    let count = f32::max(count, 1.0);
+    let whole = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
+    ninths::ninth(PxPoint::new(x / count, y / count), whole)
 }
 
 /// Leaves the ground of a picture without a texture, where the profile wants none there. Tells of it.
@@ -74,24 +95,81 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
     Some(Note::NotOnPage(About::Areas, told))
 }
 
-/// What the maker is told of the areas of a drawing that have a colour and no sign of its texture, on paper.
-fn told_bare_areas(classes: &Classes, textures: &[Texture], layout: &Layout) -> Option<Note> {
-    let (size, place) = (classes.size, layout.figure);
-    let (width, height) = (size.width as usize, size.height as usize);
-    let mm_per_cell = place.width() / size.width as f32;
-    let region = |x: usize, y: usize| classes.region[y * width + x];
-    let broadest = broadest(classes, mm_per_cell);
-    let mut is_bare: Vec<bool> = broadest.iter().map(|(radius, _)| *radius >= BROAD).collect();
+/// What lines divide the regions of a figure into.
+struct DividedAreas {
+    /// The number of the area of each cell; none on lines, and where there is no texture.
+    of_cell: Vec<Option<u32>>,
+    /// The region of each.
+    region: Vec<u32>,
+}
+
+impl DividedAreas {
+    /// The areas of `classes`, whose cells cover `place`, between drawn lines.
+    fn new(classes: &Classes, lines: &[Line], place: MmRect) -> Self {
+        let (size, mm_per_cell) = (classes.size, place.width() / classes.size.width as f32);
+        let mut region = classes.region.clone();
+        for run in lines.iter().flat_map(|line| &line.runs) {
+            // never so thin that an area goes on through it
+            let half = 0.5 * run.width.max(2.0 * mm_per_cell);
+            for (&a, &b) in run.polyline().segments() {
+                let reach = MmVector::new(half, half);
+                let [from, to] = [a.min(b) - reach, a.max(b) + reach].map(|at| cell_at(at, size, place));
+                for (x, y) in (from[1]..=to[1]).flat_map(|y| (from[0]..=to[0]).map(move |x| (x, y))) {
+                    let at = place.min + MmVector::new(x as f32 + 0.5, y as f32 + 0.5) * mm_per_cell;
+                    if nearest_on_segment(at, a, b).0 <= half {
+                        region[y * size.width as usize + x] = None;
+                    }
+                }
+            }
+        }
+        let mut areas = Self { of_cell: vec![None; region.len()], region: Vec::new() };
+        for component in components::of_labels(&region, size, Connectivity::Four).iter() {
+            let Some(of_region) = region[component[0]] else { continue };
+            component.iter().for_each(|&cell| areas.of_cell[cell] = Some(areas.region.len() as u32));
+            areas.region.push(of_region);
+        }
+        areas
+    }
+}
+
+/// Column and row of the cell at a place of the sheet, or of the nearest one.
+fn cell_at(at: MmPoint, size: Size, place: MmRect) -> [usize; 2] {
+    let share = (at - place.min).component_div(place.size().to_vector());
+    let index = |share: f32, count: u32| ((share * count as f32).max(0.0) as usize).min(count as usize - 1);
+    [index(share.x, size.width), index(share.y, size.height)]
+}
+
+/// The cells in the middle of those areas of a drawing that have a colour and no sign of its texture, on paper.
+fn bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], place: MmRect) -> Vec<usize> {
+    let areas = DividedAreas::new(classes, lines, place);
+    let mm_per_cell = place.width() / classes.size.width as f32;
+    let broadest = broadest(&areas.of_cell, areas.region.len(), classes.size, mm_per_cell);
+    let (mut has_sign, mut region_has) = (vec![false; areas.region.len()], vec![false; classes.regions.len()]);
     for glyph in textures.iter().flat_map(|texture| &texture.glyphs) {
-        let share = (glyph.at - place.min).component_div(place.size().to_vector());
-        let x = ((share.x * size.width as f32) as usize).min(width - 1);
-        let y = ((share.y * size.height as f32) as usize).min(height - 1);
-        if let Some(region) = region(x, y) {
-            is_bare[region as usize] = false;
+        let [x, y] = cell_at(glyph.at, classes.size, place);
+        if let Some(area) = areas.of_cell[y * classes.size.width as usize + x] {
+            has_sign[area as usize] = true;
+            region_has[areas.region[area as usize] as usize] = true;
         }
     }
-    let bare: Vec<usize> =
-        (0..is_bare.len()).filter(|&region| is_bare[region]).map(|region| broadest[region].1).collect();
+    // of a region without any sign its broadest area stands for it
+    let mut bare: Vec<usize> = (0..classes.regions.len())
+        .filter(|region| !region_has[*region])
+        .filter_map(|region| {
+            let own = (0..areas.region.len()).filter(|&area| areas.region[area] as usize == region);
+            own.max_by(|&a, &b| broadest[a].0.total_cmp(&broadest[b].0)).filter(|&area| broadest[area].0 >= BROAD)
+        })
+        .collect();
+    let is_bare_part = |&area: &usize| !has_sign[area] && region_has[areas.region[area] as usize];
+    bare.extend((0..areas.region.len()).filter(is_bare_part).filter(|&area| broadest[area].0 >= 2.0 * BROAD));
+    bare.into_iter().map(|area| broadest[area].1).collect()
+}
+
+/// What the maker is told of those areas.
+fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layout: &Layout) -> Option<Note> {
+    let (place, width) = (layout.figure, classes.size.width as usize);
+    let mm_per_cell = place.width() / width as f32;
+    let bare = bare_areas(classes, textures, lines, place);
     let first = *bare.first()?;
     let at = place.min + MmVector::new((first % width) as f32, (first / width) as f32) * mm_per_cell;
     let at = format!("at {:.0}, {:.0} mm", at.x, at.y);
@@ -111,12 +189,13 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], layout: &Layout) -> 
 pub(super) fn told_bare(
     classes: &Classes,
     textures: &[Texture],
+    lines: &[Line],
     layout: &Layout,
     of_drawing: bool,
     plan: &Plan,
 ) -> Option<Note> {
     match layout.medium {
-        Medium::Print(_) if of_drawing => told_bare_areas(classes, textures, layout),
+        Medium::Print(_) if of_drawing => told_bare_areas(classes, textures, lines, layout),
         Medium::Print(_) => None,
         Medium::Dots(_) => told_bare_share(classes, textures, layout, plan),
     }
@@ -163,6 +242,8 @@ pub(super) fn draw_textures(
 mod tests {
     use super::*;
     use crate::classes::Region;
+    use crate::lines::Run;
+    use crate::page::{Glyph, Shape};
     use crate::profile::Profile;
     use crate::raster::plane::Plane;
 
@@ -211,6 +292,34 @@ mod tests {
                       lines stand out; figure.ground = true draws it";
         assert_eq!(note.as_deref(), Some(wanted));
         assert_eq!(blanked(rows, "swell-a4"), (vec![38, 30, 4], None), "paper has room for it");
+    }
+
+    #[test]
+    fn a_part_between_lines_without_a_sign_is_bare_though_its_region_has_some() {
+        // a bar of one region, which a line divides, 10 mm a cell
+        let classes =
+            classes(["............", ".bbbbbbbbbb.", ".bbbbbbbbbb.", ".bbbbbbbbbb.", ".bbbbbbbbbb.", "............"]);
+        let place = MmRect::new(MmPoint::zero(), MmPoint::new(120.0, 60.0));
+        let line = Line {
+            strength: 60.0,
+            runs: vec![Run::stroke(1.5, vec![MmPoint::new(60.0, 0.0), MmPoint::new(60.0, 60.0)])],
+        };
+        let sign = |x: f32| Glyph { at: MmPoint::new(x, 30.0), shape: Shape::Dot { diameter: 1.0 } };
+        let bare = |signs: &[f32]| {
+            let params = plan("swell-a4").textures();
+            let texture = Texture {
+                class: Class::Blue,
+                sign: params.palette.sign(Class::Blue),
+                colour: [0; 3],
+                area: 4000.0,
+                glyphs: signs.iter().map(|x| sign(*x)).collect(),
+            };
+            bare_areas(&classes, &[texture], std::slice::from_ref(&line), place)
+        };
+        assert_eq!(bare(&[30.0, 90.0]), [0_usize; 0]);
+        let [cell] = bare(&[30.0])[..] else { panic!("one is bare") };
+        assert!(cell % 12 >= 6, "the right part: {cell}");
+        assert_eq!(bare(&[]).len(), 1, "a region without any sign is told once");
     }
 
     #[test]

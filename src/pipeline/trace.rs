@@ -1,6 +1,8 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{FigureLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, working_size};
+use super::draw::{
+    Contours, FigureLines, contours_of, draw_lines, edges_of, enough_pixels, lines_of, overview_of, working_size,
+};
 use super::given::Given;
 use super::joined_bars;
 use super::outlines::regions_of_figure;
@@ -32,12 +34,13 @@ pub struct Traced {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct Tracing {
-    subject: Subject,
+    target: Target,
     thresholds: Option<Thresholds>,
 }
 
+/// What becomes data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Subject {
+enum Target {
     Contours,
     ContoursAtFullResolution,
     Lines,
@@ -46,19 +49,19 @@ enum Subject {
 impl Tracing {
     /// The contours as they are found for the page, before any rule of touch: thinned, linked and chosen by strength.
     pub fn contours() -> Self {
-        Self { subject: Subject::Contours, thresholds: None }
+        Self { target: Target::Contours, thresholds: None }
     }
 
     /// The contours in the picture's own pixels, whatever the size of the page. The profile has no say in how they are
     /// found.
     pub fn contours_at_full_resolution() -> Self {
-        Self { subject: Subject::ContoursAtFullResolution, thresholds: None }
+        Self { target: Target::ContoursAtFullResolution, thresholds: None }
     }
 
     /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a
     /// page is drawn from what the profile works on, and lines drawn from anything else would be on no page.
     pub fn lines() -> Self {
-        Self { subject: Subject::Lines, thresholds: None }
+        Self { target: Target::Lines, thresholds: None }
     }
 
     /// Which contours are strong enough. Default: `edges.low` and `edges.high` of the profile; at full resolution 3.5
@@ -101,7 +104,7 @@ pub fn trace<'p>(
     watch: &mut Watch<'_>,
 ) -> Result<Traced, Error> {
     let plan = request.plan;
-    let in_full = tracing.subject == Subject::ContoursAtFullResolution;
+    let in_full = tracing.target == Target::ContoursAtFullResolution;
     let fit = Fit { mirrored: false, ..request.fit };
     let layout_of = |size: Size, overview: OverviewSize| fit.layout(size, plan, overview);
     let working_size = |source: Header| {
@@ -119,19 +122,20 @@ pub fn trace<'p>(
     let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let (edges, of_given) = contours_of(given, read.picture.raster.size(), &layout, &erased, request, || {
-        find_edges(&read, tracing, &layout, plan, watch)
-    })?;
+    let Contours { edges, decisions, told } =
+        contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
+            find_edges(&read, tracing, &layout, plan, watch)
+        })?;
     notes.extend(given.notes.iter().cloned());
-    notes.extend(of_given);
+    notes.extend(told);
     drop(read);
     request.go_on()?;
-    let trace = match tracing.subject {
-        Subject::Contours | Subject::ContoursAtFullResolution => Trace::of_edges(&edges, source),
-        Subject::Lines => {
-            let regions = regions_of_figure(&edges, &layout, plan, watch);
-            let FigureLines { lines: drawn, instead, .. } =
-                draw_lines(&edges, regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
+    let trace = match tracing.target {
+        Target::Contours | Target::ContoursAtFullResolution => Trace::of_edges(&edges, source),
+        Target::Lines => {
+            let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
+            let lines_of = lines_of(given, regions.as_ref(), &decisions);
+            let FigureLines { lines: drawn, instead, .. } = draw_lines(&edges, lines_of, &layout, plan, watch);
             notes.extend(told_left_out(&drawn, &edges, &layout));
             notes.extend(joined_bars::told(instead, None));
             let transform = PageTransform::new(edges.size, layout.figure);
@@ -140,7 +144,7 @@ pub fn trace<'p>(
             Trace::of_lines(&drawn.lines, &edges, &transform, layout.figure, reach, source)
         }
     };
-    if tracing.subject == Subject::Lines && !plan.profile().figure.lines {
+    if tracing.target == Target::Lines && !plan.profile().figure.lines {
         notes.push(Note::LinesOff);
     } else if trace.polylines.is_empty() {
         notes.push(Note::NoContours);
@@ -156,19 +160,19 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         return Edges::none(picture.raster.size());
     }
     let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-    let mut params = match tracing.subject {
-        Subject::ContoursAtFullResolution => edges::Params::default(),
-        Subject::Contours | Subject::Lines => plan.edges(px_per_mm),
+    let mut params = match tracing.target {
+        Target::ContoursAtFullResolution => edges::Params::default(),
+        Target::Contours | Target::Lines => plan.edges(px_per_mm),
     };
     if let Some(Thresholds { low, high }) = tracing.thresholds {
         (params.low, params.high) = (low, high);
     }
-    let detail = match tracing.subject {
-        Subject::ContoursAtFullResolution => Some(Detail::CONTOURS),
-        Subject::Contours | Subject::Lines => plan.region_detail(),
+    let detail = match tracing.target {
+        Target::ContoursAtFullResolution => Some(Detail::CONTOURS),
+        Target::Contours | Target::Lines => plan.region_detail(),
     };
-    let edges = edges_of(picture, content.kind(), &params, detail, watch);
+    let edges = edges_of(picture, content, &params, detail, watch);
     // only lines have outlines of regions; for contours the tree has done its work
-    let regions = edges.regions.filter(|_| tracing.subject == Subject::Lines);
+    let regions = edges.regions.filter(|_| tracing.target == Target::Lines);
     Edges { regions, ..edges }
 }

@@ -1,7 +1,7 @@
 //! Filled shapes that a person drew to be areas of a colour: they have no signs yet, so a page cannot hold them.
 
 use super::marks::PaintedShape;
-use crate::geom::outline::area;
+use crate::geom::polygon::area;
 use crate::output::layer::Layer;
 use crate::page::Class;
 use crate::units::MmPoint;
@@ -33,7 +33,7 @@ pub(super) fn of(mark: &PaintedShape<'_>, is_ink: impl Fn(u8) -> bool) -> Option
     if is_own || (class.is_none() && is_ink(shade)) {
         return None;
     }
-    let outlines: Vec<Vec<MmPoint>> = mark.outlines.iter().map(|outline| outline.points.clone()).collect();
+    let outlines: Vec<Vec<MmPoint>> = mark.subpaths.iter().map(|subpath| subpath.points.clone()).collect();
     let is_large = |outline: &Vec<MmPoint>| area(outline) >= LEAST;
     // a hole may be small
     let is_area = outlines.iter().any(is_large);

@@ -7,8 +7,8 @@ use super::document::{Elements, numbers};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes};
 use super::names::{self, Name};
-use super::outline::{Outline, clean};
 use super::shapes::{disc, glyph};
+use super::subpath::{Subpath, clean};
 use super::tally::{self, Tally, What};
 use super::words::{PageWords, language};
 use crate::devices::{Device, DotArea};
@@ -208,15 +208,15 @@ impl<'m> Builder<'m> {
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
     fn add(&mut self, mark: &PaintedShape<'_>, runs: &mut Vec<Pieces>) {
         if self.is_foreign && mark.layer.is_none() {
-            let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+            let at = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
             return self.tally.add(What::Foreign, at);
         }
         if mark.layer == Some(Layer::PrintWords) {
-            let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+            let at = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
             return self.tally.add(What::InPrint, at);
         }
         let has_heights = self.medium.has_heights();
-        let first = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+        let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
         let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
         let is_area = area.is_some();
         if let Some(area) = area {
@@ -229,7 +229,7 @@ impl<'m> Builder<'m> {
             if stroke.is_dashed {
                 self.tally.add(What::Dashed, first);
             }
-            let of_path = mark.outlines.iter().map(|outline| stroke_run(outline, stroke.width)).collect();
+            let of_path = mark.subpaths.iter().map(|subpath| stroke_run(subpath, stroke.width)).collect();
             self.add_strokes(mark, of_path, runs);
             return;
         }
@@ -241,16 +241,16 @@ impl<'m> Builder<'m> {
             self.add_glyphs(mark, class);
             return;
         }
-        let discs: Option<Vec<(MmPoint, f32)>> = mark.outlines.iter().map(disc).collect();
+        let discs: Option<Vec<(MmPoint, f32)>> = mark.subpaths.iter().map(disc).collect();
         match (discs, mark.layer) {
             (Some(discs), layer) => self.add_discs(mark, layer, &discs, layer::height(shade), runs),
             (None, _) => {
                 self.tally.add(What::Outlined, first);
                 let width = self.common_width();
                 // what has but two points is a line there and back
-                let closed = |outline: &Outline| Outline { closed: outline.points.len() > 2, ..outline.clone() };
-                let around = mark.outlines.iter().map(closed);
-                let around = around.map(|outline| stroke_run(&outline, width)).collect();
+                let closed = |subpath: &Subpath| Subpath { closed: subpath.points.len() > 2, ..subpath.clone() };
+                let around = mark.subpaths.iter().map(closed);
+                let around = around.map(|subpath| stroke_run(&subpath, width)).collect();
                 self.collect(mark, Layer::Lines, around, runs);
             }
         }
@@ -322,9 +322,10 @@ impl<'m> Builder<'m> {
                 _ => lines.push(Line { strength, runs: vec![run] }),
             }
         }
-        let (all, names) = match layer {
-            Layer::Overview => (&mut self.overview, &mut self.overview_names),
-            _ => (&mut self.parts.figure.lines, &mut self.line_names),
+        let (all, names) = if layer == Layer::Overview {
+            (&mut self.overview, &mut self.overview_names)
+        } else {
+            (&mut self.parts.figure.lines, &mut self.line_names)
         };
         names.extend(std::iter::repeat_n(name, lines.len()));
         all.extend(lines);
@@ -387,10 +388,10 @@ impl<'m> Builder<'m> {
     }
 
     fn add_glyphs(&mut self, mark: &PaintedShape<'_>, class: Class) {
-        let mut glyphs = Vec::with_capacity(mark.outlines.len());
-        for outline in &mark.outlines {
-            let Some(mut glyph) = glyph(outline) else {
-                self.tally.add(What::NoGlyph, outline.points.first().copied());
+        let mut glyphs = Vec::with_capacity(mark.subpaths.len());
+        for subpath in &mark.subpaths {
+            let Some(mut glyph) = glyph(subpath) else {
+                self.tally.add(What::NoGlyph, subpath.points.first().copied());
                 continue;
             };
             glyph.at = self.device_dot(glyph.at);
@@ -472,13 +473,13 @@ impl<'m> Builder<'m> {
     fn device_diameter(&self, diameter: f32) -> f32 {
         match self.medium {
             Medium::Dots(dots) if (dots.diameter() - diameter).abs() <= SAME => dots.diameter(),
-            _ => diameter,
+            Medium::Print(_) | Medium::Dots(_) => diameter,
         }
     }
 }
 
-fn stroke_run(outline: &Outline, width: f32) -> Run {
-    Run { width, points: outline.points.clone(), closed: outline.closed, pen: Pen::Stroke }
+fn stroke_run(subpath: &Subpath, width: f32) -> Run {
+    Run { width, points: subpath.points.clone(), closed: subpath.closed, pen: Pen::Stroke }
 }
 
 fn extend(dots: &mut Dots, diameter: f32, at: Vec<MmPoint>) {

@@ -6,8 +6,8 @@ use resvg::tiny_skia::{Point, Transform};
 use usvg::roxmltree::Node;
 use usvg::{Group, Paint, Tree};
 
-use super::document::{Elements, PLACE_OF, layer_of};
-use super::outline::{Outline, clean, outlines};
+use super::document::{Elements, PLACE_OF, is_object, layer_of};
+use super::subpath::{Subpath, clean, subpaths};
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::units::{MM_PER_CSS_PX, MmPoint};
@@ -33,7 +33,7 @@ pub(super) struct PaintedShape<'a> {
     pub(super) element: Node<'a, 'a>,
     /// Whether it lies right in its object, and not in a group of that.
     pub(super) is_direct: bool,
-    pub(super) outlines: Vec<Outline>,
+    pub(super) subpaths: Vec<Subpath>,
     /// Lightness of what fills it, 0 black.
     pub(super) fill: Option<u8>,
     /// The colour of that, on white.
@@ -157,8 +157,8 @@ impl<'a> PaintedShapes<'a> {
             self.far += 1;
             return Ok(());
         }
-        let outlines = outlines(&geometry);
-        self.points += outlines.iter().map(|outline| outline.points.len()).sum::<usize>();
+        let subpaths = subpaths(&geometry);
+        self.points += subpaths.iter().map(|subpath| subpath.points.len()).sum::<usize>();
         if self.points > MOST_POINTS {
             return Err(super::document::undecodable(format!("its paths have more than {MOST_POINTS} points")));
         }
@@ -184,7 +184,7 @@ impl<'a> PaintedShapes<'a> {
         });
         let is_direct = own.parent() == Some(element) || own == element;
         let layer = around.layer;
-        self.marks.push(PaintedShape { layer, object, element, is_direct, outlines, fill, colour, stroke, area_scale });
+        self.marks.push(PaintedShape { layer, object, element, is_direct, subpaths, fill, colour, stroke, area_scale });
         Ok(())
     }
 
@@ -207,9 +207,4 @@ fn colour_of(paint: &Paint, opacity: f32) -> [u8; 3] {
 
 fn on_white(channel: f32, opacity: f32) -> u8 {
     (255.0 - (255.0 - channel) * opacity).round() as u8
-}
-
-/// Whether an element stands for one thing on the page: a contour, a region or a text.
-fn is_object(element: Node<'_, '_>) -> bool {
-    ["data-strength", "data-class", "data-braille"].iter().any(|name| element.has_attribute(*name))
 }

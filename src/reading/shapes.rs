@@ -1,6 +1,6 @@
-//! Outlines that are dots and rhombuses.
+//! Subpaths that are dots and rhombuses.
 
-use super::outline::{Outline, clean};
+use super::subpath::{Subpath, clean};
 use crate::geom::right_of;
 use crate::page::{Glyph, Shape};
 use crate::units::{MmPoint, MmVector};
@@ -15,27 +15,27 @@ const SQUARE: f32 = 0.1;
 /// Corners in steps of 0.01 mm give a direction to this many degrees.
 const UNSURE: f32 = 1.0;
 
-/// The disc that an outline is: its centre and diameter.
-pub(super) fn disc(outline: &Outline) -> Option<(MmPoint, f32)> {
-    let is_round = outline.curved || outline.points.len() >= MANY;
-    if !outline.closed || !is_round {
+/// The disc that a subpath is: its centre and diameter.
+pub(super) fn disc(subpath: &Subpath) -> Option<(MmPoint, f32)> {
+    let is_round = subpath.curved || subpath.points.len() >= MANY;
+    if !subpath.closed || !is_round {
         return None;
     }
-    let centre = mean(&outline.named)?;
-    let count = outline.named.len() as f32;
-    let radius = outline.named.iter().map(|at| (*at - centre).length()).sum::<f32>() / count;
+    let centre = mean(&subpath.named)?;
+    let count = subpath.named.len() as f32;
+    let radius = subpath.named.iter().map(|at| (*at - centre).length()).sum::<f32>() / count;
     let fits = |at: &MmPoint| ((*at - centre).length() - radius).abs() <= ROUND * radius + 0.002;
-    (radius > 0.0 && outline.points.iter().all(fits))
+    (radius > 0.0 && subpath.points.iter().all(fits))
         .then(|| (MmPoint::new(clean(centre.x), clean(centre.y)), clean(2.0 * radius)))
 }
 
-/// The glyph that an outline is.
-pub(super) fn glyph(outline: &Outline) -> Option<Glyph> {
-    if let Some((at, diameter)) = disc(outline) {
+/// The glyph that a subpath is.
+pub(super) fn glyph(subpath: &Subpath) -> Option<Glyph> {
+    if let Some((at, diameter)) = disc(subpath) {
         return Some(Glyph { at, shape: Shape::Dot { diameter } });
     }
-    let &[a, b, c, d] = outline.named.as_slice() else { return None };
-    if outline.curved || !outline.closed {
+    let &[a, b, c, d] = subpath.named.as_slice() else { return None };
+    if subpath.curved || !subpath.closed {
         return None;
     }
     let (first, second) = ((a - c) * 0.5, (b - d) * 0.5);
@@ -93,9 +93,9 @@ fn mean(points: &[MmPoint]) -> Option<MmPoint> {
 mod tests {
     use super::*;
 
-    fn polygon(corners: &[(f32, f32)]) -> Outline {
+    fn polygon(corners: &[(f32, f32)]) -> Subpath {
         let points: Vec<_> = corners.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
-        Outline { named: points.clone(), points, closed: true, curved: false }
+        Subpath { named: points.clone(), points, closed: true, curved: false }
     }
 
     #[test]

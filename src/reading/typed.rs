@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use usvg::roxmltree::Node;
 
 use super::document::{TypedElement, is_in_labels};
-use super::outline::clean;
 use super::print::{font_size, is_print_words};
+use super::subpath::clean;
 use crate::listing::first_few;
 use crate::page::PrintText;
 use crate::units::MmPoint;

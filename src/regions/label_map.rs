@@ -34,7 +34,8 @@ pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm: f32, narrowest: f32) ->
         .map(|cell| {
             let (x, y) = (cell % across, cell / across);
             let here = opened[cell];
-            here.1 && around(y, down).all(|y| opened[y * across..][around(x, across)].iter().all(|of| *of == here))
+            here.is_in_reach
+                && around(y, down).all(|y| opened[y * across..][around(x, across)].iter().all(|of| *of == here))
         })
         .collect();
     let columns: Vec<usize> = (0..width).map(|x| place(x, coarse.width, cells.width)).collect();
@@ -43,8 +44,9 @@ pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm: f32, narrowest: f32) ->
         let y = place(y, coarse.height, cells.height);
         out.extend(labels.iter().zip(&columns).map(|(&label, &x)| {
             let cell = y * across + x;
-            let stays = || around(y, down).any(|y| opened[y * across..][around(x, across)].contains(&(label, true)));
-            if !is_inside[cell] && stays() { label } else { opened[cell].0 }
+            let own = OpenedCell { label, is_in_reach: true };
+            let stays = || around(y, down).any(|y| opened[y * across..][around(x, across)].contains(&own));
+            if !is_inside[cell] && stays() { label } else { opened[cell].label }
         }));
     }
     out
@@ -99,9 +101,18 @@ fn majority(labels: &[u8], count: usize, [fine, coarse]: [Size; 2], sigma: f32) 
     winner
 }
 
-/// Opens every area with a disc of this radius, cells: for each cell the label of the nearest core that is left, and
-/// whether the cell is in reach of its own. The frame of the picture narrows nothing.
-fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<(u8, bool)> {
+/// What an opening makes of a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct OpenedCell {
+    /// The label of the nearest core that is left.
+    label: u8,
+    /// Whether that is no farther than the radius: the cell belongs to the opened area, and does not only lie between
+    /// some.
+    is_in_reach: bool,
+}
+
+/// Opens every area with a disc of this radius, cells. The frame of the picture narrows nothing.
+fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<OpenedCell> {
     let square = radius * radius;
     let (labels, padded, margin) = padded(labels, size, radius.ceil() as usize + 1);
     let is_core = cores(&labels, padded, square);
@@ -109,10 +120,14 @@ fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<(u8, bool)> {
     let (width, across) = (size.width as usize, padded.width as usize);
     let label = |cell: usize| {
         let cell = (cell / width + margin) * across + cell % width + margin;
+        let own = labels[cell];
         match to_core[cell] {
-            0 => (labels[cell], true),
-            FAR => (labels[cell], false),
-            distance => (nearest(cell, distance, &labels, &is_core, padded), distance as f32 <= square),
+            0 => OpenedCell { label: own, is_in_reach: true },
+            FAR => OpenedCell { label: own, is_in_reach: false },
+            distance => OpenedCell {
+                label: nearest(cell, distance, &labels, &is_core, padded),
+                is_in_reach: distance as f32 <= square,
+            },
         }
     };
     (0..size.len()).map(label).collect()
@@ -191,7 +206,7 @@ mod tests {
         let opened = opened(&labels, size, radius);
         let found: Vec<String> = opened
             .chunks(rows[0].len())
-            .map(|row| row.iter().map(|(label, _)| char::from(b'0' + label)).collect())
+            .map(|row| row.iter().map(|cell| char::from(b'0' + cell.label)).collect())
             .collect();
         assert_eq!(found, expected);
     }
@@ -239,8 +254,8 @@ mod tests {
                 }
                 let (width, across) = (size.width as usize, padded.width as usize);
                 let of_cell = |cell: usize| nearest[(cell / width + margin) * across + cell % width + margin];
-                let expected: Vec<(u8, bool)> =
-                    (0..size.len()).map(of_cell).map(|(label, _, in_reach)| (label, in_reach)).collect();
+                let opened_cell = |(label, _, is_in_reach)| OpenedCell { label, is_in_reach };
+                let expected: Vec<OpenedCell> = (0..size.len()).map(of_cell).map(opened_cell).collect();
                 assert_eq!(opened(&labels, size, radius), expected, "radius {radius}, seed {seed}");
             }
         }

@@ -2,7 +2,7 @@
 
 use super::grid::RegionGrid;
 use crate::geom::distance::squared_distances;
-use crate::geom::outline::row_inside;
+use crate::geom::polygon::row_inside;
 use crate::units::PxPoint;
 
 /// Some cells of a picture.

@@ -30,7 +30,7 @@ impl Tree {
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
         let all = borders(&labels, regions.len(), self.grid.cells);
         let outline = |border: &Border| RegionOutline {
-            contour: self.trace(border, sigma, &mut placed),
+            contour: self.contour_along(border, sigma, &mut placed),
             // labels begin with 1
             region: usize::from(border.label) - 1,
         };
@@ -48,7 +48,7 @@ impl Tree {
     }
 
     /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.
-    fn trace(&self, border: &Border, sigma: f32, placed: &mut [Option<PxPoint>]) -> TracedContour {
+    fn contour_along(&self, border: &Border, sigma: f32, placed: &mut [Option<PxPoint>]) -> TracedContour {
         let size = self.grid.cells;
         let middles = middles(border, size);
         let count = middles.len();

@@ -5,8 +5,8 @@ use super::lattice::{self, LatticePoint};
 use super::maps::{RegionMap, line_density};
 use super::params::Params;
 use crate::classes::{Class, Classes, Region};
-use crate::geom::components;
-use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearby::Nearby;
+use crate::geom::{components, nearest_on_segment};
 use crate::lines::Line;
 use crate::units::{MmPoint, MmRect};
 
@@ -87,17 +87,8 @@ fn glyph_at(class: Class, position: LatticePoint, density: f32, lightness: f32, 
 /// The segments of all lines, in a grid index.
 fn index(lines: &[Line], area: MmRect, params: &Params) -> Nearby {
     let mut nearby = Nearby::new(area, params.line_gap + params.length);
-    for (number, run) in lines.iter().flat_map(|line| &line.runs).enumerate() {
-        for (i, (&a, &b)) in run.polyline().segments().enumerate() {
-            nearby.insert(Segment {
-                a,
-                b,
-                half_width: 0.5 * run.width,
-                line: number as u32,
-                index: i as u32,
-                arc: 0.0,
-            });
-        }
+    for (number, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
+        nearby.insert_line(number, run.polyline(), 0.5 * run.width);
     }
     nearby
 }
@@ -108,7 +99,7 @@ fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach:
     let mut clear = true;
     lines.around(glyph.at, glyph.at, reach + radius, |segment| {
         if clear {
-            let from_centre = crate::geom::nearest_on_segment(glyph.at, segment.a, segment.b).0;
+            let from_centre = nearest_on_segment(glyph.at, segment.a, segment.b).0;
             let need = gap + segment.half_width;
             if from_centre < need + radius {
                 clear = glyph.distance_to((segment.a, segment.b), corners) >= need;

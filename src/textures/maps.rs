@@ -2,7 +2,7 @@
 
 use super::glyph::{Glyph, Shape};
 use crate::classes::{Class, Classes};
-use crate::geom::{outline, segment_distance};
+use crate::geom::{polygon, segment_distance};
 use crate::lines::Line;
 use crate::raster::plane::Plane;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
@@ -78,10 +78,10 @@ impl<'a> RegionMap<'a> {
 /// Distance between a glyph's outline and a box, mm; 0 where they overlap.
 fn distance_to_box(glyph: &Glyph, corners: &[MmPoint; 4], cell: MmRect) -> f32 {
     match glyph.shape {
-        Shape::Dot { diameter } => (outline::distance_to_box(glyph.at, cell) - 0.5 * diameter).max(0.0),
+        Shape::Dot { diameter } => (polygon::distance_to_box(glyph.at, cell) - 0.5 * diameter).max(0.0),
         Shape::Rhombus { .. } => {
-            let ends = outline::corners(cell);
-            let inside = |at: &MmPoint| outline::is_in_convex(*at, corners);
+            let ends = polygon::corners(cell);
+            let inside = |at: &MmPoint| polygon::is_in_convex(*at, corners);
             if corners.iter().any(|corner| cell.contains_inclusive(*corner)) || ends.iter().any(inside) {
                 return 0.0;
             }

@@ -40,7 +40,7 @@ impl Sign {
                 apart.min(180.0 - apart) >= LEAST_ANGLE
             }
             (Self::Dot, Self::Dot) => false,
-            _ => true,
+            (Self::Dot, Self::Rhombus { .. }) | (Self::Rhombus { .. }, Self::Dot) => true,
         }
     }
 }

@@ -3,7 +3,6 @@
 
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
-use crate::dots::second_row::{RowGaps, RowSide};
 use crate::dots::{second_row, spacing};
 use crate::geom::nearby::Index;
 use crate::geom::polyline;
@@ -41,9 +40,7 @@ pub(in crate::dots) fn anywhere(
     for (own, FirstRow { line, row }) in rows.iter().enumerate() {
         let mut dots = vec![row.dots.clone()];
         if row.is_heavy && !has_points[own] && row.dots.len() >= LEAST_DOTS {
-            let second = placed.second_row(own, row, part, params);
-            second.iter().for_each(|&at| placed.place(at, own));
-            dots.push(second);
+            dots.push(placed.second_row(own, row, part, params));
         }
         dots.extend(runs[own].iter().cloned());
         dots.retain(|dots| !dots.is_empty());
@@ -101,39 +98,18 @@ impl ByPlace {
         row
     }
 
-    /// The second row of a line, on the side where more of it keeps the gap from all other lines; empty where it does
-    /// so beside a part of the line only.
-    fn second_row(&self, own: usize, row: &Row, part: MmRect, params: &Params) -> Vec<MmPoint> {
-        let of_side = |side: RowSide| {
-            let second = self.second_row_on(side, own, row, part, params);
-            (RowGaps::of(second.iter().map(|(index, _)| *index), row.dots.len(), row.closed), second)
-        };
-        let [inner, outer] = RowSide::ALL.map(of_side);
-        let (gaps, second) =
-            if outer.0.is_less_than(inner.0) && !inner.0.is_whole(params.line_gap) { outer } else { inner };
-        let second: Vec<MmPoint> = second.into_iter().map(|(_, at)| at).collect();
-        if second.len() >= LEAST_DOTS && gaps.is_whole(params.line_gap) { second } else { Vec::new() }
-    }
-
-    /// The dots of a second row that keep the gap, each with the index of the dot that it lies beside.
-    fn second_row_on(
-        &self,
-        side: RowSide,
-        own: usize,
-        row: &Row,
-        part: MmRect,
-        params: &Params,
-    ) -> Vec<(usize, MmPoint)> {
-        let (gap, least) = (params.clearance() - ROUNDED_OFF, LEAST_STEP * params.pitch);
-        let mut second: Vec<(usize, MmPoint)> = Vec::new();
-        for (index, at) in second_row::anywhere(&row.dots, row.closed, side, params.pitch) {
-            let is_free =
-                self.is_free(at, least, |_| true) && second.iter().all(|(_, other)| (*other - at).length() >= least);
+    /// Places the second row of a line where it keeps the gap from all other lines; empty if that leaves too few dots.
+    fn second_row(&mut self, own: usize, row: &Row, part: MmRect, params: &Params) -> Vec<MmPoint> {
+        let gap = params.clearance() - ROUNDED_OFF;
+        let mut second = Vec::new();
+        for (_, at) in second_row::anywhere(&row.dots, row.closed, params.pitch) {
+            let is_free = self.is_free(at, LEAST_STEP * params.pitch, |_| true);
             if part.contains_inclusive(at) && is_free && self.is_free(at, gap, |line| line != own) {
-                second.push((index, at));
+                self.place(at, own);
+                second.push(at);
             }
         }
-        second
+        if second.len() >= LEAST_DOTS { second } else { Vec::new() }
     }
 }
 

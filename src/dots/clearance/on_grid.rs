@@ -8,10 +8,9 @@ use std::collections::BTreeMap;
 
 use super::order::order;
 use crate::devices::Grid;
-use crate::dots::cell::{Cell, centre, distance, nearest, to_grid, within};
+use crate::dots::cell::{Cell, CellBox, centre, distance, nearest, to_grid};
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
-use crate::dots::second_row::{RowGaps, RowSide};
 use crate::dots::{rasterise, second_row};
 use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
@@ -25,63 +24,56 @@ pub(in crate::dots) fn on_grid(
     grid: &Grid,
     params: &Params,
 ) -> (Vec<Line>, Shown) {
-    let [columns, rows] = within(part, grid);
-    if columns[0] > columns[1] || rows[0] > rows[1] {
+    let within = CellBox::within(part, grid);
+    if within.is_empty() {
         return (Vec::new(), Shown::none_of(marks));
     }
     let mut taken = OccupiedDots { lines: BTreeMap::new(), gap: params.line_gap as i32 };
-    let mut drawn: Vec<(usize, RowPiece)> = Vec::new();
-    for place in order(lines, part, params.centres()) {
-        let line = &lines[place];
-        let (cells, closed) = cells_of(line, grid, [columns, rows]);
+    let mut drawn: Vec<DrawnPiece> = Vec::new();
+    for line in order(lines, part, params.centres()) {
+        let (cells, closed) = cells_of(&lines[line], grid, within);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
             piece.cells.len() >= LEAST_DOTS && length + ROUNDED_OFF >= params.min_length
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
             piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
-            drawn.push((place, piece));
+            drawn.push(DrawnPiece { line, piece });
         }
     }
-    let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, grid, [columns, rows], params);
+    let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
     let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
-    by_strength.sort_by_key(|&number| drawn[number].0);
-    let inside = |cell: Cell| (columns[0]..=columns[1]).contains(&cell[0]) && (rows[0]..=rows[1]).contains(&cell[1]);
+    by_strength.sort_by_key(|&number| drawn[number].line);
     let mut out = Vec::with_capacity(drawn.len());
-    for of_line in by_strength.chunk_by(|a, b| drawn[*a].0 == drawn[*b].0) {
-        let line = &lines[drawn[of_line[0]].0];
-        let is_heavy = params.has_second_row(line);
-        let second_row = |&number: &usize| {
-            let is_doubled = is_heavy && !has_points[number];
-            if is_doubled { taken.whole_second_row((number, &drawn[number].1), inside, params) } else { None }
-        };
-        // all pieces of a line are of one breadth
-        let second: Option<Vec<Vec<Cell>>> = of_line.iter().map(second_row).collect();
-        let mut second = second.unwrap_or_default().into_iter();
-        for &number in of_line {
-            let mut rows = vec![drawn[number].1.cells.clone()];
+    for number in by_strength {
+        let DrawnPiece { line, piece } = &drawn[number];
+        let line = &lines[*line];
+        let mut rows = vec![piece.cells.clone()];
+        if params.has_second_row(line) && !has_points[number] {
+            // a piece too short for a line is felt as texture, unless it is most of the row
+            let least = (params.min_length / params.pitch).ceil() as usize + 1;
+            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
+            let mut second = taken.second_row((number, piece), least, |cell| within.holds(cell));
             // where a tick goes through it, it has a dot already
-            let second = second.next().unwrap_or_default();
-            let second: Vec<Cell> = second.into_iter().filter(|cell| !taken.lines.contains_key(cell)).collect();
+            second.retain(|cell| !taken.lines.contains_key(cell));
             second.iter().for_each(|&cell| taken.take(cell, number));
             rows.push(second);
-            rows.retain(|row| !row.is_empty());
-            let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
-            let runs = rows.map(|row| params.run(row, params.height(line))).collect();
-            out.push(Line { strength: line.strength, runs });
         }
+        rows.retain(|row| !row.is_empty());
+        let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
+        let runs = rows.map(|row| params.run(row, params.height(line))).collect();
+        out.push(Line { strength: line.strength, runs });
     }
     (out, shown)
 }
 
-/// The dots of a line within these columns and rows (first and last), one dot wide, and whether it is closed.
-fn cells_of(line: &Line, grid: &Grid, [columns, rows]: [[i32; 2]; 2]) -> (Vec<Cell>, bool) {
+/// The dots of a line within a part of the grid, one dot wide, and whether it is closed.
+fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     let line = polyline_of(line);
     let mut cells = rasterise::rasterise(line.view(), grid);
-    let inside = |[x, y]: Cell| [x.clamp(columns[0], columns[1]), y.clamp(rows[0], rows[1])];
-    cells.iter_mut().for_each(|cell| *cell = inside(*cell));
+    cells.iter_mut().for_each(|cell| *cell = within.nearest(*cell));
     cells.dedup();
     let closed = line.closed || ends_touch(&cells);
     (rasterise::thin(cells, closed), closed)
@@ -103,6 +95,12 @@ struct RowPiece {
     closed: bool,
 }
 
+/// A piece that is drawn, and the number of the line that it is of.
+struct DrawnPiece {
+    line: usize,
+    piece: RowPiece,
+}
+
 impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
@@ -118,25 +116,24 @@ struct OccupiedDots {
 }
 
 impl OccupiedDots {
-    /// Finds room for the marks of lines, of which these pieces are drawn, each with the number of its line.
+    /// Finds room for the marks of lines, of which these pieces are drawn, within a part of the grid.
     fn place(
         &mut self,
         marks: &LineMarks,
         lines: &[Line],
-        drawn: &mut [(usize, RowPiece)],
-        grid: &Grid,
-        within: [[i32; 2]; 2],
+        drawn: &mut [DrawnPiece],
+        (grid, within): (&Grid, CellBox),
         params: &Params,
     ) -> Placed {
-        let row = |(place, piece): &(usize, RowPiece)| Row {
+        let row = |DrawnPiece { line, piece }: &DrawnPiece| Row {
             dots: centres(&piece.cells, grid),
             closed: piece.closed,
-            is_heavy: params.has_second_row(&lines[*place]),
+            is_heavy: params.has_second_row(&lines[*line]),
         };
         let rows: Vec<Row> = drawn.iter().map(row).collect();
         let placed = marks::place(marks, &rows, Lattice::Grid { grid, within }, params);
         let cell = |at: &MmPoint| nearest(to_grid(*at, grid));
-        for (number, (_, piece)) in drawn.iter_mut().enumerate() {
+        for (number, DrawnPiece { piece, .. }) in drawn.iter_mut().enumerate() {
             let hidden: Vec<Cell> = placed.hidden[number].iter().map(cell).collect();
             hidden.iter().for_each(|cell| {
                 self.lines.remove(cell);
@@ -184,40 +181,18 @@ impl OccupiedDots {
         out
     }
 
-    /// The second row of a piece on the side where more of it has room; none where it has room beside a part of the
-    /// piece only.
-    fn whole_second_row(
-        &self,
-        (number, piece): (usize, &RowPiece),
-        inside: impl Fn(Cell) -> bool,
-        params: &Params,
-    ) -> Option<Vec<Cell>> {
-        // what is too short for a line is felt as texture, unless it is most of the row
-        let least = (params.min_length / params.pitch).ceil() as usize + 1;
-        let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
-        let of_side = |side: RowSide| {
-            let row = self.second_row((number, piece), side, least, &inside);
-            (RowGaps::of(row.iter().map(|(index, _)| *index), piece.cells.len(), piece.closed), row)
-        };
-        let [inner, outer] = RowSide::ALL.map(of_side);
-        let (gaps, row) =
-            if outer.0.is_less_than(inner.0) && !inner.0.is_whole(params.line_gap) { outer } else { inner };
-        gaps.is_whole(params.line_gap).then(|| row.into_iter().map(|(_, cell)| cell).collect())
-    }
-
-    /// The second row of a piece on one side, where it keeps the gap from all other lines and from the other arms of
-    /// the piece itself, for at least so many dots; each with the index of the dot that it lies beside.
+    /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
+    /// itself, for at least so many dots.
     fn second_row(
         &self,
         (number, piece): (usize, &RowPiece),
-        side: RowSide,
         least: usize,
         inside: impl Fn(Cell) -> bool,
-    ) -> Vec<(usize, Cell)> {
+    ) -> Vec<Cell> {
         let (n, least_arc) = (piece.cells.len(), self.least_arc());
         // the dots of both rows, each with the index in the first row
         let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
-        let mut row = second_row::on_grid(&piece.cells, piece.closed, side);
+        let mut row = second_row::on_grid(&piece.cells, piece.closed);
         row.retain(|&(i, cell)| {
             let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
             let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
@@ -364,35 +339,11 @@ mod tests {
         let first = row(0, 0..12);
         let piece = RowPiece { cells: first.clone(), closed: false };
         let alone = taken(std::slice::from_ref(&first), 1);
-        let second = |taken: &OccupiedDots, least: usize, rows: i32| -> Vec<Cell> {
-            let row = taken.second_row((0, &piece), RowSide::Inner, least, |cell| cell[1] < rows);
-            row.into_iter().map(|(_, cell)| cell).collect()
-        };
-        assert_eq!(second(&alone, LEAST_DOTS, 9), row(1, 0..12));
-        assert_eq!(second(&alone, LEAST_DOTS, 1), row(1, 0..0));
+        assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
+        assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
         let beside = taken(&[first, vec![[6, 2]]], 1);
-        assert_eq!(second(&beside, LEAST_DOTS, 9), [row(1, 0..5), row(1, 8..12)].concat());
-        assert_eq!(second(&beside, 5, 9), row(1, 0..5), "four dots are too few");
-    }
-
-    /// A heavy line beside which another runs for a part of it has its second row on the other side, and none where
-    /// there is one on both sides.
-    #[test]
-    fn a_line_is_broad_as_a_whole_or_not_at_all() {
-        let params =
-            Params { pitch: 2.5, diameter: 1.6, line_gap: 1, heavy_from: 50.0, has_heights: false, min_length: 5.0 };
-        let piece = RowPiece { cells: row(0, 0..30), closed: false };
-        let second = |others: &[Vec<Cell>]| {
-            let all: Vec<Vec<Cell>> = std::iter::once(piece.cells.clone()).chain(others.iter().cloned()).collect();
-            taken(&all, 1).whole_second_row((0, &piece), |_| true, &params)
-        };
-        let (below, above) = (row(2, 8..20), row(-2, 8..20));
-        assert_eq!(second(&[]), Some(row(1, 0..30)));
-        assert_eq!(second(std::slice::from_ref(&below)), Some(row(-1, 0..30)));
-        assert_eq!(second(&[below, above]), None);
-        let stem: Vec<Cell> = (1..9).map(|y| [15, y]).collect();
-        let joined = second(&[stem]).expect("a line that ends on it takes a few dots only");
-        assert_eq!(joined, [row(1, 0..14), row(1, 17..30)].concat());
+        assert_eq!(beside.second_row((0, &piece), LEAST_DOTS, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+        assert_eq!(beside.second_row((0, &piece), 5, |_| true), row(1, 0..5), "four dots are too few");
     }
 
     #[test]

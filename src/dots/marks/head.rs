@@ -8,7 +8,7 @@
 //!            #          #
 //! ```
 
-use super::Places;
+use super::{Places, RowDot};
 use crate::dots::cell::GridPoint;
 use crate::dots::marks::lattice::{Lattice, Owner};
 use crate::lines::HeadMark;
@@ -29,25 +29,24 @@ const SPREAD: f32 = 38.0;
 impl Places<'_> {
     /// Draws the head of an arrow if there is room for it at the end of its row.
     pub(super) fn head(&mut self, mark: &HeadMark) -> bool {
-        let last = |row: usize| self.rows[row].dots.len() - 1;
-        let is_end = |row: usize, number: usize, _: GridPoint| {
-            !self.rows[row].closed && (number == 0 || number == last(row)) && {
-                let way = self.heading(row, number);
-                way.is_some_and(|way| way.dot(mark.toward) >= ALONG)
-            }
+        let is_end = |RowDot { row, number, .. }: RowDot| {
+            let row = &self.rows[row];
+            !row.closed && (number == 0 || number == row.dots.len() - 1)
         };
-        let Some((row, number, tip)) = self.nearest(mark.at, is_end) else { return false };
-        let Some(toward) = self.heading(row, number).map(|way| self.on_lattice(way)) else { return false };
-        let legs = self.legs(tip, toward);
+        let leads = |dot: RowDot| self.heading(dot).is_some_and(|way| way.dot(mark.toward) >= ALONG);
+        let Some(tip) = self.nearest(mark.at, |dot| is_end(dot) && leads(dot)) else { return false };
+        let Some(toward) = self.heading(tip).map(|way| self.on_lattice(way)) else { return false };
+        let legs = self.legs(tip.at, toward);
         let count = legs.iter().map(Vec::len).sum();
-        let is_free = |dot: &GridPoint| self.is_free(*dot, (row, number, count), None);
+        let is_free = |dot: &GridPoint| self.is_free(*dot, tip, count, None);
         if legs.iter().any(|leg| leg.len() < LEAST) || !legs.iter().flatten().all(is_free) {
             return false;
         }
         let [one, other] = legs;
         // from one end to the other, as it is read again
         let run: Vec<GridPoint> = one.into_iter().rev().chain(other).collect();
-        run.iter().for_each(|dot| self.field.put(*dot, Owner::Row(row, number)));
+        let row = tip.row;
+        run.iter().for_each(|dot| self.field.put(*dot, Owner::Row(row, tip.number)));
         let lattice = self.field.lattice;
         self.placed.runs[row].push(run.into_iter().map(|dot| lattice.to_mm(dot)).collect());
         self.placed.has_points[row] = true;
@@ -55,7 +54,7 @@ impl Places<'_> {
     }
 
     /// Which way a row leads at one of its ends.
-    fn heading(&self, row: usize, number: usize) -> Option<MmVector> {
+    fn heading(&self, RowDot { row, number, .. }: RowDot) -> Option<MmVector> {
         let dots = &self.rows[row].dots;
         let tip = *dots.get(number)?;
         let far = |at: &&MmPoint| (**at - tip).length() >= HEADING;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::devices::Grid;
-use crate::dots::cell::{Cell, GridPoint, centre, nearest, to_grid};
+use crate::dots::cell::{Cell, CellBox, GridPoint, centre, nearest, to_grid};
 use crate::dots::params::ROUNDED_OFF;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -15,8 +15,8 @@ const ROUNDING: f32 = 1e-3;
 /// Where dots can be.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dots) enum Lattice<'a> {
-    /// On a grid, from the first to the last of these columns and rows.
-    Grid { grid: &'a Grid, within: [[i32; 2]; 2] },
+    /// On a part of a grid.
+    Grid { grid: &'a Grid, within: CellBox },
     /// Anywhere in a part of the sheet, so many mm apart.
     Free { part: MmRect, pitch: f32 },
 }
@@ -41,10 +41,7 @@ impl Lattice<'_> {
     /// Whether a dot can be pressed.
     pub(super) fn holds(self, dot: GridPoint) -> bool {
         match self {
-            Self::Grid { within, .. } => {
-                let cell = nearest(dot);
-                (0..2).all(|axis| (within[axis][0]..=within[axis][1]).contains(&cell[axis]))
-            }
+            Self::Grid { within, .. } => within.holds(nearest(dot)),
             Self::Free { part, .. } => part.inflate(ROUNDED_OFF, ROUNDED_OFF).contains_inclusive(self.to_mm(dot)),
         }
     }

@@ -99,6 +99,15 @@ pub struct ShownScale {
     pub every: usize,
 }
 
+/// A dot of a row.
+#[derive(Clone, Copy)]
+struct RowDot {
+    row: usize,
+    /// Which of its row's dots it is.
+    number: usize,
+    at: GridPoint,
+}
+
 /// A point that is drawn.
 struct DrawnPoint {
     middle: GridPoint,
@@ -152,34 +161,31 @@ pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, param
 }
 
 impl Places<'_> {
-    /// The dot of a row nearest to a place of its line, which `counts`: the row, its number there, and the dot.
-    fn nearest(
-        &self,
-        at: MmPoint,
-        counts: impl Fn(usize, usize, GridPoint) -> bool,
-    ) -> Option<(usize, usize, GridPoint)> {
+    /// The dot of a row, among those that count, nearest to a place of its line.
+    fn nearest(&self, at: MmPoint, counts: impl Fn(RowDot) -> bool) -> Option<RowDot> {
         // of two dots as near the same as of lines
         let at = self.field.lattice.to_steps(at).map(|at| at + MIDWAY);
         let reach = MOVED / self.params.pitch + 1.0;
         let far = |dot: GridPoint| (dot[0] - at[0]).hypot(dot[1] - at[1]);
-        let rows = self.field.around(at, reach).filter_map(|(_, dot, owner)| match owner {
-            Owner::Row(row, number) if counts(row, number, dot) => Some((far(dot), row, number, dot)),
-            _ => None,
+        let dots = self.field.around(at, reach).filter_map(|(_, dot, owner)| {
+            let Owner::Row(row, number) = owner else { return None };
+            Some(RowDot { row, number, at: dot }).filter(|dot| counts(*dot))
         });
-        let nearest = rows.min_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))))?;
-        Some((nearest.1, nearest.2, nearest.3))
+        let place = |dot: &RowDot| (dot.row, dot.number);
+        dots.min_by(|a, b| far(a.at).total_cmp(&far(b.at)).then(place(a).cmp(&place(b))))
     }
 
     /// Draws a point if there is room for it.
     fn point(&mut self, point: &PointMark) -> bool {
         let lattice = self.field.lattice;
-        let Some((row, number, middle)) = self.nearest(point.at, |_, _, _| true) else { return false };
+        let Some(of_row) = self.nearest(point.at, |_| true) else { return false };
+        let RowDot { row, number, at: middle } = of_row;
         let Params { pitch, diameter, .. } = *self.params;
         let least = ((HOLLOW + diameter) / (2.0 * pitch)).ceil() as i32;
         // the side of a disc is that of its outermost dots, and a ring is drawn along its middle
         let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
         let radius = least.max((own / pitch).round() as i32).max(1);
-        let DotDisc { around, inside } = lattice.disc(middle, self.along(row, number), radius);
+        let DotDisc { around, inside } = lattice.disc(middle, self.along(of_row), radius);
         if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
             return false;
         }
@@ -216,7 +222,7 @@ impl Places<'_> {
     }
 
     /// Which way a row runs at one of its dots.
-    fn along(&self, row: usize, number: usize) -> MmVector {
+    fn along(&self, RowDot { row, number, .. }: RowDot) -> MmVector {
         let dots = &self.rows[row].dots;
         let way = dots[(number + BESIDE).min(dots.len() - 1)] - dots[number.saturating_sub(BESIDE)];
         way.try_normalize().unwrap_or(MmVector::new(1.0, 0.0))
@@ -302,22 +308,24 @@ impl Places<'_> {
     /// A tick in dots, on those sides that have room; none if no side has.
     fn tick(&self, number: usize, tick: &TickMark, shortest: f32, sides: [bool; 2]) -> Option<Tick> {
         let lattice = self.field.lattice;
-        let is_own = |row: usize, number: usize, dot: GridPoint| {
-            let aside = (lattice.to_mm(dot) - tick.at).dot(tick.along).abs();
-            aside <= ASIDE * self.params.pitch && self.along(row, number).dot(tick.along).abs() >= ALONG
+        let is_own = |dot: RowDot| {
+            let aside = (lattice.to_mm(dot.at) - tick.at).dot(tick.along).abs();
+            aside <= ASIDE * self.params.pitch && self.along(dot).dot(tick.along).abs() >= ALONG
         };
-        let (row, at, from) = self.nearest(tick.at, is_own)?;
+        let foot = self.nearest(tick.at, is_own)?;
         // behind a point it goes on from that
-        let point = self.points.iter().find(|point| lattice.steps(point.middle, from) <= point.radius as f32 + 0.5);
-        let from = point.map_or(from, |point| point.middle);
-        let mut drawn = Tick { number, row, sides: [Vec::new(), Vec::new()] };
+        let is_at = |point: &DrawnPoint| lattice.steps(point.middle, foot.at) <= point.radius as f32 + 0.5;
+        let behind = self.points.iter().position(is_at);
+        let point = behind.map(|number| &self.points[number]);
+        let from = point.map_or(foot.at, |point| point.middle);
+        let mut drawn = Tick { number, row: foot.row, sides: [Vec::new(), Vec::new()] };
         let mut is_covered = false;
         for (side, end) in tick.ends.iter().enumerate() {
             let Some(end) = end.filter(|_| sides[side]) else { continue };
             let Some(way) = (end - tick.at).try_normalize() else { continue };
             let count = self.dots_of((end - tick.at).length(), shortest);
             let mut dots = lattice.outward(from, way, 2 * count + 2);
-            dots.truncate(count + self.second_row(row, at, way));
+            dots.truncate(count + self.second_row(foot, way));
             let own = |dot: GridPoint| self.field.around(dot, 1.0).any(|(_, other, _)| lattice.are_one(dot, other));
             let is_inside = |dot: GridPoint| {
                 point.is_some_and(|point| lattice.steps(point.middle, dot) <= point.radius as f32 + 0.25)
@@ -325,7 +333,7 @@ impl Places<'_> {
             dots.retain(|dot| !own(*dot) && !is_inside(*dot));
             if dots.is_empty() {
                 is_covered |= point.is_some();
-            } else if dots.iter().all(|dot| self.is_free(*dot, (row, at, count), point)) {
+            } else if dots.iter().all(|dot| self.is_free(*dot, foot, count, behind)) {
                 drawn.sides[side] = dots;
             }
         }
@@ -342,36 +350,39 @@ impl Places<'_> {
     }
 
     /// How many dots a second row puts before the free ones of a tick that leads this way from a dot of its row.
-    fn second_row(&self, row: usize, at: usize, way: MmVector) -> usize {
+    fn second_row(&self, foot: RowDot, way: MmVector) -> usize {
+        let row = foot.row;
         if !self.rows[row].is_heavy || self.placed.has_points[row] {
             return 0;
         }
         // it lies to the right of a line as it runs, and inside a ring
-        let along = self.along(row, at);
+        let along = self.along(foot);
         let right = right_of(along).dot(way) > 0.0;
         let turn = self.rows[row].closed && area_of(&self.rows[row].dots) < 0.0;
         usize::from(right != turn)
     }
 
-    /// Whether a dot of a tick of so many dots, which stands on a dot of a row, is apart from all others.
-    fn is_free(&self, dot: GridPoint, (row, at, count): (usize, usize, usize), own: Option<&DrawnPoint>) -> bool {
+    /// Whether a dot of a tick of so many dots, which stands on its foot, or behind the point of this number there, is
+    /// apart from all others.
+    fn is_free(&self, dot: GridPoint, foot: RowDot, count: usize, behind: Option<usize>) -> bool {
         let lattice = self.field.lattice;
         if !lattice.holds(dot) {
             return false;
         }
         let gap = self.params.line_gap as f32;
-        let is_own = |point: &DrawnPoint| own.is_some_and(|own| std::ptr::eq(own, point));
-        if self.points.iter().any(|point| !is_own(point) && self.is_close_to(dot, point)) {
+        let mut others = self.points.iter().enumerate().filter(|(number, _)| Some(*number) != behind);
+        if others.any(|(_, point)| self.is_close_to(dot, point)) {
             return false;
         }
+        let own = behind.map(|number| &self.points[number]);
         // the row beside its own place is as near as the tick is long
         let beside = 2 * (count + self.params.line_gap as usize) + 4;
-        let length = self.rows[row].dots.len();
+        let row = &self.rows[foot.row];
         let mut near = self.field.around(dot, gap + 1.0).filter(|(_, other, _)| lattice.are_near(dot, *other, gap));
         near.all(|(_, other, owner)| match owner {
-            Owner::Row(of, number) if of == row => {
-                let apart = number.abs_diff(at);
-                apart <= beside || self.rows[row].closed && length - apart <= beside
+            Owner::Row(of, number) if of == foot.row => {
+                let apart = number.abs_diff(foot.number);
+                apart <= beside || row.closed && row.dots.len() - apart <= beside
             }
             // what leads to the point behind which it is
             Owner::Row(..) => own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius as f32 + gap),

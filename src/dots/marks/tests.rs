@@ -2,11 +2,15 @@
 
 use super::*;
 use crate::devices::Grid;
+use crate::dots::cell::CellBox;
 use crate::lines::{HeadMark, Height, Line, Run};
 use crate::units::MmRect;
 
 const PARAMS: Params =
     Params { pitch: 2.0, diameter: 1.6, line_gap: 2, heavy_from: 50.0, has_heights: false, min_length: 12.5 };
+
+/// All of the grid.
+const SHEET: MmRect = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(200.0, 200.0));
 
 fn grid() -> Grid {
     let even = |count: usize| (0..count).map(|i| 2.0 * i as f32).collect();
@@ -31,7 +35,7 @@ fn point(x: f32, radius: f32, is_filled: bool) -> PointMark {
 fn placed(points: &[PointMark], scale: &[TickMark], rows: &[Row]) -> Placed {
     let marks = LineMarks { points: points.to_vec(), scales: vec![scale.to_vec()], ..LineMarks::default() };
     let grid = grid();
-    place(&marks, rows, Lattice::Grid { grid: &grid, within: [[0, 59], [0, 39]] }, &PARAMS)
+    place(&marks, rows, Lattice::Grid { grid: &grid, within: CellBox::within(SHEET, &grid) }, &PARAMS)
 }
 
 /// How many dots each mark on the first row has.
@@ -130,7 +134,7 @@ fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
     let grid = grid();
     let place = |rows: &[Row], heads: &[HeadMark]| {
         let marks = LineMarks { heads: heads.to_vec(), ..LineMarks::default() };
-        super::place(&marks, rows, Lattice::Grid { grid: &grid, within: [[0, 59], [0, 39]] }, &PARAMS)
+        super::place(&marks, rows, Lattice::Grid { grid: &grid, within: CellBox::within(SHEET, &grid) }, &PARAMS)
     };
     let all = place(&rows(None), &[head(113.0, 1.0), head(4.0, -1.0), head(60.0, 1.0), head(113.0, -1.0)]);
     assert_eq!(all.shown.heads, [true, true, false, false], "at both ends, not in the middle nor against its way");

@@ -100,7 +100,7 @@ pub(super) fn sign(sign: Sign, area: &DotArea) -> Sign {
         (Sign::Rhombus { degrees }, DotArea::Grid(_)) => {
             Sign::Rhombus { degrees: RowDirection::nearest(degrees).degrees() }
         }
-        _ => sign,
+        (Sign::Rhombus { .. }, DotArea::Free(_)) | (Sign::Dot, _) => sign,
     }
 }
 

@@ -25,7 +25,7 @@ use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
 
 pub use finished::{Arrow, arrows};
-pub(super) use place::draw;
+pub(super) use place::{DrawnHeads, draw};
 pub use shapes::is_triangle;
 
 /// Short contours so near to a head are parts of it, mm.

@@ -49,7 +49,7 @@ impl DrawnHeads {
     }
 }
 
-/// Draws heads at the ends of `lines`, where there is room, apart from `taken` places with their radii.
+/// Draws heads at the ends of `lines`, where there is room; says so in their marks.
 pub(in crate::lines) fn draw(
     marks: &mut [HeadMark],
     lines: &[&Polyline<Vertex>],

@@ -68,11 +68,16 @@ pub(super) struct Passage {
     pub(super) junctions: Vec<Junction>,
 }
 
+/// Length along a line between two arcs, mm; of a closed one, which is so long `round`, along the shorter arc.
+pub(super) fn arc_between(s: f32, t: f32, round: Option<f32>) -> f32 {
+    let apart = (s - t).abs();
+    round.map_or(apart, |round| apart.min(round - apart))
+}
+
 impl Passage {
     /// Length along the polyline between two arcs, of a ring along the shorter arc, mm.
     pub(super) fn between(&self, s: f32, t: f32) -> f32 {
-        let apart = (s - t).abs();
-        self.round.map_or(apart, |round| apart.min(round - apart))
+        arc_between(s, t, self.round)
     }
 
     /// Whether there is a junction with a line within `reach` of a place of the polyline, mm along it.

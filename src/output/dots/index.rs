@@ -75,11 +75,13 @@ impl Params {
             Family::IndexV3 { paper: Paper::Inches } => format!("PW{},PL{},LS4", inches(width), inches(length)),
             Family::IndexV3 { paper: Paper::Millimetres } => format!("PW{},PL{},LS4", width / 100, length / 100),
             Family::IndexV3 { paper: Paper::Unsaid } => "LS4".into(),
-            _ => format!(
-                "CH{},LP{},LS50",
-                (width - 2 * MARGIN + CELL_GAP) / (TEXT_DOT + CELL_GAP),
-                (length - 2 * MARGIN + LINE_GAP) / (2 * TEXT_DOT + LINE_GAP)
-            ),
+            Family::IndexV4 | Family::BrailleRap { .. } | Family::ViewPlus | Family::Pins { .. } | Family::Cells => {
+                format!(
+                    "CH{},LP{},LS50",
+                    (width - 2 * MARGIN + CELL_GAP) / (TEXT_DOT + CELL_GAP),
+                    (length - 2 * MARGIN + LINE_GAP) / (2 * TEXT_DOT + LINE_GAP)
+                )
+            }
         };
         format!("DTM0,BI0,FO0{copies},MI{impact},DP1,TD0,GD{graphic_distance},PN0,{paper},BT0;")
     }

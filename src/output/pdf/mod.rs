@@ -159,7 +159,14 @@ fn order(mut outer: pdf_writer::Array<'_>, ids: &ObjectIds) {
             }
             // listed inside the figure above
             Layer::Textures | Layer::Texture(_) | Layer::Lines => {}
-            _ => {
+            Layer::OrientationMark
+            | Layer::Registration
+            | Layer::Frame
+            | Layer::OverviewFrame
+            | Layer::Overview
+            | Layer::Labels
+            | Layer::Braille(_)
+            | Layer::PrintWords => {
                 outer.item(id);
             }
         }

@@ -32,7 +32,7 @@ const LONGEST_BRIDGED: usize = 20;
 const MOST_STEPS: u64 = 300_000_000;
 
 /// A path through numbered positions whose first and last stay where they are.
-struct Tour<'a> {
+struct DotPath<'a> {
     positions: &'a [DotPosition],
     neighbours: &'a [Vec<u32>],
     most_back: i32,
@@ -56,7 +56,7 @@ pub(super) fn shorten(positions: &[DotPosition], neighbours: &[Vec<u32>], order:
     order.iter().enumerate().for_each(|(index, &position)| at[position as usize] = index as u32);
     let (queue, is_queued) = (VecDeque::new(), vec![false; positions.len()]);
     let mut path =
-        Tour { positions, neighbours, most_back, order, at, queue, is_queued, reversals: Vec::new(), steps: 0 };
+        DotPath { positions, neighbours, most_back, order, at, queue, is_queued, reversals: Vec::new(), steps: 0 };
     let inner = path.order.len().saturating_sub(2);
     (1..=inner).for_each(|index| path.enqueue(path.order[index]));
     path.search(MOST_CHANGES * inner);
@@ -73,7 +73,7 @@ pub(super) fn shorten(positions: &[DotPosition], neighbours: &[Vec<u32>], order:
     path.order
 }
 
-impl Tour<'_> {
+impl DotPath<'_> {
     /// Makes changes at queued positions until none is a gain. Returns what was gained.
     fn search(&mut self, most_changes: usize) -> f64 {
         let (mut gained, mut changes) = (0.0, 0);
@@ -318,10 +318,10 @@ mod tests {
     }
 
     /// A path before any change, for one step at a time.
-    fn path(case: &Case) -> Tour<'_> {
+    fn path(case: &Case) -> DotPath<'_> {
         let mut at = vec![0; case.positions.len()];
         case.order.iter().enumerate().for_each(|(index, &number)| at[number as usize] = index as u32);
-        Tour {
+        DotPath {
             positions: &case.positions,
             neighbours: &case.neighbours,
             most_back: i32::MAX,

@@ -10,7 +10,7 @@ const TOLERANCE: f32 = 0.01;
 
 /// One part of a path.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Outline {
+pub(super) struct Subpath {
     /// Its points, curves flattened; a ring of curves does not repeat its first.
     pub(super) points: Vec<MmPoint>,
     /// Those that the path itself names.
@@ -31,7 +31,7 @@ fn at(p: Point) -> MmPoint {
 }
 
 /// The parts of a path in mm.
-pub(super) fn outlines(path: &Path) -> Vec<Outline> {
+pub(super) fn subpaths(path: &Path) -> Vec<Subpath> {
     let mut all = Vec::new();
     let mut open = Open::default();
     for segment in path.segments() {
@@ -98,7 +98,7 @@ impl Open {
     }
 
     /// Takes the part out; none if it has no length.
-    fn finished(&mut self, closed: bool) -> Option<Outline> {
+    fn finished(&mut self, closed: bool) -> Option<Subpath> {
         let Self { flat, mut named, curved } = std::mem::take(self);
         let mut points: Vec<MmPoint> = flat.into_iter().map(|(x, y)| at(Point::from_xy(x, y))).collect();
         named.dedup();
@@ -109,6 +109,6 @@ impl Open {
             named.pop();
         }
         let closed = closed && points.len() > 2;
-        (points.len() > 1).then_some(Outline { points, named, closed, curved })
+        (points.len() > 1).then_some(Subpath { points, named, closed, curved })
     }
 }

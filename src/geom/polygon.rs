@@ -1,4 +1,4 @@
-//! Closed outlines: what they enclose, and circles as such.
+//! Closed polygons: what they enclose; boxes, and circles as such.
 
 use lyon::geom::euclid::{Box2D, Point2D, Vector2D};
 use std::f32::consts::{PI, TAU};
@@ -43,7 +43,7 @@ pub fn is_in_convex<U>(at: Point2D<f32, U>, corners: &[Point2D<f32, U>]) -> bool
     (0..corners.len()).all(|i| side(i) >= 0.0) || (0..corners.len()).all(|i| side(i) <= 0.0)
 }
 
-/// Where sides of outlines cross the row at height `y`, in no order.
+/// Where sides of polygons cross the row at height `y`, in no order.
 fn crossings<'a, U: 'a>(
     sides: impl Iterator<Item = (&'a Point2D<f32, U>, &'a Point2D<f32, U>)>,
     y: f32,
@@ -52,7 +52,7 @@ fn crossings<'a, U: 'a>(
     crossed.map(move |(a, b)| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
 }
 
-/// The parts of the row at height `y` that lie inside an odd number of outlines (the even-odd rule), given by all sides
+/// The parts of the row at height `y` that lie inside an odd number of polygons (the even-odd rule), given by all sides
 /// of these: from where to where, from left to right.
 pub fn row_inside<'a, U: 'a>(
     sides: impl Iterator<Item = (&'a Point2D<f32, U>, &'a Point2D<f32, U>)>,
@@ -63,7 +63,7 @@ pub fn row_inside<'a, U: 'a>(
     crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// Whether a point lies inside an odd number of outlines, given by all sides of these.
+/// Whether a point lies inside an odd number of polygons, given by all sides of these.
 pub fn is_inside<'a, U: 'a>(
     sides: impl Iterator<Item = (&'a Point2D<f32, U>, &'a Point2D<f32, U>)>,
     at: Point2D<f32, U>,

@@ -1,0 +1,125 @@
+//! What a place for a label costs, by which the places of a label are compared.
+//!
+//! A cost is in millimetres: those by which another place may lie further from what the label names and be as good. So
+//! every number says what a reader would rather put up with:
+//!
+//! ```text
+//!  0.1 to 0.5  for each mm off the middle or the level of a point: sets the order of places that are as near
+//!  0.3         for each glyph of a texture that goes: a few are not missed, a patch of 30 is as bad as a leader line
+//!  3 to 5      the worse side of a point, or a second line or row: more than a step of a grid of dots (2 to 2.5 mm)
+//!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
+//!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
+//!  1000        an abbreviation, which has to be looked up in the key (`forms`)
+//!  2000        any other leader line across lines: rather the abbreviation
+//! ```
+//!
+//! From 300 on no distance counts any more, as no label lies further than about 40 mm from what it names.
+
+use super::forms::ABBREVIATED;
+use super::placed::Wanted;
+use super::surroundings::Surroundings;
+use crate::geom::polygon::distance_to_box;
+use crate::units::{MmPoint, MmRect};
+
+/// For each mm that the middle of a label of a point at the lower side of a shape is off the point: half of its
+/// distance, so that it stands in the middle below the shape where there is room, and not below the next one.
+const OFF_MIDDLE: f32 = 0.5;
+/// For a label of such a point elsewhere than below it: what stands beside a bar is taken for a name of its side, so
+/// that a label below it with a leader line is a little better.
+const NOT_BELOW: f32 = LEADER + 2.0;
+/// For a label of a point that is left of it, next to one on the right, where reading goes on: more than a step of a
+/// grid of dots, so that the grid does not decide.
+const ON_THE_LEFT: f32 = 3.0;
+/// The same of one above or below it, where a finger has to leave the row: rather on the left.
+const ABOVE_OR_BELOW: f32 = 4.0;
+/// For each mm that the middle of a label beside a point is above or below the point: a third of its distance, as a
+/// finger goes on along the row.
+const OFF_LEVEL: f32 = 0.3;
+/// For each mm that the middle of a label above or below a point is left or right of the point: only the order of what
+/// is as near, as a label is wider than high and touches the point's column anyhow.
+const OFF_CENTRE: f32 = 0.1;
+/// How many times a mm counts to the left or right of the text that a label stands for, next to one above or below: in
+/// a row of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the
+/// bars.
+const ALONG: f32 = 3.0;
+/// The same where a line leads to the text, on the side on which it comes: a label there stands over that line.
+const BACK_OVER_LINE: f32 = ALONG;
+/// How many times a mm counts above or below the row of the line that leads to a label: a word that is whole just above
+/// that line is better than one that is divided beside it. Less than [`ALONG`], as it stands over nothing.
+const OFF_THE_ROW: f32 = 1.8;
+/// For a leader line: a label may lie so much further away if it needs none, nearly as far as labels without one lie
+/// ([`NEAR`](super::surroundings::NEAR)).
+const LEADER: f32 = 10.0;
+/// For a leader line across other lines, along which a finger may go astray: more than an abbreviation, which is only
+/// slower.
+const ACROSS: f32 = 2.0 * ABBREVIATED;
+/// The same where the drawing's own leader line crossed them too, as its maker found it clear: less than an
+/// abbreviation.
+const ACROSS_AS_DRAWN: f32 = 0.3 * ABBREVIATED;
+/// How many times a mm counts from where such a leader line began, beside its text: on the other side the label would
+/// stand among other things. Twice, so that it stays on that side even where it then lies further from its tip.
+const FROM_PRINT: f32 = 2.0;
+/// For each mm of a leader line across others that runs along a line, of which it would be felt as a part: 15 mm of it
+/// are as bad as crossing as the drawing does ([`ACROSS_AS_DRAWN`]).
+const ALONG_A_LINE: f32 = 20.0;
+/// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
+const GLYPH: f32 = 0.3;
+
+/// How a label is joined to what it names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Attachment {
+    /// It stands beside that.
+    Beside,
+    /// By a leader line that crosses no other.
+    Leader([MmPoint; 2]),
+    /// By a leader line across others.
+    LeaderAcross([MmPoint; 2]),
+}
+
+impl Attachment {
+    pub(super) fn leader(self) -> Option<[MmPoint; 2]> {
+        match self {
+            Self::Beside => None,
+            Self::Leader(segment) | Self::LeaderAcross(segment) => Some(segment),
+        }
+    }
+}
+
+/// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
+pub(super) fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment, around: &Surroundings<'_>) -> f32 {
+    let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
+    let distance = distance(label, place, around);
+    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
+    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
+    let leader = match join {
+        Attachment::Beside => 0.0,
+        Attachment::Leader(_) => LEADER,
+        Attachment::LeaderAcross([from, to]) => {
+            let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
+            across + ALONG_A_LINE * room.along(from, to, end)
+        }
+    };
+    // on the side where its text stood
+    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
+    of_form + distance + aside + elsewhere + GLYPH * glyphs + leader
+}
+
+/// How far a place is from what a label names, mm: more in directions in which it reads worse.
+fn distance(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> f32 {
+    let &Surroundings { is_at_lower_side, line_on, anchor, .. } = around;
+    let (gap, is_point) = (distance_to_box(anchor, place), label.anchor.is_empty());
+    // beside a point; in place of a text
+    let away = place.center() - anchor;
+    let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
+    match (is_point, is_beside) {
+        (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
+        (true, true) => gap + OFF_LEVEL * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
+        (true, false) => gap + OFF_CENTRE * away.x.abs() + ABOVE_OR_BELOW,
+        // in the row of the line's end, and rather away from it than back over it
+        (false, _) if line_on.is_some() => {
+            let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
+            (away.x * if is_back { BACK_OVER_LINE } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
+        }
+        (false, _) => (ALONG * away.x).hypot(away.y),
+    }
+}
