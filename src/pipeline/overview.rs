@@ -27,7 +27,8 @@ const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
 /// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; of a photograph it is larger from the first ([`OverviewSize`]).
+/// larger, as far as the sheet has room below the figure; of a photograph it is larger from the first
+/// ([`OverviewSize`]).
 pub(super) fn draw_overview(
     edges: &Edges,
     lines_of: LinesOf<'_>,
@@ -48,8 +49,8 @@ pub(super) fn draw_overview(
     DrawnOverview::default()
 }
 
-/// The contours along which the figure has a line. Of a photograph whose maker wants few shapes, the overview is drawn of
-/// them: its own choice among all contours would be another, and a finger would look for these lines in vain. (On 50
+/// The contours along which the figure has a line. Of a photograph whose maker wants few shapes, the overview is drawn
+/// of them: its own choice among all contours would be another, and a finger would look for these lines in vain. (On 50
 /// photographs of BSDS500, val, with four shapes 7.5 percent of its lines were not in the figure; without that limit 2
 /// percent are not.)
 pub(super) fn seen_in_figure(edges: &Edges, figure: &[Line], layout: &Layout, plan: &Plan) -> Edges {

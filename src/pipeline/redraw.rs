@@ -131,14 +131,13 @@ pub(super) fn marks(
     notes
         .extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
-    let lost_signs = drawn.lost.signs;
     Ok(DrawnMarks {
         figure,
         overview: overview.marks,
         layout,
         is_flat: false,
         left_out,
-        lost_signs,
+        lost_signs: drawn.lost.signs,
         texts: Vec::new(),
         notes,
     })

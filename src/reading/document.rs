@@ -246,8 +246,8 @@ pub(super) fn is_in_labels(text: Node<'_, '_>) -> bool {
     text.ancestors().any(|above| [above.attribute("id"), label_of(above)].into_iter().flatten().any(named))
 }
 
-/// The layer that a group is, by its id, or by its name as Inkscape shows it. The name of an object is its own: that of a
-/// text is what it says, which may be the word "frame".
+/// The layer that a group is, by its id, or by its name as Inkscape shows it. The name of an object is its own: that of
+/// a text is what it says, which may be the word "frame".
 pub(super) fn layer_of(node: Node<'_, '_>) -> Option<Layer> {
     let label = || label_of(node).filter(|_| !is_object(node)).and_then(Layer::named);
     node.attribute("id").and_then(Layer::named).or_else(label)
