@@ -54,6 +54,19 @@ impl Angle {
     }
 }
 
+/// Whether a text is such as names an angle: one letter, which may have a prime or an index, a size in degrees, or
+/// the question for it.
+pub(super) fn is_name(text: &str) -> bool {
+    let mut characters = text.trim().chars();
+    let Some(first) = characters.next() else { return false };
+    let rest: String = characters.collect();
+    match first {
+        '?' => rest.is_empty() || rest == "°",
+        '0'..='9' => rest.ends_with('°') && rest.chars().all(|c| c.is_ascii_digit() || ".,°".contains(c)),
+        _ => first.is_alphabetic() && rest.chars().count() <= 1 && !rest.chars().any(char::is_alphabetic),
+    }
+}
+
 /// The angles between the straight parts of lines.
 pub(super) fn of(lines: &[Line]) -> Vec<Angle> {
     let straight = straight_parts(lines);
@@ -144,6 +157,16 @@ mod tests {
         let angle = Angle::around(MmPoint::new(32.0, 95.0), &of(&triangle)).expect("an angle");
         let place = |x: f32, y: f32| MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 6.0));
         assert!(angle.holds_box(place(45.0, 90.0)) && !angle.holds_box(place(45.0, 98.0)));
+    }
+
+    #[test]
+    fn letters_and_sizes_name_angles_and_words_and_bare_numbers_do_not() {
+        for name in ["a", "β", "C'", "b1", "35°", "62.5°", "?"] {
+            assert!(is_name(name), "{name}");
+        }
+        for other in ["pond", "35", "0 €", "x = ?", "to", "9 cm", ""] {
+            assert!(!is_name(other), "{other}");
+        }
     }
 
     #[test]

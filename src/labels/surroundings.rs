@@ -1,6 +1,6 @@
 //! What lies around what a label names, by which its places are judged.
 
-use super::angles::Angle;
+use super::angles::{self, Angle};
 use super::placed::{Params, Wanted};
 use super::room::Room;
 use crate::geom::nearest_on_segment;
@@ -24,8 +24,8 @@ const BESIDE_TEXT: f32 = 5.0;
 const LARGEST_RING: f32 = 9.0;
 /// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
 const AROUND_RING: f32 = 2.0;
-/// Most characters of the name or the size of an angle.
-const NAME_OF_ANGLE: usize = 6;
+/// Nearer to the place where two lines meet, mm, a point names that and no angle between them.
+const AT_VERTEX: f32 = 6.0;
 /// Breadth of the arc of an angle across it, at most, mm: twice the widest line, for a slanted way.
 const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
@@ -67,8 +67,9 @@ impl<'a> Surroundings<'a> {
         // of labels of one place one is enough
         others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         others.dedup();
-        let is_short = label.text.chars().count() <= NAME_OF_ANGLE;
-        let angle = if is_short && label.led_from.is_none() { room.angle_around(at) } else { None };
+        let names_angle = label.led_from.is_none() && angles::is_name(&label.text);
+        let angle = if names_angle { room.angle_around(at) } else { None };
+        let angle = angle.filter(|angle| !is_point || (angle.vertex - at).length() > AT_VERTEX);
         // a small ring around a point, such as a town on a map, is what it names
         let ring = if is_point && angle.is_none() { room.shut_in(at, LARGEST_RING) } else { None };
         Self {
@@ -98,7 +99,8 @@ impl<'a> Surroundings<'a> {
                 to_arc <= NEAR && (arc - angle.vertex).length() <= FARTHEST_ARC
             })
         };
-        let is_open = || !self.room.is_parted(nearest, self.anchor, AT_END);
+        let is_near = distance_to_box(self.anchor, place) <= NEAR;
+        let is_open = || is_near && !self.room.is_parted(nearest, self.anchor, AT_END);
         angle.holds_box(place) && self.is_own(place) && (is_open() || is_beyond_arc())
     }
 

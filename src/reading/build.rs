@@ -184,6 +184,7 @@ struct Builder<'m> {
     labels: Vec<usize>,
     tally: Tally,
 }
+
 impl<'m> Builder<'m> {
     fn new(medium: &'m Medium, sheet: [f32; 2]) -> Self {
         let empty = Figure { place: MmRect::zero(), source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
@@ -207,16 +208,14 @@ impl<'m> Builder<'m> {
 
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
     fn add(&mut self, mark: &PaintedShape<'_>, runs: &mut Vec<Pieces>) {
+        let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
         if self.is_foreign && mark.layer.is_none() {
-            let at = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
-            return self.tally.add(What::Foreign, at);
+            return self.tally.add(What::Foreign, first);
         }
         if mark.layer == Some(Layer::PrintWords) {
-            let at = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
-            return self.tally.add(What::InPrint, at);
+            return self.tally.add(What::InPrint, first);
         }
         let has_heights = self.medium.has_heights();
-        let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
         let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
         let is_area = area.is_some();
         if let Some(area) = area {

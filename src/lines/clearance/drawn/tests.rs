@@ -1,3 +1,5 @@
+//! Where a polyline joins lines that are drawn, and where it is too near to them.
+
 use super::super::tests::{drawn, polyline};
 use super::*;
 
