@@ -121,3 +121,24 @@ fn on_an_embosser_bars_touch_and_are_told() {
     let points = |line: &Line| line.runs.iter().map(|run| run.points.len()).sum::<usize>();
     assert!(figure.lines.iter().all(|line| points(line) > 2), "no scraps");
 }
+
+#[test]
+fn squared_paper_is_no_chart() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 900 600'>\
+                   <rect width='900' height='600' fill='#fff'/>"
+        .to_owned();
+    for i in 0..15 {
+        write!(svg, "<path d='M{0} 100V520' stroke='#888'/>", 90 + 50 * i).expect("it is a string");
+    }
+    for i in 0..8 {
+        write!(svg, "<path d='M90 {0}H790' stroke='#888'/>", 100 + 60 * i).expect("it is a string");
+    }
+    // two shapes whose area is to be found
+    svg += "<path d='M140 160V460H390V340H240V160Z' fill='#ddd' stroke='#000' stroke-width='4'/>\
+            <path d='M540 460H740V220Z' fill='#ddd' stroke='#000' stroke-width='4'/></svg>";
+    for profile in ["swell-a4", "index-basic-d"] {
+        let squared = Chart { svg: svg.clone(), tops: Vec::new() };
+        let told = told(&converted(&squared, profile));
+        assert!(!told.contains("bar"), "{profile}: {told}");
+    }
+}

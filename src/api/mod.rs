@@ -49,9 +49,9 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
         })
     })?;
     let page = options.with_words(drawing.page, options.own_title());
-    let of_overview = options.own_title().map(pipeline::title_of_overview);
+    let of_overview = options.own_title().map(|title| pipeline::title_of_overview(title, options.own_language()));
     let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None, None));
-    let of_key = options.own_title().map(pipeline::title_of_key);
+    let of_key = options.own_title().map(|title| pipeline::title_of_key(title, options.own_language()));
     let key = drawing.key.into_iter().map(|page| page.called(of_key.as_deref(), None, None)).collect();
     Ok(Drawing { page, overview, key, ..drawing })
 }
@@ -75,7 +75,7 @@ pub fn convert_to_sheets<'p>(
     // The maker's words are about the picture, which all sheets show together.
     let worded = |page: Page| options.with_words(page, None);
     let (overview, pages) = (drawn.overview.map(worded), drawn.pages.into_iter().map(worded).collect());
-    let of_key = options.own_title().map(pipeline::title_of_key);
+    let of_key = options.own_title().map(|title| pipeline::title_of_key(title, options.own_language()));
     let key = drawn.key.into_iter().map(|page| page.called(of_key.as_deref(), None, None)).collect();
     Ok(Sheets { overview, pages, key, ..drawn })
 }

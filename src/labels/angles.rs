@@ -14,8 +14,9 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Legs are at least so long, mm: ticks and arrowheads are shorter.
 const LEG: f32 = 10.0;
-/// Legs that would meet so far beyond their ends meet there, mm: lines stop short of others, and corners are rounded.
-const MEETS: f32 = 3.0;
+/// Legs that would meet so far beyond their ends meet there, mm: lines stop short of others, by two dots on a grid, and
+/// corners are rounded.
+const MEETS: f32 = 5.0;
 /// How far the points of a leg lie off the straight, mm: rows of dots on a grid lie up to a step off it, and
 /// more where lines keep apart.
 const STRAIGHT: f32 = 0.5;

@@ -169,7 +169,7 @@ fn of_form(
 ) -> Vec<Candidate> {
     let Surroundings { room, params, .. } = around;
     let size = form.extent(cells);
-    let anchor = label.anchor.center();
+    let anchor = around.anchor;
     // one that is longer than all the room is not looked for: the work would grow with its length
     if size.x > params.area.width() || size.y > params.area.height() {
         return Vec::new();
@@ -205,7 +205,7 @@ fn candidate(
     around: &Surroundings<'_>,
 ) -> Option<Candidate> {
     let gap = distance_to_box(around.anchor, place);
-    if gap > reach(label) || label.anchor.is_empty() && gap < BESIDE {
+    if gap > reach(label) || around.is_point && gap < BESIDE {
         return None;
     }
     let join = join(label, place, around)?;
@@ -217,8 +217,7 @@ fn candidate(
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
 /// unless a leader line crosses it, and for the nearest anchor.
 fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
-    let &Surroundings { room, params, end, anchor, .. } = around;
-    let is_point = label.anchor.is_empty();
+    let &Surroundings { room, params, end, anchor, is_point, .. } = around;
     let nearest = anchor.clamp(place.min, place.max);
     let is_open = || !room.is_parted(nearest, anchor, end);
     let is_beside = match &around.angle {
@@ -231,9 +230,12 @@ fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Atta
     if is_beside {
         return Some(Attachment::Beside);
     }
-    let clear = clear_leader(place, around);
-    if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
-        return Some(Attachment::Leader(segment));
+    // from beyond the legs of an angle a leader line crosses one of them, though it need not lead far beyond
+    if around.angle.is_none_or(|angle| angle.holds_box(place)) {
+        let clear = clear_leader(place, around);
+        if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
+            return Some(Attachment::Leader(segment));
+        }
     }
     if !params.may_cross || is_open() {
         return None;

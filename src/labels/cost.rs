@@ -88,7 +88,7 @@ impl Attachment {
 /// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
 pub(super) fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment, around: &Surroundings<'_>) -> f32 {
     let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
-    let distance = distance(label, place, around);
+    let distance = distance(place, around);
     let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
     let leader = match join {
@@ -105,9 +105,9 @@ pub(super) fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.
-fn distance(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> f32 {
-    let &Surroundings { is_at_lower_side, line_on, anchor, .. } = around;
-    let (gap, is_point) = (distance_to_box(anchor, place), label.anchor.is_empty());
+fn distance(place: MmRect, around: &Surroundings<'_>) -> f32 {
+    let &Surroundings { is_at_lower_side, line_on, anchor, is_point, .. } = around;
+    let gap = distance_to_box(anchor, place);
     // beside a point; in place of a text
     let away = place.center() - anchor;
     let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);

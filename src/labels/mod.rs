@@ -21,6 +21,7 @@ mod cost;
 mod forms;
 mod groups;
 mod letters;
+mod named_points;
 mod placed;
 mod predicted;
 mod room;
@@ -165,7 +166,8 @@ fn around<'a>(
         let forms = forms.iter().flat_map(|forms| &forms.forms);
         forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
     };
-    let around = |(number, forms)| Surroundings::of(number, wanted, longest(forms), room, params);
+    let anchors = named_points::anchors(wanted, room.rings());
+    let around = |(number, forms)| Surroundings::of(number, (wanted, &anchors), longest(forms), room, params);
     forms.iter().enumerate().map(around).collect()
 }
 

@@ -3,6 +3,7 @@
 use std::f32::consts::TAU;
 
 use super::angles::{self, Angle};
+use super::named_points::{self, SmallRing};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::distance_to_box;
 use crate::page::{Line, Pen, Texture};
@@ -25,6 +26,8 @@ const SIDE_OF_TEXT: f32 = 4.0;
 const SAME_SIDE: f32 = 1.0;
 /// Dots of a line that are no further apart are side by side, mm: across the diagonal of a grid of 2.5 mm.
 const SIDE_BY_SIDE: f32 = 3.6;
+/// A line of less than this share of the strength of the strongest is faint: as gridlines are drawn.
+const FAINT: f32 = 0.1;
 /// Blank between a leader line and other lines, mm.
 const LEADER_CLEARANCE: f32 = 1.5;
 
@@ -46,34 +49,24 @@ pub(super) struct Room {
     for_leader: Vec<u32>,
     /// Squares that lines lie in; no sums.
     ink: Vec<u32>,
+    /// Those that lines lie in which are not faint, where there are faint ones; no sums.
+    strong: Option<Vec<u32>>,
     /// Glyphs.
     glyphs: Vec<u32>,
     /// The box around all lines.
     bounds: Option<MmRect>,
     /// Angles between straight lines.
     angles: Vec<Angle>,
+    /// Small rings, which stand for points.
+    rings: Vec<SmallRing>,
 }
 
 impl Room {
     pub(super) fn new(area: MmRect, lines: &[Line], textures: &[Texture], clearance: f32) -> Self {
-        let segments = lines.iter().flat_map(|line| &line.runs).flat_map(|run| {
-            let points: Vec<MmPoint> = match run.pen {
-                // between dots side by side there is no way through: they are felt as a line
-                Pen::Dots(_) => {
-                    let links = run.points.windows(2).filter(|pair| (pair[1] - pair[0]).length() <= SIDE_BY_SIDE);
-                    let links = links.flat_map(|pair| [pair[0], pair[1]]);
-                    run.points.iter().flat_map(|&at| [at, at]).chain(links).collect()
-                }
-                Pen::Stroke => {
-                    let path: Vec<MmPoint> = run.polyline().path().copied().collect();
-                    path.windows(2).flat_map(|pair| [pair[0], pair[1]]).collect()
-                }
-            };
-            let pairs: Vec<_> = points.chunks_exact(2).map(|ends| ([ends[0], ends[1]], run.width)).collect();
-            pairs
-        });
         let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
-        Self { angles: angles::of(lines), ..Self::of_segments(area, segments, glyphs, clearance) }
+        let room = Self::of_segments(area, segments(lines.iter()), glyphs, clearance);
+        let (angles, rings, strong) = (angles::of(lines), named_points::rings(lines), room.strong(lines));
+        Self { angles, rings, strong, ..room }
     }
 
     /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
@@ -111,12 +104,17 @@ impl Room {
             of_glyphs[index] += 1;
         }
         let (taken, glyphs) = (squares.sums(&taken), squares.sums(&of_glyphs));
-        Self { squares, taken, for_leader, ink, glyphs, bounds, angles: Vec::new() }
+        Self { squares, taken, for_leader, ink, glyphs, bounds, strong: None, angles: Vec::new(), rings: Vec::new() }
     }
 
     /// The box around the ink of all lines; none where there are none.
     pub(super) fn bounds(&self) -> Option<MmRect> {
         self.bounds
+    }
+
+    /// The small rings among the lines.
+    pub(super) fn rings(&self) -> &[SmallRing] {
+        &self.rings
     }
 
     /// The angle between two lines in which a point stands near to where these meet.
@@ -134,15 +132,37 @@ impl Room {
         self.squares.index(at).is_some_and(|index| self.ink[index] > 0)
     }
 
-    /// The middle of the square of a line that is nearest to a box, and within `reach` of it.
-    pub(super) fn nearest_ink(&self, place: MmRect, reach: f32) -> Option<MmPoint> {
+    /// The squares of the lines that are not faint; none if all are like that.
+    fn strong(&self, lines: &[Line]) -> Option<Vec<u32>> {
+        let least = FAINT * lines.iter().map(|line| line.strength).fold(0.0, f32::max);
+        if lines.iter().all(|line| line.strength >= least) {
+            return None;
+        }
+        let mut strong = vec![0; self.ink.len()];
+        for ([a, b], width) in segments(lines.iter().filter(|line| line.strength >= least)) {
+            self.squares.around(a, b, 0.5 * width + CORNER, |index| strong[index] = 1);
+        }
+        Some(strong)
+    }
+
+    /// The middle of the square of a line to which a text belongs that stands beside it: the nearest within `reach`, or
+    /// where that is a faint one, such as of a grid, the nearest other within `beyond_faint`.
+    pub(super) fn line_beside(&self, place: MmRect, reach: f32, beyond_faint: f32) -> Option<MmPoint> {
+        let nearest = self.nearest(place, reach, &self.ink)?;
+        let Some(strong) = &self.strong else { return Some(nearest) };
+        let is_strong = self.squares.index(nearest).is_some_and(|index| strong[index] > 0);
+        if is_strong { Some(nearest) } else { self.nearest(place, beyond_faint, strong).or(Some(nearest)) }
+    }
+
+    /// The middle of the square with ink that is nearest to a box, and within `reach` of it.
+    fn nearest(&self, place: MmRect, reach: f32, ink: &[u32]) -> Option<MmPoint> {
         let steps = |side: f32| (side / SQUARE).ceil() as u32;
         let around = place.inflate(reach, reach);
         let squares = (0..=steps(around.height())).flat_map(|y| (0..=steps(around.width())).map(move |x| (x, y)));
         let points = squares.map(|(x, y)| around.min + MmVector::new(x as f32, y as f32) * SQUARE);
         let far = |at: &MmPoint| distance_to_box(*at, place);
-        let ink = points.filter(|at| far(at) <= reach && self.is_ink(*at));
-        ink.min_by(|a, b| far(a).total_cmp(&far(b)))
+        let is_ink = |at: MmPoint| self.squares.index(at).is_some_and(|index| ink[index] > 0);
+        points.filter(|at| far(at) <= reach && is_ink(*at)).min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
     /// How many glyphs lie in a box.
@@ -254,6 +274,26 @@ impl Room {
     }
 }
 
+/// The segments of lines, each with the width of its ink.
+fn segments<'a>(lines: impl Iterator<Item = &'a Line>) -> impl Iterator<Item = ([MmPoint; 2], f32)> {
+    lines.flat_map(|line| &line.runs).flat_map(|run| {
+        let points: Vec<MmPoint> = match run.pen {
+            // between dots side by side there is no way through: they are felt as a line
+            Pen::Dots(_) => {
+                let links = run.points.windows(2).filter(|pair| (pair[1] - pair[0]).length() <= SIDE_BY_SIDE);
+                let links = links.flat_map(|pair| [pair[0], pair[1]]);
+                run.points.iter().flat_map(|&at| [at, at]).chain(links).collect()
+            }
+            Pen::Stroke => {
+                let path: Vec<MmPoint> = run.polyline().path().copied().collect();
+                path.windows(2).flat_map(|pair| [pair[0], pair[1]]).collect()
+            }
+        };
+        let pairs: Vec<_> = points.chunks_exact(2).map(|ends| ([ends[0], ends[1]], run.width)).collect();
+        pairs
+    })
+}
+
 impl Squares {
     fn of(area: MmRect) -> Self {
         let count = |mm: f32| (mm / SQUARE).ceil().max(1.0) as usize;
@@ -362,6 +402,24 @@ mod tests {
         assert_eq!(of(&[(10.0, 50.0), (30.0, 50.0)]), None, "too far");
         assert_eq!(of(&[(10.0, 55.0), (90.0, 55.0)]), None, "below");
         assert_eq!(of(&[(37.0, 50.0), (37.0, 70.0), (63.0, 70.0), (63.0, 50.0)]), None, "on both sides");
+    }
+
+    #[test]
+    fn a_text_on_a_grid_belongs_to_the_curve_beside_it() {
+        let line = |y: f32, strength: f32| {
+            let points = vec![MmPoint::new(10.0, y), MmPoint::new(90.0, y)];
+            Line { strength, runs: vec![Run::stroke(1.0, points)] }
+        };
+        let text = MmRect::new(MmPoint::new(40.0, 38.0), MmPoint::new(60.0, 42.0));
+        let beside = |lines: &[Line]| {
+            let room = Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), lines, &[], 3.0);
+            room.line_beside(text, 6.0, 12.0).map(|at| (at.y / 5.0).round() * 5.0)
+        };
+        let (grid, curve) = (line(45.0, 3.0), line(50.0, 100.0));
+        assert_eq!(beside(&[grid.clone(), curve]), Some(50.0));
+        assert_eq!(beside(&[grid.clone(), line(50.0, 80.0), line(45.0, 100.0)]), Some(45.0));
+        assert_eq!(beside(&[grid.clone(), line(70.0, 100.0)]), Some(45.0), "no curve is near");
+        assert_eq!(beside(&[line(50.0, 3.0)]), None, "too far for a text that stands on no grid");
     }
 
     #[test]

@@ -40,6 +40,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) params: &'a Params,
     /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
     pub(super) end: f32,
+    /// Whether it names a point: one that is given, or a small ring that it stands beside as a text.
+    pub(super) is_point: bool,
     /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
     pub(super) is_at_lower_side: bool,
     /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
@@ -55,15 +57,21 @@ pub(super) struct Surroundings<'a> {
 }
 
 impl<'a> Surroundings<'a> {
-    /// Of one of the labels; `longest` is the length of its longest form, mm.
-    pub(super) fn of(number: usize, wanted: &[Wanted], longest: f32, room: &'a Room, params: &'a Params) -> Self {
-        let label = &wanted[number];
-        let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
+    /// Of one of the labels, of which each names an anchor; `longest` is the length of its longest form, mm.
+    pub(super) fn of(
+        number: usize,
+        (wanted, anchors): (&[Wanted], &[MmRect]),
+        longest: f32,
+        room: &'a Room,
+        params: &'a Params,
+    ) -> Self {
+        let (label, anchor) = (&wanted[number], anchors[number]);
+        let (at, is_point) = (anchor.center(), anchor.is_empty());
         // a label without a leader line, and what lies no further from it than what it names
         let reach = 2.0 * NEAR + longest;
-        let others = wanted.iter().enumerate().filter(|(other, _)| *other != number);
+        let others = anchors.iter().enumerate().filter(|(other, _)| *other != number);
         let near = |other: &MmPoint| (*other - at).length() < reach;
-        let mut others: Vec<MmPoint> = others.map(|(_, other)| other.anchor.center()).filter(near).collect();
+        let mut others: Vec<MmPoint> = others.map(|(_, other)| other.center()).filter(near).collect();
         // of labels of one place one is enough
         others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         others.dedup();
@@ -76,13 +84,14 @@ impl<'a> Surroundings<'a> {
             room,
             params,
             end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
-            is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
-            line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
+            is_point,
+            is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR),
+            line_on: if is_point { None } else { room.comes_up_to(anchor, BESIDE_TEXT) },
             anchor: at,
             tip: if is_point || angle.is_some() {
                 at
             } else {
-                room.nearest_ink(label.anchor, BESIDE_LINE).unwrap_or(at)
+                room.line_beside(anchor, BESIDE_LINE, NEAR).unwrap_or(at)
             },
             angle,
             others,

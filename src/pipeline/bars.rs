@@ -115,7 +115,9 @@ impl Chart {
         let base = base(&sides, &levels)?;
         let mut chart = Self { direction, base, bars: Vec::new(), sides, grid: Vec::new() };
         chart.bars = chart.bars_below(&levels);
-        let tops = || chart.bars.iter().map(|bar| bar.top);
+        // lines between which a bar ends while both go on may be those of squared paper: its height says nothing
+        let ends = |bar: &&Bar| !(chart.goes_on(bar.from, bar.top) && chart.goes_on(bar.to, bar.top));
+        let tops = || chart.bars.iter().filter(ends).map(|bar| bar.top);
         let (lowest, highest) = (tops().fold(f32::MAX, f32::min), tops().fold(f32::MIN, f32::max));
         // a row of windows is no chart
         if chart.bars.len() < LEAST || highest - lowest <= SAME {
@@ -148,13 +150,15 @@ impl Chart {
         covered >= COVERED * (top - self.base)
     }
 
+    /// Whether a straight piece runs on beyond `top` at this place across.
+    fn goes_on(&self, across: f32, top: f32) -> bool {
+        let is_here = |side: &&BaseSpan| (side.at - across).abs() <= SAME;
+        // what is drawn over squared paper hides its lines up to half of the width of a stroke beyond
+        self.sides.iter().filter(is_here).any(|side| side.from <= top + 2.0 * SAME && side.to > top + 4.0 * SAME)
+    }
+
     /// The bars that end at some of these levels.
     fn bars_below(&self, levels: &[BaseSpan]) -> Vec<Bar> {
-        let goes_on = |across: f32, top: f32| {
-            self.sides
-                .iter()
-                .any(|side| (side.at - across).abs() <= SAME && side.from <= top && side.to > top + 2.0 * SAME)
-        };
         let mut found: Vec<(Bar, bool)> = Vec::new();
         for level in levels.iter().filter(|level| level.at > self.base + 2.0 * SAME) {
             // the tops of bars of one height that touch are one level
@@ -167,7 +171,7 @@ impl Chart {
             for pair in cuts.windows(2) {
                 let bar = Bar { from: pair[0], to: pair[1], top: level.at };
                 if self.has_side(bar.from, bar.top) && self.has_side(bar.to, bar.top) {
-                    found.push((bar, goes_on(bar.from, bar.top) && goes_on(bar.to, bar.top)));
+                    found.push((bar, self.goes_on(bar.from, bar.top) && self.goes_on(bar.to, bar.top)));
                 }
             }
         }

@@ -96,7 +96,7 @@ pub(super) fn assemble(
     let overview = overview
         .map(|(place, lines)| {
             let own = Figure { place, source, textures: Vec::new(), lines };
-            let title = title_of_overview(request.title);
+            let title = title_of_overview(request.title, request.language);
             let mut parts = parts(title, own, above_overview, (layout, place, medium), request);
             parts.origin.push(InSet::Overview.to_origin());
             finished(parts, request)

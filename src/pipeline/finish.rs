@@ -47,14 +47,14 @@ pub(super) fn origin(request: &Request<'_>, source: Size, braille: &[BrailleText
     origin
 }
 
-/// What the key of a page is called, which has sheets to itself.
-pub fn title_of_key(title: &str) -> String {
-    format!("{title}, key")
+/// What the key of a page is called in a language (BCP 47), which has sheets to itself.
+pub fn title_of_key(title: &str, language: &str) -> String {
+    Wording::nearest(language).say("title-of-key", &[("title", title.into())])
 }
 
-/// What the overview of a page is called, which has a sheet to itself.
-pub fn title_of_overview(title: &str) -> String {
-    format!("{title}, overview")
+/// What the overview of a page is called in a language (BCP 47), which has a sheet to itself.
+pub fn title_of_overview(title: &str, language: &str) -> String {
+    Wording::nearest(language).say("title-of-overview", &[("title", title.into())])
 }
 
 /// The entry of a page's origin by which a description that was made is told from a person's: the seal of its text.

@@ -278,7 +278,7 @@ fn page(
     }
     let figure = Figure { place: area, source, textures, lines: Vec::new() };
     let parts = Parts {
-        title: title_of_key(request.title),
+        title: title_of_key(request.title, request.language),
         origin: origin(request, source, &braille),
         braille,
         medium: layout.medium.clone(),

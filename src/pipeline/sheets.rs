@@ -207,7 +207,7 @@ fn assemble(
     };
     if let Some(((place, lines), layout)) = overview.zip(laid.overview.as_ref()) {
         let own = Figure { place, source: figure.source, textures: Vec::new(), lines };
-        let title = title_of_overview(request.title);
+        let title = title_of_overview(request.title, request.language);
         let in_set = InSet::OverviewOf(names.clone());
         let parts = Parts {
             frame: around(place, &layout.medium, request),

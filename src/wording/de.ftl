@@ -16,6 +16,8 @@ percent = { $size ->
    *[is] { $percent } %
 }
 
+title-of-key = { $title }, Legende
+title-of-overview = { $title }, Übersicht
 title = Die Seite heißt „{ $title }“.
 sheet = Ein Blatt im { $orientation ->
     [across] Querformat

@@ -18,6 +18,8 @@ percent = { $size ->
    *[is] { $percent } %
 }
 
+title-of-key = { $title }, key
+title-of-overview = { $title }, overview
 title = The page is called "{ $title }".
 # $orientation: across or upright
 sheet = A sheet { $orientation ->

@@ -16,6 +16,8 @@ percent = { $size ->
    *[is] { $percent } %
 }
 
+title-of-key = { $title }, leyenda
+title-of-overview = { $title }, vista general
 title = La página se llama «{ $title }».
 sheet = Una hoja { $orientation ->
     [across] horizontal

@@ -16,6 +16,8 @@ percent = { $size ->
    *[is] { $percent } %
 }
 
+title-of-key = { $title }, légende
+title-of-overview = { $title }, vue d’ensemble
 title = La page s’appelle « { $title } ».
 sheet = Une feuille { $orientation ->
     [across] en largeur

@@ -16,6 +16,8 @@ percent = { $size ->
    *[is] { $percent } %
 }
 
+title-of-key = { $title }, legenda
+title-of-overview = { $title }, podgląd
 title = Strona nosi tytuł „{ $title }”.
 sheet = Arkusz { $orientation ->
     [across] poziomy

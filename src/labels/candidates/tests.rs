@@ -44,7 +44,8 @@ fn box_at(x: f32, y: f32) -> MmRect {
 /// The first label in a place among others.
 fn placed(wanted: &[Wanted], place: MmRect, room: &Room, params: &Params) -> Option<Candidate> {
     let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: FormKind::Text, cost: 0.0 };
-    candidate(&wanted[0], 0, &form, place, &Surroundings::of(0, wanted, 20.0, room, params))
+    let anchors: Vec<MmRect> = wanted.iter().map(|label| label.anchor).collect();
+    candidate(&wanted[0], 0, &form, place, &Surroundings::of(0, (wanted, &anchors), 20.0, room, params))
 }
 
 /// What a place costs in the room.
@@ -133,7 +134,7 @@ fn a_leader_line_crosses_others_only_where_it_may() {
     let cost = |room: &Room| {
         let join = Attachment::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
         let (params, place) = (params(), box_at(91.0, 120.0));
-        cost(0.0, &label[0], place, join, &Surroundings::of(0, &label, 20.0, room, &params))
+        cost(0.0, &label[0], place, join, &Surroundings::of(0, (&label, &[label[0].anchor]), 20.0, room, &params))
     };
     let beside = room(&[(101.0, 106.0), (101.0, 180.0)], false);
     let along = cost(&beside) - cost(&room(&[], false));
@@ -179,4 +180,18 @@ fn the_best_places_are_kept_some_distance_apart() {
     assert_eq!(near, [0, 4, 8, 12, 16], "4 mm apart, the cheapest first");
     let many = places(100, 5.0);
     assert_eq!((many.len(), many[0].form, many[47].form), (48, 0, 47));
+}
+
+#[test]
+fn the_name_of_an_angle_stays_between_its_legs() {
+    let legs = room(&[(140.0, 120.0), (90.0, 120.0), (125.0, 60.0)], false);
+    let anchor = MmRect::new(MmPoint::new(97.0, 112.0), MmPoint::new(101.0, 116.0));
+    let join_of = |text: &str, place: MmRect| {
+        let label = [Wanted { text: text.into(), anchor, led_from: None }];
+        placed(&label, place, &legs, &params()).map(|found| (found.leader.is_some(), found.crosses))
+    };
+    let place = |x: f32, y: f32| MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 6.0));
+    assert_eq!(join_of("α", place(107.0, 108.0)), Some((false, false)), "in the angle");
+    assert_eq!(join_of("α", place(95.0, 126.0)), Some((true, true)), "below its leg, which the leader line crosses");
+    assert_eq!(join_of("path", place(95.0, 126.0)), Some((true, false)), "a word may name the leg");
 }

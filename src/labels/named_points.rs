@@ -1,0 +1,90 @@
+//! Which texts of a drawing name a point: those beside a small ring, such as the names of towns on a map. Their labels
+//! are placed as those of points that are given: beside the ring, or with a leader line to it and not to what else is
+//! near.
+
+use super::placed::Wanted;
+use crate::geom::polygon::distance_to_box;
+use crate::page::Line;
+use crate::units::{MmPoint, MmRect};
+
+/// The largest ring that stands for a point, mm across: twice what a fingertip feels at once would be a shape.
+const LARGEST: f32 = 12.0;
+/// Sides of the box around a ring differ by so much at most, mm: a step of a coarse grid of dots.
+const ROUND: f32 = 2.6;
+/// Farthest that a ring lies from the text that names it, mm: print stands up to 4 mm beside it, as beside the end of a
+/// line.
+const BESIDE: f32 = 5.0;
+
+/// A small ring: its middle, and how far it reaches from there, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SmallRing {
+    pub(super) at: MmPoint,
+    reach: f32,
+}
+
+/// The small rings among lines.
+pub(super) fn rings(lines: &[Line]) -> Vec<SmallRing> {
+    let closed = lines.iter().flat_map(|line| &line.runs).filter(|run| run.closed);
+    let ring = closed.filter_map(|run| {
+        let extent = MmRect::from_points(run.points.iter().copied());
+        let (width, height) = (extent.width(), extent.height());
+        let is_ring = width.max(height) <= LARGEST && (width - height).abs() <= ROUND && width.min(height) > 0.0;
+        is_ring.then(|| SmallRing { at: extent.center(), reach: 0.5 * width.max(height) })
+    });
+    ring.collect()
+}
+
+/// What each label names: the point of the ring that it stands beside as an empty box, or else its own anchor. Each ring
+/// has one label, the nearest.
+pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
+    let gap = |label: &Wanted, ring: &SmallRing| {
+        let far = distance_to_box(ring.at, label.anchor);
+        // a ring around a text is a shape with a text in it
+        (far > 0.0 && far - ring.reach <= BESIDE).then_some(far)
+    };
+    let mut pairs: Vec<(f32, usize, usize)> = Vec::new();
+    for (number, label) in wanted.iter().enumerate() {
+        if !label.anchor.is_empty() && label.led_from.is_none() {
+            pairs.extend(rings.iter().enumerate().filter_map(|(ring, at)| Some((gap(label, at)?, number, ring))));
+        }
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let mut anchors: Vec<MmRect> = wanted.iter().map(|label| label.anchor).collect();
+    let mut has_name = vec![false; rings.len()];
+    for (_, number, ring) in pairs {
+        if !anchors[number].is_empty() && !has_name[ring] {
+            anchors[number] = MmRect::new(rings[ring].at, rings[ring].at);
+            has_name[ring] = true;
+        }
+    }
+    anchors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::polygon::circle_points;
+    use crate::page::Run;
+
+    fn ring(x: f32, y: f32, radius: f32) -> Line {
+        let points = circle_points(MmPoint::new(x, y), radius, 24).collect();
+        Line { strength: 1.0, runs: vec![Run { closed: true, ..Run::stroke(1.0, points) }] }
+    }
+
+    fn text(text: &str, x: f32, y: f32) -> Wanted {
+        let anchor = MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 4.0));
+        Wanted { text: text.into(), anchor, led_from: None }
+    }
+
+    #[test]
+    fn a_text_beside_a_small_ring_names_it_and_others_do_not() {
+        let rings = rings(&[ring(50.0, 50.0, 2.5), ring(100.0, 100.0, 20.0), ring(102.0, 60.0, 4.0)]);
+        assert_eq!(rings.len(), 2, "the large ring is a shape");
+        let texts =
+            [text("far", 10.0, 90.0), text("Quell", 55.0, 49.0), text("River", 57.0, 55.0), text("B", 97.0, 58.0)];
+        let anchors = anchors(&texts, &rings);
+        let is_own: Vec<bool> = anchors.iter().zip(&texts).map(|(anchor, text)| *anchor == text.anchor).collect();
+        assert_eq!(is_own, [true, false, true, true], "far, beside a ring, beside one that has a name, in a ring");
+        assert!(anchors[1].is_empty() && (anchors[1].min - MmPoint::new(50.0, 50.0)).length() < 0.1);
+    }
+}
