@@ -19,7 +19,7 @@ pub(super) fn run(args: &Render) -> Exit {
     let (chosen, mut faults) = args.writing.choose(Some(&args.output));
     faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
     if args.profile.is_none() && !args.set.is_empty() {
-        faults.push("--set needs --profile, which lays the page out anew; name the profile that the page was made with, or another".into());
+        faults.push("--set needs --profile NAME, which lays the page out anew: that of the page, or another".into());
     }
     let changes: Vec<Change> = args.set.iter().map(|set| Change::set(set)).collect();
     let other = args.profile.as_ref().map(|name| settings::profile(name, &changes)).transpose();

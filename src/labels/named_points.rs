@@ -34,8 +34,8 @@ pub(super) fn rings(lines: &[Line]) -> Vec<SmallRing> {
     ring.collect()
 }
 
-/// What each label names: the point of the ring that it stands beside as an empty box, or else its own anchor. Each ring
-/// has one label, the nearest.
+/// What each label names: the middle of the ring that it stands beside, as an empty box, or else its own anchor. Each
+/// ring has one label, the nearest.
 pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
     let gap = |label: &Wanted, ring: &SmallRing| {
         let far = distance_to_box(ring.at, label.anchor);
@@ -45,7 +45,8 @@ pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
     let mut pairs: Vec<(f32, usize, usize)> = Vec::new();
     for (number, label) in wanted.iter().enumerate() {
         if !label.anchor.is_empty() && label.led_from.is_none() {
-            pairs.extend(rings.iter().enumerate().filter_map(|(ring, at)| Some((gap(label, at)?, number, ring))));
+            let of_ring = |(ring, at): (usize, &SmallRing)| Some((gap(label, at)?, number, ring));
+            pairs.extend(rings.iter().enumerate().filter_map(of_ring));
         }
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));

@@ -115,8 +115,12 @@ impl Chart {
         let base = base(&sides, &levels)?;
         let mut chart = Self { direction, base, bars: Vec::new(), sides, grid: Vec::new() };
         chart.bars = chart.bars_below(&levels);
-        // lines between which a bar ends while both go on may be those of squared paper: its height says nothing
-        let ends = |bar: &&Bar| !(chart.goes_on(bar.from, bar.top) && chart.goes_on(bar.to, bar.top));
+        // lines between which a bar ends while both are there again above it may be those of squared paper, which what
+        // is drawn on that hides in part: its height says nothing
+        let is_above = |across: f32, top: f32| {
+            chart.sides.iter().any(|side| (side.at - across).abs() <= SAME && side.to > top + 2.0 * SAME)
+        };
+        let ends = |bar: &&Bar| !(is_above(bar.from, bar.top) && is_above(bar.to, bar.top));
         let tops = || chart.bars.iter().filter(ends).map(|bar| bar.top);
         let (lowest, highest) = (tops().fold(f32::MAX, f32::min), tops().fold(f32::MIN, f32::max));
         // a row of windows is no chart
@@ -153,8 +157,7 @@ impl Chart {
     /// Whether a straight piece runs on beyond `top` at this place across.
     fn goes_on(&self, across: f32, top: f32) -> bool {
         let is_here = |side: &&BaseSpan| (side.at - across).abs() <= SAME;
-        // what is drawn over squared paper hides its lines up to half of the width of a stroke beyond
-        self.sides.iter().filter(is_here).any(|side| side.from <= top + 2.0 * SAME && side.to > top + 4.0 * SAME)
+        self.sides.iter().filter(is_here).any(|side| side.from <= top && side.to > top + 2.0 * SAME)
     }
 
     /// The bars that end at some of these levels.
