@@ -81,8 +81,19 @@ fn read(
     };
     let drawing = tactograph::render(&bytes, &options).map_err(|error| failed(remedies::of_error(&error)))?;
     drawing.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note)));
+    errors_left(&drawing.page).iter().for_each(|told| report.note(name, told));
     let title = drawing.page.title.clone();
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))
+}
+
+/// What is told of a page on which a check finds errors: what a person draws too near to something stays there.
+fn errors_left(page: &Page) -> Option<String> {
+    let checked = tactograph::check(page.to_svg(), None).ok()?;
+    let (errors, first) = (checked.errors(), checked.findings.first()?);
+    (errors > 0).then(|| {
+        let found = if errors == 1 { "1 error".to_owned() } else { format!("{errors} errors, such as this") };
+        format!("a check finds {found}: {}: {}; tactograph check tells where and what to do", first.place, first.what)
+    })
 }
 
 /// The profile that the page is laid out anew for, with contracted braille where the page has that, unless `--set` says

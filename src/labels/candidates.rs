@@ -3,7 +3,7 @@
 use super::cost::{Attachment, cost};
 use super::forms::Form;
 use super::placed::{PlacedAs, Wanted};
-use super::surroundings::{AT_END, NEAR, Surroundings};
+use super::surroundings::{AT_END, FURTHEST_OUTLINE, NEAR, Surroundings};
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
@@ -217,9 +217,9 @@ fn candidate(
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
 /// unless a leader line crosses it, and for the nearest anchor.
 fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
-    let &Surroundings { room, params, end, anchor, is_point, .. } = around;
+    let &Surroundings { room, params, beside, anchor, is_point, .. } = around;
     let nearest = anchor.clamp(place.min, place.max);
-    let is_open = || !room.is_parted(nearest, anchor, end);
+    let is_open = || !room.is_parted(nearest, anchor, beside);
     let is_beside = match &around.angle {
         Some(angle) => around.is_in_angle(angle, nearest, place),
         None => {
@@ -255,10 +255,11 @@ fn leader_from(from: MmPoint, tip: MmPoint) -> Option<[MmPoint; 2]> {
 /// The leader line of a label that crosses no line: from the nearest point of the label, or from a corner where lines
 /// lie between.
 fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
-    let &Surroundings { room, end, tip, .. } = around;
+    let &Surroundings { room, end, tip, side, .. } = around;
     let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
     let segments = starts
         .filter(|from| !room.is_parted(*from, tip, end))
+        .filter(|from| side.is_none_or(|side| !room.is_parted(*from, side, 0.0)))
         .filter_map(|from| leader_from(from, tip))
         .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER);
     segments
@@ -298,8 +299,6 @@ fn is_open(place: MmRect, around: &Surroundings<'_>) -> bool {
 
 /// Breadth of the line of an outline across it, at most, mm: twice the widest line, for a slanted leader.
 const WIDEST_OUTLINE: f32 = 3.0;
-/// A label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
-const FURTHEST_OUTLINE: f32 = 60.0;
 
 /// A better place of a label near to the one that it has, by the steps between those that were kept; none if there is
 /// none that is `free` of other labels.

@@ -4,7 +4,7 @@ use super::candidates::Candidate;
 use super::forms::Forms;
 use super::placed::{Params, PlacedAs, Unplaced, Wanted};
 use super::room::Room;
-use super::surroundings::Surroundings;
+use super::surroundings::{AT_END, Surroundings};
 use crate::page::cells::CellGrid;
 
 /// How far a row may lie from its texts, mm: so near a label names something without a leader line.
@@ -32,9 +32,9 @@ pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>
     let is_told = || match candidate.leader {
         _ if candidate.stands == PlacedAs::InMargin => true,
         Some([from, to]) => {
-            context.room.is_free_segment(from, to, around.end) && around.leads_to_own(place, [from, to])
+            context.room.is_free_segment(from, to, around.end.max(AT_END)) && around.leads_to_own(place, [from, to])
         }
-        None => !context.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
+        None => !context.room.is_parted(nearest, anchor, around.end.max(AT_END)) && around.is_own(place),
     };
     context.params.holds(&place) && context.room.is_free(place) && is_told()
 }

@@ -43,7 +43,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmRect};
 use candidates::{Candidate, MIN_SPACING, Spacing};
 use forms::{Form, FormKind, Forms};
 use groups::Group;
@@ -297,11 +297,19 @@ fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
 
-/// Takes the glyphs out of a figure that labels and their leader lines need blank.
-pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) {
-    for texture in &mut figure.textures {
+/// Takes the glyphs out of a figure that labels and their leader lines need blank. Gives, for each texture of which none
+/// is left, which of the labels lies nearest to its middle.
+pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Vec<usize> {
+    let mut gone = Vec::new();
+    figure.textures.retain_mut(|texture| {
+        let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
         texture.glyphs.retain(|glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius()));
         texture.glyphs = without_stray(std::mem::take(&mut texture.glyphs), placed);
-    }
-    figure.textures.retain(|texture| !texture.glyphs.is_empty());
+        if texture.glyphs.is_empty() {
+            let far = |label: &usize| placed[*label].distance(extent.center());
+            gone.extend((0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b))));
+        }
+        !texture.glyphs.is_empty()
+    });
+    gone
 }

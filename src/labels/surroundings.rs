@@ -30,6 +30,10 @@ const AT_VERTEX: f32 = 6.0;
 const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
 const FARTHEST_ARC: f32 = 25.0;
+/// A text or a label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
+pub(super) const FURTHEST_OUTLINE: f32 = 60.0;
+/// So far from its middle one is beside a line, mm: more than half of the widest.
+const OFF_LINE: f32 = 2.5;
 /// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
 /// more exactly.
 const BELOW: f32 = 6.0;
@@ -38,8 +42,15 @@ const BELOW: f32 = 6.0;
 pub(super) struct Surroundings<'a> {
     pub(super) room: &'a Room,
     pub(super) params: &'a Params,
-    /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
+    /// A leader line may come near to lines so far before its end, mm: there is what it leads to. None of a text in the
+    /// blank, which names that.
     pub(super) end: f32,
+    /// A line so near to what a label names does not part the label from it, mm: a point may lie on it. A text in the
+    /// blank stands on one side of all lines.
+    pub(super) beside: f32,
+    /// The place on its own side from which the line is reached on which its leader line ends, of a text that lines
+    /// shut in: it may name what they surround.
+    pub(super) side: Option<MmPoint>,
     /// Whether it names a point: one that is given, or a small ring that it stands beside as a text.
     pub(super) is_point: bool,
     /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
@@ -80,19 +91,26 @@ impl<'a> Surroundings<'a> {
         let angle = angle.filter(|angle| !is_point || (angle.vertex - at).length() > AT_VERTEX);
         // a small ring around a point, such as a town on a map, is what it names
         let ring = if is_point && angle.is_none() { room.shut_in(at, LARGEST_RING) } else { None };
+        let tip =
+            if is_point || angle.is_some() { at } else { room.line_beside(anchor, BESIDE_LINE, NEAR).unwrap_or(at) };
+        let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
+        let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
+        let is_shut_in = || label.led_from.is_none() && room.shut_in(at, FURTHEST_OUTLINE).is_some();
+        let side = (!is_point && tip != at && is_blank(at) && is_shut_in()).then(|| {
+            let to_text = at - tip;
+            tip + to_text.normalize() * to_text.length().min(OFF_LINE)
+        });
         Self {
             room,
             params,
-            end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
+            end: if is_blank(tip) { 0.0 } else { end },
+            beside: if is_blank(at) { 0.0 } else { end },
+            side,
             is_point,
             is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR),
             line_on: if is_point { None } else { room.comes_up_to(anchor, BESIDE_TEXT) },
             anchor: at,
-            tip: if is_point || angle.is_some() {
-                at
-            } else {
-                room.line_beside(anchor, BESIDE_LINE, NEAR).unwrap_or(at)
-            },
+            tip,
             angle,
             others,
         }

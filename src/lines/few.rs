@@ -25,9 +25,9 @@ pub(super) fn keep_beside_outlines(cleared: &mut Vec<Cleared>, outlines: &Outlin
     }
     let mut count = 0;
     cleared.retain(|line| {
-        let is_outline = line.rank.is_outline();
-        count += usize::from(!is_outline && line.polyline.length() >= length);
-        is_outline || (count <= most && line.polyline.length() >= length)
+        let stays = line.rank.is_outline() || is_of_person(line);
+        count += usize::from(!stays && line.polyline.length() >= length);
+        stays || (count <= most && line.polyline.length() >= length)
     });
 }
 
@@ -44,13 +44,17 @@ pub(super) fn keep(drawn: &mut Vec<&Cleared>, of_outlines: usize, area: MmRect, 
     }
 }
 
+/// Whether a line is one that a person drew into the picture: none of these is beyond what there is to be.
+fn is_of_person(line: &Cleared) -> bool {
+    let vertices = &line.polyline.vertices;
+    2 * vertices.iter().filter(|vertex| vertex.source == FoundIn::Person).count() > vertices.len()
+}
+
 /// Keeps the first shapes, at most so many, and as many single open lines. Outlines of regions are shapes already, and
 /// none of them goes.
 fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
     let mut budget = Budget::new(most.saturating_sub(of_outlines), most);
-    // a photograph's exact lines were added by a person
-    let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
-    drawn.retain(|line| line.rank.is_outline() || is_added(line) || budget.has(line.polyline.closed));
+    drawn.retain(|line| line.rank.is_outline() || is_of_person(line) || budget.has(line.polyline.closed));
     budget.beyond
 }
 
@@ -65,7 +69,9 @@ fn keep_first_things(drawn: &mut Vec<&Cleared>, most: usize, all: &Nearby, param
     let mut order: Vec<usize> = (0..things.len()).filter(|&thing| things[thing].lines > 0).collect();
     order.sort_by(|&a, &b| things[b].saliency.total_cmp(&things[a].saliency).then(a.cmp(&b)));
     let mut budget = Budget::new(most, most);
-    order.into_iter().for_each(|number| things[number].stays = budget.has(things[number].is_shape()));
+    for thing in order {
+        things[thing].stays = things[thing].is_of_person || budget.has(things[thing].is_shape());
+    }
     let mut of_line = thing_of_line.into_iter();
     drawn.retain(|_| of_line.next().is_some_and(|thing| things[thing].stays));
     budget.beyond
@@ -77,6 +83,8 @@ struct Thing {
     saliency: f32,
     lines: usize,
     has_ring: bool,
+    /// Whether a person drew some of it.
+    is_of_person: bool,
     /// Whether it is drawn.
     stays: bool,
 }
@@ -86,6 +94,7 @@ impl Thing {
         self.saliency += line.saliency;
         self.lines += 1;
         self.has_ring |= line.polyline.closed;
+        self.is_of_person |= is_of_person(line);
     }
 
     fn is_shape(&self) -> bool {

@@ -48,6 +48,7 @@ pub use line::{Height, Line, Pen, Run};
 pub use lost::{Lost, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
+use outlines::Rank;
 pub use params::Params;
 
 use crate::edges::Edges;
@@ -85,9 +86,10 @@ pub fn draw_with(
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     few::keep_beside_outlines(&mut cleared, outlines);
     faint::without_scraps(&mut cleared, &candidates.lines, &params);
-    // Detail comes last and takes whole lines, so that less of it is a subset.
+    // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about stays.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
-    let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
+    let stays = |line: &&Cleared| line.saliency >= least || line.rank == Rank::Subject;
+    let mut drawn: Vec<_> = cleared.iter().filter(stays).collect();
     let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.
     let mut beyond = few::keep(&mut drawn, outlines.shapes, area, &params);

@@ -62,15 +62,6 @@ impl Rank {
 }
 
 impl Outlines {
-    /// How many of the subjects have no outline on the sheet that is long enough for a line.
-    pub fn subjects_lacking(&self, transform: &PageTransform, least: f32) -> usize {
-        let has = |subject: usize| {
-            let own = self.outlines.iter().filter(|outline| outline.region == subject);
-            own.map(|outline| outline.contour.length()).fold(0.0, f32::max) * transform.mm_per_px() >= least
-        };
-        (0..self.subjects).filter(|subject| !has(*subject)).count()
-    }
-
     /// Those outlines on the sheet that are long enough for lines.
     pub(super) fn on_the_sheet(&self, transform: &PageTransform, params: &Params) -> Vec<(Polyline<Vertex>, Rank)> {
         let line = |RegionOutline { contour, region }: &RegionOutline| {
@@ -93,8 +84,7 @@ impl Outlines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::regions::TracedContour;
-    use crate::units::{MmPoint, MmRect, PxPoint, Size};
+    use crate::units::MmPoint;
 
     /// A line through these places, mm, a vertex every half millimetre, with this difference of colour.
     fn line(places: &[(f32, f32)], closed: bool, contrast: f32) -> Polyline<Vertex> {
@@ -134,25 +124,5 @@ mod tests {
         let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::Stroke, Rank::Subject];
         assert!(order.is_sorted());
         assert_eq!(order.map(Rank::is_outline), [false, false, true, false, true]);
-    }
-
-    #[test]
-    fn a_subject_whose_outline_is_too_short_for_a_line_is_lacking() {
-        let outline = |length: f32, region: usize| {
-            let point = |x: f32| TracePoint { at: PxPoint::new(x, 10.0), strength: 40.0 };
-            RegionOutline { contour: TracedContour::open(vec![point(0.0), point(length)]), region }
-        };
-        // one pixel is half a millimetre
-        let place = MmRect::new(MmPoint::zero(), MmPoint::new(50.0, 50.0));
-        let transform = PageTransform::new(Size::new(100, 100), place);
-        let outlines = Outlines {
-            // the second subject in two pieces of 6 mm, the third not at all; what follows is no subject
-            outlines: vec![outline(30.0, 0), outline(12.0, 1), outline(12.0, 1), outline(4.0, 3)],
-            subjects: 3,
-            shapes: 4,
-            others: None,
-        };
-        assert_eq!(outlines.subjects_lacking(&transform, 8.0), 2);
-        assert_eq!(outlines.subjects_lacking(&transform, 5.0), 1);
     }
 }

@@ -41,12 +41,14 @@ pub(super) enum FoundIn {
     Vector,
     /// The same, of a stroke that is faint beside others.
     FaintStroke,
+    /// In what a person drew into a picture, and exactly there.
+    Person,
 }
 
 impl FoundIn {
     /// Whether it is exactly where it is in a vector drawing.
     pub(super) fn is_exact(self) -> bool {
-        matches!(self, Self::Vector | Self::FaintStroke)
+        matches!(self, Self::Vector | Self::FaintStroke | Self::Person)
     }
 }
 
@@ -80,7 +82,7 @@ impl Vertex {
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
         match self.source {
             FoundIn::Stroke | FoundIn::FaintStroke => self.strength.max(full_strength),
-            FoundIn::Pixels | FoundIn::Vector => self.strength,
+            FoundIn::Pixels | FoundIn::Vector | FoundIn::Person => self.strength,
         }
     }
 }
@@ -103,6 +105,7 @@ impl Polyline<Vertex> {
     /// A contour on the sheet.
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
         let source = match kind {
+            ChainKind { exact: true, added: true, .. } => FoundIn::Person,
             ChainKind { exact: true, .. } => FoundIn::Vector,
             ChainKind { of_drawing: true, stroke: Some(_), .. } => FoundIn::Stroke,
             _ => FoundIn::Pixels,

@@ -1,6 +1,7 @@
 //! What is decided about the lines of a picture before any is drawn.
 
 use crate::regions::{Chosen, Mask};
+use crate::units::PxPoint;
 
 /// What the person who makes a page asks of the drawing of its contours, as it is found in this picture. It is decided
 /// before lines are drawn, and heeded by whatever draws them.
@@ -12,6 +13,8 @@ pub(super) struct Decisions {
     pub(super) room_of_added: f32,
     /// Regions whose outlines come before all others.
     pub(super) subjects: Vec<u32>,
+    /// The places along the border of each, px.
+    pub(super) borders: Vec<Vec<PxPoint>>,
     /// The cells of the subjects, where the rest of the picture is calmed: then no other region has an outline.
     pub(super) calmed_around: Option<Mask>,
 }

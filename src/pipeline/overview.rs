@@ -8,13 +8,13 @@ use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
 use super::request::{OverviewSize, scale_of_photograph};
+use crate::Note;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmRect, PageTransform};
-use crate::{About, Note};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
@@ -70,8 +70,6 @@ pub(super) struct DrawnOverview {
     pub(super) marks: Option<(MmRect, Vec<Line>)>,
     /// What of a drawing is not drawn.
     pub(super) lost: Lost,
-    /// How many of the things that the picture is about are too small for it.
-    pub(super) subjects_lacking: usize,
     /// How the bars of a chart are drawn that have no room as they are.
     pub(super) instead: Option<BarStyle>,
 }
@@ -82,7 +80,6 @@ struct PlacedOverview {
     lines: Vec<Line>,
     /// What is not drawn.
     lost: Lost,
-    subjects_lacking: usize,
 }
 
 /// What an overview is drawn of.
@@ -110,10 +107,9 @@ impl OverviewSource<'_> {
             LinesOf::Picture(_) => self.with_whole_bars(best, place),
             LinesOf::Person => (best, None),
         };
-        let PlacedOverview { place, lines, lost, subjects_lacking } = drawn;
+        let PlacedOverview { place, lines, lost } = drawn;
         let lost = if self.edges.of_drawing() { lost } else { Lost::default() };
-        let subjects_lacking = if lines.is_empty() { 0 } else { subjects_lacking };
-        DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, subjects_lacking, instead }
+        DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, instead }
     }
 
     /// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger
@@ -169,8 +165,7 @@ impl OverviewSource<'_> {
             }
         }
         drawn.lost.marks = lost_marks::of(edges, &drawn, place, &transform, params.min_length);
-        let subjects_lacking = outlines.subjects_lacking(&transform, params.min_length);
-        PlacedOverview { place, lines: drawn.lines, lost: drawn.lost, subjects_lacking }
+        PlacedOverview { place, lines: drawn.lines, lost: drawn.lost }
     }
 
     /// Where the overview of a photograph lies on printed paper, if it was laid out smaller than it may be, as below a
@@ -205,15 +200,6 @@ fn is_enough(lost: &Lost) -> bool {
 /// What the maker is told of what an overview lacks.
 pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item = Note> {
     let (lost, is_drawn) = (&overview.lost, overview.marks.is_some());
-    let subjects = (overview.subjects_lacking > 0).then(|| {
-        let (subjects, they_are) = match overview.subjects_lacking {
-            1 => ("the subject is".to_owned(), "it is"),
-            count => (format!("{count} of the subjects are"), "they are"),
-        };
-        let told =
-            format!("{subjects} not in the overview, as {they_are} too small for it; crop the picture around it");
-        Note::NotOnPage(About::Overview, told)
-    });
     let shapes = (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings));
     let percent = (100.0 * lost.share()).round() as u32;
     let lines = (lost.share() >= LACKS).then(|| match is_drawn {
@@ -221,7 +207,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
         false => Note::NoRoomForOverview,
     });
     let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
-    subjects.into_iter().chain(shapes).chain(marks).chain(lines)
+    shapes.into_iter().chain(marks).chain(lines)
 }
 
 #[cfg(test)]
@@ -304,16 +290,5 @@ mod tests {
         assert_eq!(skipped, ["there are no contours"]);
         let (_, _, skipped) = overview(&drawing(60.0), &[("overview.on", "false")], OverviewSize::Own);
         assert_eq!(skipped, ["overview.on is off"]);
-    }
-
-    #[test]
-    fn subjects_that_an_overview_lacks_are_told_by_their_number() {
-        let told = |subjects_lacking: usize| {
-            let drawn = DrawnOverview { subjects_lacking, ..DrawnOverview::default() };
-            told_of_overview(&drawn).map(|note| note.to_string()).collect::<Vec<_>>()
-        };
-        assert!(told(0).is_empty());
-        assert!(told(1)[0].contains("the subject is not in the overview, as it is too small for it"), "{:?}", told(1));
-        assert!(told(2)[0].contains("2 of the subjects are not in the overview, as they are"), "{:?}", told(2));
     }
 }

@@ -5,11 +5,13 @@ use super::given::{Given, blank_where};
 use super::hand_lines::without;
 use crate::classes::Classes;
 use crate::edges::{Edgel, Edges};
+use crate::geom::nearby::Nearby;
 use crate::geom::polyline::Located;
+use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
-use crate::units::{PageTransform, PxPoint, Size};
+use crate::units::{MmRect, PageTransform, PxPoint, Size};
 use crate::{About, Note};
 
 /// Most places that are looked at: more is what a picture has, not what it is about.
@@ -18,6 +20,11 @@ const MOST: usize = 100;
 const LEAST_AREA: f32 = 15.0;
 /// Lines this near to the subject belong to it, cells: its own contours run along its border.
 const MARGIN: f32 = 3.0;
+/// An outline is there if lines run along this share of the border of its region: they cut its thin arms off and go
+/// around no holes.
+const DRAWN: f32 = 0.4;
+/// Lines are smoothed, mm, beyond what they give way.
+const SMOOTHED: f32 = 1.0;
 
 /// Finds the subjects among regions, or within closed contours, and writes them into the decisions; where a calm
 /// background is asked for, takes what is not of them out of the contours.
@@ -48,7 +55,10 @@ pub(super) fn prepare(
         match found {
             Some((mask, mm, region)) => {
                 all = Some(all.map_or(mask.clone(), |all| all.with(&mask)));
-                decisions.subjects.extend(region.filter(|region| !decisions.subjects.contains(region)));
+                if let Some(region) = region.filter(|region| !decisions.subjects.contains(region)) {
+                    decisions.subjects.push(region);
+                    decisions.borders.push(mask.border());
+                }
                 notes.push(Note::Subject { at: percent, mm, is_first: region.is_some() });
             }
             None => notes.push(Note::NoSubject(percent)),
@@ -59,6 +69,41 @@ pub(super) fn prepare(
         notes.push(Note::BackgroundCalmed(calm(edges, subject, layout, plan).round() as u32));
     }
     notes
+}
+
+/// What the maker is told of subjects whose outlines are not among the lines of a part of the page, or only pieces of
+/// them; `picture` is the size of the picture, which lies at `place` there.
+pub(super) fn told_lacking(
+    decisions: &Decisions,
+    lines: &[Line],
+    (picture, place): (Size, MmRect),
+    (layout, plan): (&Layout, &Plan),
+    about: About,
+) -> Option<Note> {
+    let reach = plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED;
+    let runs = || lines.iter().flat_map(|line| &line.runs);
+    let (at, mut index) = (PageTransform::new(picture, place), Nearby::new(place, reach));
+    for (number, run) in (0..).zip(runs()) {
+        index.insert_line(number, run.polyline(), 0.0);
+    }
+    let is_drawn = |border: &&Vec<PxPoint>| {
+        let near = border.iter().filter(|point| index.nearest(at.to_mm(**point), reach, |_| true).is_some()).count();
+        near as f32 >= DRAWN * border.len() as f32
+    };
+    let lacking = decisions.borders.iter().filter(|border| !is_drawn(border)).count();
+    let (part, what_to_do) = match about {
+        About::Overview => ("overview", "crop the picture around it"),
+        _ => ("figure", "make the figure larger, or crop the picture around it"),
+    };
+    let subjects = match lacking {
+        0 => return None,
+        1 => "the outline of the subject".to_owned(),
+        count => format!("the outlines of {count} of the subjects"),
+    };
+    Some(Note::NotOnPage(
+        about,
+        format!("{subjects} in the {part}, as a whole or for the most part, for want of room; {what_to_do}"),
+    ))
 }
 
 /// The cells of the subject at a place, in shares of the picture, and which region it is, if it is one, whose outline

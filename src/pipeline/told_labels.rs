@@ -126,6 +126,20 @@ const NEARER: f32 = 4.0;
 /// Most of them that a note shows.
 const MOST_MOVED: usize = 5;
 
+/// What is told of textures in whose place labels stand, each with the label: an area without its texture seems white.
+pub(super) fn without_texture(labels: &[&str]) -> Option<Note> {
+    let (areas, they_stand) = match labels.len() {
+        0 => return None,
+        1 => ("the texture of 1 area".to_owned(), "the label stands in its place"),
+        count => (format!("the textures of {count} areas"), "labels stand in their places"),
+    };
+    let told = format!(
+        "{areas} ({}), as {they_stand}; make the figure larger, or say in the labels what the colours mean",
+        named(labels)
+    );
+    Some(Note::NotOnPage(About::Areas, told))
+}
+
 /// Tells of leader lines that cross others.
 pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
     let crosses = |result: &Result<Placed, Unplaced>| result.as_ref().is_ok_and(|label| label.crosses);

@@ -8,7 +8,7 @@ use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
     NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others, of_axes,
-    of_nothing, told,
+    of_nothing, told, without_texture,
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
@@ -214,7 +214,10 @@ impl<'a> WrittenWords<'a> {
         notes.extend(across(&wanted, &results));
         notes.extend(nearer_to_others(&wanted, &results));
         notes.extend(of_axes(&wanted, &results));
-        labels::make_room(figure, &placed, &params);
+        let texts: Vec<&str> =
+            wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
+        let under_labels = labels::make_room(figure, &placed, &params);
+        notes.extend(without_texture(&under_labels.into_iter().map(|label| texts[label]).collect::<Vec<_>>()));
         notes.extend(told(&wanted, &results));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))

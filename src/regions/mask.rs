@@ -52,6 +52,25 @@ impl Mask {
         self.grid.cell_at(self.grid.to_cells(at)).is_some_and(|cell| self.is_in[cell])
     }
 
+    /// The middles of its cells that have others beside them, in pixels of the picture. The edge of the picture is no
+    /// border.
+    pub fn border(&self) -> Vec<PxPoint> {
+        let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
+        let is_in = |x: usize, y: usize| self.is_in[y * width + x];
+        let is_border = |&(x, y): &(usize, usize)| {
+            is_in(x, y)
+                && (x > 0 && !is_in(x - 1, y)
+                    || x + 1 < width && !is_in(x + 1, y)
+                    || y > 0 && !is_in(x, y - 1)
+                    || y + 1 < height && !is_in(x, y + 1))
+        };
+        let cells = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        cells
+            .filter(is_border)
+            .map(|(x, y)| self.grid.to_picture(PxPoint::new(x as f32 + 0.5, y as f32 + 0.5)))
+            .collect()
+    }
+
     /// The smallest box around it, in pixels of the picture: its least and greatest corner; none if it is empty.
     pub fn extent(&self) -> Option<[PxPoint; 2]> {
         let width = self.grid.cells.width as usize;
@@ -85,6 +104,10 @@ mod tests {
         }
         let square = [(20.0, 5.0), (30.0, 5.0), (30.0, 15.0), (20.0, 15.0)].map(|(x, y)| PxPoint::new(x, y));
         assert_eq!(mask.extent(), Some([PxPoint::new(5.0, 5.0), PxPoint::new(30.0, 25.0)]));
+        let (border, of_sides) = (mask.border(), 10 + 20 + 25 + 5 + 15 + 15);
+        // four corners have two sides in one cell; none of the corner inside is one
+        assert_eq!(border.len(), of_sides - 5, "{border:?}");
+        assert!(border.contains(&PxPoint::new(5.5, 10.5)) && !border.contains(&PxPoint::new(7.5, 10.5)));
         // each side but the corner inside, where two meet
         assert_eq!(mask.clone().grown(1.0).cells(), mask.cells() + 10 + 20 + 25 + 5 + 15 + 15 - 1);
         assert_eq!(mask.with(&Mask::of_ring(grid, &square)).cells(), 10 * 20 + 15 * 5 + 100);

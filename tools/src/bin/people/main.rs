@@ -99,8 +99,14 @@ fn ids(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         return Err("there are no pictures".into());
     }
     let count = args.pictures.min(all.len());
-    let step = (all.len() - 1) as f64 / (count - 1).max(1) as f64;
-    let at = (0..count).map(|number| (number as f64 * step) as usize + args.after);
+    let at = |number: usize| number * (all.len() - 1) / (count - 1).max(1);
+    let is_next = |number: usize| args.after >= at(number + 1) - at(number);
+    if args.after > 0 && (0..count - 1).any(is_next) {
+        return Err(
+            format!("--after {}: these would be the same pictures; the set has {}", args.after, all.len()).into()
+        );
+    }
+    let at = (0..count).map(|number| at(number) + args.after);
     Ok(at.filter_map(|at| all.get(at).cloned()).collect())
 }
 
