@@ -32,6 +32,11 @@ pub fn corners<U>(of: Box2D<f32, U>) -> [Point2D<f32, U>; 4] {
     [(left, top), (right, top), (right, bottom), (left, bottom)].map(Point2D::from)
 }
 
+/// Whether a box lies in another one, also a box without area, as that around a level line.
+pub fn holds_box<U>(outer: Box2D<f32, U>, inner: Box2D<f32, U>) -> bool {
+    outer.contains_inclusive(inner.min) && outer.contains_inclusive(inner.max)
+}
+
 /// Distance of a point from a box; 0 inside.
 pub fn distance_to_box<U>(at: Point2D<f32, U>, place: Box2D<f32, U>) -> f32 {
     (at - at.clamp(place.min, place.max)).length()

@@ -12,6 +12,8 @@ use crate::units::{MmPoint, MmVector};
 const REACH: f32 = 14.0;
 /// Shortest piece of a line across an axis that is a tick, mm: a piece as short as the line is wide has no direction.
 const SHORTEST: f32 = 2.0;
+/// Shortest tick of a drawing that will be drawn longer, mm, beyond its axis: what is shorter is not (`lines::ticks`).
+const SHORTEST_DRAWN: f32 = 0.5;
 /// How far beside a tick there is nothing, as a share of the distance to the next number.
 const BESIDE: f32 = 0.25;
 /// Step in which a tick is looked for, mm: a square of the room.
@@ -88,7 +90,7 @@ pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f3
             let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + MmVector::new(0.0, 3.0 * by)));
             let axis = (begin..=begin + steps).find(|step| beside(*step) || !room.is_ink(at(*step)))?;
             let length = STEP * (axis - begin) as f32;
-            let is_tick = beside(axis) && length >= SHORTEST && length < least;
+            let is_tick = beside(axis) && length >= SHORTEST_DRAWN && length < least;
             is_tick.then(|| (begin as f32 * STEP, (at(begin), sign * (least - length))))
         };
         let sides = [-1.0, 1.0].into_iter().filter_map(side);

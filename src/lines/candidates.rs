@@ -5,7 +5,7 @@ use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelI
 
 use super::clearance::Cleared;
 use super::faint::FaintStrokes;
-use super::lost::{LossTally, Lost};
+use super::lost::{LossTally, Lost, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
@@ -110,7 +110,11 @@ impl LineCandidates {
             contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
             kept.count_rings(drawn.iter().map(|line| &line.polyline));
         }
-        wanted.lost(&kept)
+        let lost = wanted.lost(&kept);
+        // an overview is told as a whole, and a line that is too short for one by what it is
+        let may_lack = params.of_drawing && !params.whole_rings && lost.lost >= params.min_length;
+        let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
+        Lost { gone: if may_lack { gone() } else { Vec::new() }, ..lost }
     }
 }
 

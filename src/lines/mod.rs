@@ -45,7 +45,7 @@ use vertex::Vertex;
 pub use arrowheads::{Arrow, arrows, is_triangle};
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
-pub use lost::{Lost, LostMarks, LostScale, LostSign};
+pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
 pub use params::Params;

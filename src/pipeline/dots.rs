@@ -8,7 +8,8 @@ use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
 use crate::dots::ShownScale;
-use crate::lines::{Line, Lines, LostScale, LostSign, Run, TickMark};
+use crate::geom::polygon::holds_box;
+use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, TickMark};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
@@ -36,14 +37,16 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
     };
     let has_own = |ring: &Line| {
         let reach = extent(ring).inflate(MOVED, MOVED);
-        lines.iter().any(|line| reach.contains_box(&extent(line)) && around(line) >= WHOLE * ring.length())
+        lines.iter().any(|line| holds_box(reach, extent(line)) && around(line) >= WHOLE * ring.length())
     };
-    let rings = drawn.lines.iter().zip(shares).filter(|(line, _)| is_small_ring(line));
+    let rings = drawn.lines.iter().zip(&shares).filter(|(line, _)| is_small_ring(line));
     let signs: Vec<LostSign> = rings
-        .filter(|(line, share)| *share < WHOLE || !has_own(line))
+        .filter(|(line, share)| **share < WHOLE || !has_own(line))
         .map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: is_arrowhead(line, &lines) })
         .collect();
     let mut lost = drawn.lost.keeping(kept);
+    let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
+    lost.gone.extend(gone.map(|(line, _)| LostLine { extent: extent(line), length: line.length(), closed: false }));
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, is_arrowhead: false }));

@@ -1,5 +1,6 @@
 //! What the maker is told of lines that are not drawn, or drawn otherwise.
 
+use super::lost_signs::is_small;
 use crate::devices::Family;
 use crate::edges::Edges;
 use crate::lines::{Beyond, Lines, Lost};
@@ -45,6 +46,20 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
         return Some(Note::TooDense { millimetres, percent, place, width });
     }
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
+}
+
+/// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
+pub(super) fn told_gone(lost: &Lost) -> Option<Note> {
+    let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
+    let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let (at, mm) = (longest.extent.center(), longest.length);
+    let (lines, which, them) = match gone().count() {
+        1 => ("1 line as a whole".to_owned(), "", "it"),
+        count => (format!("{count} lines as a whole"), "the longest ", "them"),
+    };
+    let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
+    let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm): {why}", at.x, at.y);
+    Some(Note::NotOnPage(About::Lines, told))
 }
 
 /// What the maker is told of dashed lines.
