@@ -128,6 +128,16 @@ fn words_keys_mirrors_and_odd_directions_come_back() {
 }
 
 #[test]
+fn a_label_may_be_called_as_a_layer_is() {
+    let place = tactograph::Position::Percent;
+    let label = Label { x: place(50.0), y: place(50.0), text: "Frame".to_owned() };
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in")).labels(vec![label]);
+    let page = tactograph::convert(&samples::read("landscape.svg"), &options).expect("it can be converted").page;
+    assert_eq!(page.braille.len(), 1);
+    comes_back(&page, "a label called as the frame is");
+}
+
+#[test]
 fn calibration_sheets_and_sheets_of_a_large_picture_come_back() {
     let profile = Profile::named("swell-a4").expect("it is built in");
     for page in tactograph::calibrate(&profile).expect("there is room").pages {

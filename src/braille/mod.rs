@@ -10,6 +10,7 @@ mod capitals;
 mod cell;
 mod code;
 mod divide;
+mod joined;
 mod neighbours;
 mod parse;
 mod table;

@@ -2,6 +2,7 @@
 
 use super::capitals::{self, CapitalContext};
 use super::divide;
+use super::joined;
 use super::neighbours::Neighbours;
 use super::table::{SignRule, Table};
 
@@ -14,6 +15,8 @@ pub struct Braille {
     pub breaks: Vec<usize>,
     /// Behind which cells a word can be divided, with a hyphen at the end of the line, in order.
     pub divisions: Vec<usize>,
+    /// Blanks at which no line ends, as within an equation, in order.
+    pub joined: Vec<usize>,
     /// What the code has no cells for, and is left out.
     pub lacking: Vec<Lacking>,
 }
@@ -76,6 +79,7 @@ impl Table {
             None => vec![CapitalContext::default(); text.len()],
         };
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
+        let mut joined = joined::spaces(&text).into_iter().peekable();
         let mut out = Writer { table: self, text: &text, out: Braille::default(), in_number: false };
         let mut i = 0;
         while i < text.len() {
@@ -83,6 +87,9 @@ impl Table {
                 out.out.divisions.push(out.out.cells.len());
             }
             out.out.cells.extend(&around[i].before);
+            while joined.next_if(|&at| at <= i).is_some_and(|at| at == i) {
+                out.out.joined.push(out.out.cells.len());
+            }
             let read = out.character(i, places[i]);
             let last = (i + read).min(text.len()) - 1;
             out.out.cells.extend(&around[last].after);

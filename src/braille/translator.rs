@@ -1,5 +1,6 @@
 //! Text to cells by the table of a code, or by another translator, such as one for contracted braille.
 
+use super::joined;
 use super::table::Table;
 use super::translate::Braille;
 
@@ -29,7 +30,12 @@ impl<'a> Translator<'a> {
                 // a cell of eight dots has no place on a page
                 let cells = other(&plain)?;
                 let has_six = cells.iter().all(|cell| *cell < 64);
-                if has_six { Ok(Braille { cells, ..Braille::default() }) } else { Err("cells of eight dots".into()) }
+                let joined = joined::blanks(&plain, &cells);
+                if has_six {
+                    Ok(Braille { cells, joined, ..Braille::default() })
+                } else {
+                    Err("cells of eight dots".into())
+                }
             }
             (None, Some(table)) => Ok(table.translate(text)),
             (None, None) => Ok(Braille::default()),

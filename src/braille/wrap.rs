@@ -18,13 +18,16 @@ pub enum Divide {
     Never,
     /// Where a line would be less than three quarters full without: a divided word takes longer to read.
     Words,
+    /// At any blank, also within an equation and in front of a unit.
+    Equations,
 }
 
 /// Dots 3 and 6: the hyphen of all codes.
 const HYPHEN: u8 = 0b10_0100;
 
 /// Braille in lines of at most `width` cells: lines end at a blank, behind a hyphen that the text has, or where a
-/// word is divided. A word that is longer than a line and cannot be divided is cut.
+/// word is divided, and within an equation or in front of a unit only where these are longer than a line. A word that
+/// is longer than a line and cannot be divided is cut.
 pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
     let (cells, width) = (&braille.cells, width.max(1));
     let mut wrapped = Wrapped { lines: Vec::new(), cut: false };
@@ -32,7 +35,9 @@ pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
     while let Some(begin) = cells[from..].iter().position(|&cell| cell != 0) {
         from += begin;
         let longest = (from + width).min(cells.len());
-        let whole = (from + 1..=longest).rev().find(|&end| can_end(braille, end));
+        let last_end =
+            |can_end: fn(&Braille, usize) -> bool| (from + 1..=longest).rev().find(|&end| can_end(braille, end));
+        let whole = last_end(can_end).or_else(|| last_end(is_blank));
         let is_full = whole.is_some_and(|end| end == cells.len() || 4 * (end - from) >= 3 * width);
         // with room for the hyphen
         let last = braille.divisions.partition_point(|&at| at < from + width);
@@ -60,6 +65,7 @@ pub fn in_two(braille: &Braille, divide: Divide) -> Option<[Vec<u8>; 2]> {
         [first, trimmed(second).to_vec()]
     };
     let width = |end: usize, hyphen: usize| (end + hyphen).max(braille.cells.len() - end);
+    let can_end: fn(&Braille, usize) -> bool = if divide == Divide::Equations { is_blank } else { can_end };
     let whole = (1..braille.cells.len()).filter(|&end| can_end(braille, end)).map(|end| (width(end, 0), end, None));
     let divided = braille.divisions.iter().filter(|_| divide == Divide::Words);
     let divided = divided.map(|&end| (width(end, 1), end, Some(HYPHEN)));
@@ -69,7 +75,13 @@ pub fn in_two(braille: &Braille, divide: Divide) -> Option<[Vec<u8>; 2]> {
 
 /// Whether a line can end in front of this cell.
 fn can_end(braille: &Braille, at: usize) -> bool {
-    braille.cells.get(at).is_none_or(|&cell| cell == 0) || braille.breaks.binary_search(&at).is_ok()
+    let is_joined = braille.joined.binary_search(&at).is_ok();
+    is_blank(braille, at) && !is_joined || braille.breaks.binary_search(&at).is_ok()
+}
+
+/// Whether this cell is a blank or the end of the text.
+fn is_blank(braille: &Braille, at: usize) -> bool {
+    braille.cells.get(at).is_none_or(|&cell| cell == 0)
 }
 
 /// Without blanks at its ends.

@@ -35,12 +35,12 @@ pub(super) fn all(
         if !of_text.contains_key(text) {
             // what cannot be written cannot be abbreviated either
             let written = known.get(text).and_then(|braille| braille.as_ref().ok());
-            let is_numbered = texts.iter().any(|other| *other != text && differ_in_number(text, other));
-            let numbered = if is_numbered { numbered(text) } else { None };
+            let numbered = texts.iter().find_map(|other| numbered(text, other));
             let proposals = written.map(|braille| proposals(&without(text, &braille.lacking)));
             let short = numbered.into_iter().chain(proposals.into_iter().flatten()).find_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
-                let most = MOST_CELLS + letters.chars().filter(char::is_ascii_digit).count().saturating_sub(1);
+                let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
+                let most = MOST_CELLS + of_number.saturating_sub(1);
                 let is_whole = lacking.is_empty() && (2..=most).contains(&cells.len());
                 (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
             });
@@ -51,19 +51,29 @@ pub(super) fn all(
     texts.iter().map(|text| of_text.get(text).cloned().flatten()).collect()
 }
 
-/// Whether two texts are the same but for their numbers, as those of numbered things are.
-fn differ_in_number(a: &str, b: &str) -> bool {
-    let letters = |text: &str| -> String { text.chars().filter(|letter| !letter.is_ascii_digit()).collect() };
-    a.chars().any(|letter| letter.is_ascii_digit()) && letters(a) == letters(b)
+/// Whether a character is one of a number: a digit, or the point or comma in one.
+fn is_of_number(letter: char) -> bool {
+    letter.is_ascii_digit() || matches!(letter, '.' | ',')
 }
 
-/// Most digits of an abbreviation.
-const MOST_DIGITS: usize = 2;
+/// The numbers of a text, each as it is written.
+fn numbers(text: &str) -> Vec<&str> {
+    let parts = text.split(|letter| !is_of_number(letter)).map(|part| part.trim_matches(['.', ',']));
+    parts.filter(|part| !part.is_empty()).collect()
+}
 
-/// "c2" for "cup 2": its first letter and its last number; none where there is no letter or the number is long.
-fn numbered(text: &str) -> Option<String> {
+/// Most digits of an abbreviation, with the point or comma of its number: that of a room or a year.
+const MOST_DIGITS: usize = 4;
+
+/// "c12" for "cup 12" beside "cup 1": the first letter, and the whole number by which it differs from another text
+/// that is the same but for its numbers, as those of numbered things are. None where there is no letter, or the number
+/// is long.
+fn numbered(text: &str, other: &str) -> Option<String> {
+    let letters = |text: &str| -> String { text.chars().filter(|letter| !is_of_number(*letter)).collect() };
+    let (of_text, of_other) = (numbers(text), numbers(other));
+    let is_alike = of_text.len() == of_other.len() && letters(text) == letters(other);
+    let number = of_text.into_iter().zip(of_other).find(|(own, other)| is_alike && own != other)?.0;
     let letter = text.to_lowercase().chars().find(|letter| letter.is_alphabetic())?;
-    let number = text.split(|letter: char| !letter.is_ascii_digit()).rfind(|number| !number.is_empty())?;
     (number.len() <= MOST_DIGITS).then(|| format!("{letter}{number}"))
 }
 
@@ -122,6 +132,9 @@ mod tests {
     fn what_tells_numbered_things_apart_is_kept() {
         assert_eq!(short(&["cup 1", "cup 2", "cup 12", "cap 2"], "en"), ["c1", "c2", "c12", "ca"]);
         assert_eq!(short(&["glass 1", "cup 2"], "en"), ["gl", "cu"], "their words tell them apart");
+        assert_eq!(short(&["Area 12", "Area 123", "Room 2007", "Room 2008"], "en"), ["a12", "a123", "r2007", "r2008"]);
+        assert_eq!(short(&["Area 1.2", "Area 2.2", "Cup 1 of 3", "Cup 2 of 3"], "en"), ["a1.2", "a2.2", "c1", "c2"]);
+        assert_eq!(short(&["Kante 1,5", "Kante 2,5"], "de"), ["k1,5", "k2,5"]);
     }
 
     /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may

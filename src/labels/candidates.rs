@@ -221,8 +221,14 @@ fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Atta
     let is_point = label.anchor.is_empty();
     let nearest = anchor.clamp(place.min, place.max);
     let is_open = || !room.is_parted(nearest, anchor, end);
-    let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
-    if is_near || !is_point && is_beside_outline(nearest, place, around) {
+    let is_beside = match &around.angle {
+        Some(angle) => around.is_in_angle(angle, nearest, place),
+        None => {
+            let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
+            is_near || !is_point && is_beside_outline(nearest, place, around)
+        }
+    };
+    if is_beside {
         return Some(Attachment::Beside);
     }
     let clear = clear_leader(place, around);

@@ -47,7 +47,7 @@ impl Form {
 
     /// Whether it is the whole text in two lines that divide no word.
     pub(super) fn is_in_two_lines(&self) -> bool {
-        self.lines.len() == 2 && self.cost < DIVIDED
+        self.lines.len() == 2 && !(DIVIDED..TORN).contains(&self.cost)
     }
 }
 
@@ -68,6 +68,8 @@ const LONG: usize = 6;
 const SECOND_LINE: f32 = 3.0;
 /// What two lines cost that divide a word.
 const DIVIDED: f32 = 15.0;
+/// What two lines cost that tear an equation, or a number from its unit: more than any place within reach in one.
+const TORN: f32 = 60.0;
 /// What an abbreviation costs: more than any place within reach.
 pub(super) const ABBREVIATED: f32 = 1000.0;
 
@@ -95,6 +97,8 @@ pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Form
         if length > LONG {
             let whole = in_two(braille, Divide::Never);
             let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
+            let torn = if whole.is_none() { in_two(braille, Divide::Equations) } else { None };
+            forms.extend(torn.map(|lines| form(lines.into(), FormKind::Text, TORN)));
             forms.extend(whole.map(|lines| form(lines.into(), FormKind::Text, SECOND_LINE)));
             forms.extend(divided.map(|lines| form(lines.into(), FormKind::Text, DIVIDED)));
         }

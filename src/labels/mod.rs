@@ -12,6 +12,7 @@
 //! further away than 12 mm has a leader line. What has no room in full is abbreviated.
 
 mod abbreviate;
+mod angles;
 mod candidates;
 mod choose;
 mod columns;

@@ -2,6 +2,7 @@
 
 use std::f32::consts::TAU;
 
+use super::angles::{self, Angle};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::distance_to_box;
 use crate::page::{Line, Pen, Texture};
@@ -49,6 +50,8 @@ pub(super) struct Room {
     glyphs: Vec<u32>,
     /// The box around all lines.
     bounds: Option<MmRect>,
+    /// Angles between straight lines.
+    angles: Vec<Angle>,
 }
 
 impl Room {
@@ -70,7 +73,7 @@ impl Room {
             pairs
         });
         let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
-        Self::of_segments(area, segments, glyphs, clearance)
+        Self { angles: angles::of(lines), ..Self::of_segments(area, segments, glyphs, clearance) }
     }
 
     /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
@@ -107,12 +110,18 @@ impl Room {
         for index in glyphs.filter_map(|at| squares.index(at)) {
             of_glyphs[index] += 1;
         }
-        Self { squares, taken: squares.sums(&taken), for_leader, ink, glyphs: squares.sums(&of_glyphs), bounds }
+        let (taken, glyphs) = (squares.sums(&taken), squares.sums(&of_glyphs));
+        Self { squares, taken, for_leader, ink, glyphs, bounds, angles: Vec::new() }
     }
 
     /// The box around the ink of all lines; none where there are none.
     pub(super) fn bounds(&self) -> Option<MmRect> {
         self.bounds
+    }
+
+    /// The angle between two lines in which a point stands near to where these meet.
+    pub(super) fn angle_around(&self, at: MmPoint) -> Option<Angle> {
+        Angle::around(at, &self.angles)
     }
 
     /// Whether a box lies in the area and as far from lines as labels must.

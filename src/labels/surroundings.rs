@@ -1,5 +1,6 @@
 //! What lies around what a label names, by which its places are judged.
 
+use super::angles::{self, Angle};
 use super::placed::{Params, Wanted};
 use super::room::Room;
 use crate::geom::nearest_on_segment;
@@ -23,6 +24,12 @@ const BESIDE_TEXT: f32 = 5.0;
 const LARGEST_RING: f32 = 9.0;
 /// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
 const AROUND_RING: f32 = 2.0;
+/// Nearer to the place where two lines meet, mm, a point names that and no angle between them.
+const AT_VERTEX: f32 = 6.0;
+/// Breadth of the arc of an angle across it, at most, mm: twice the widest line, for a slanted way.
+const THICKEST_ARC: f32 = 3.0;
+/// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
+const FARTHEST_ARC: f32 = 25.0;
 /// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
 /// more exactly.
 const BELOW: f32 = 6.0;
@@ -41,6 +48,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) anchor: MmPoint,
     /// Where its leader line ends: there, or of a text that stands in the blank beside a line, on that.
     pub(super) tip: MmPoint,
+    /// The angle between two lines that it names: a label on the other side of one of these names nothing.
+    pub(super) angle: Option<Angle>,
     /// What labels beside it name.
     others: Vec<MmPoint>,
 }
@@ -58,8 +67,11 @@ impl<'a> Surroundings<'a> {
         // of labels of one place one is enough
         others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         others.dedup();
+        let names_angle = label.led_from.is_none() && angles::is_name(&label.text);
+        let angle = if names_angle { room.angle_around(at) } else { None };
+        let angle = angle.filter(|angle| !is_point || (angle.vertex - at).length() > AT_VERTEX);
         // a small ring around a point, such as a town on a map, is what it names
-        let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
+        let ring = if is_point && angle.is_none() { room.shut_in(at, LARGEST_RING) } else { None };
         Self {
             room,
             params,
@@ -67,9 +79,29 @@ impl<'a> Surroundings<'a> {
             is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
             line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
             anchor: at,
-            tip: if is_point { at } else { room.nearest_ink(label.anchor, BESIDE_LINE).unwrap_or(at) },
+            tip: if is_point || angle.is_some() {
+                at
+            } else {
+                room.nearest_ink(label.anchor, BESIDE_LINE).unwrap_or(at)
+            },
+            angle,
             others,
         }
+    }
+
+    /// Whether a label in a place stands in the angle that it names; `nearest` is its nearest point. The arc of the
+    /// angle may lie between.
+    pub(super) fn is_in_angle(&self, angle: &Angle, nearest: MmPoint, place: MmRect) -> bool {
+        let is_beyond_arc = || {
+            let to_arc = self.room.only_line(nearest, self.anchor, THICKEST_ARC);
+            to_arc.is_some_and(|to_arc| {
+                let arc = nearest + (self.anchor - nearest).normalize() * to_arc;
+                to_arc <= NEAR && (arc - angle.vertex).length() <= FARTHEST_ARC
+            })
+        };
+        let is_near = distance_to_box(self.anchor, place) <= NEAR;
+        let is_open = || is_near && !self.room.is_parted(nearest, self.anchor, AT_END);
+        angle.holds_box(place) && self.is_own(place) && (is_open() || is_beyond_arc())
     }
 
     /// Whether a label and its leader line keep clear of what other labels name.

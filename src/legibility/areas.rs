@@ -41,7 +41,7 @@ fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a RuleLimits) -> im
         let name = PagePart::Texture(number as u32).name(page, names);
         let (area, least) = (texture.area, limits.texture_area);
         let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
-        Some(FoundBreach::at(TEXTURE_AREA, extent.center(), extent, area, what))
+        Some(FoundBreach::at(TEXTURE_AREA, extent.center(), extent, area, what).of(&name))
     })
 }
 
@@ -85,7 +85,7 @@ fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> 
         let (count, thinnest) = (group.count, group.worst);
         let noun = if count == 1 { "1 mark is" } else { &format!("{count} marks are") };
         let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page, names));
-        FoundBreach::at(GLYPH_SIZE, group.at, group.extent, thinnest, what)
+        FoundBreach::at(GLYPH_SIZE, group.at, group.extent, thinnest, what).of(&part.name(page, names))
     };
     grouped(marks, glyph - ROUNDING, thickness).into_iter().map(of).collect()
 }
@@ -108,8 +108,9 @@ fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) 
     };
     let of = |(part, group): (PagePart, AreaGroup)| {
         let out = -group.worst;
-        let what = format!("{} reaches {out:.1} mm beyond {what}", part.name(page, names));
-        FoundBreach::at(MARGIN, group.at, group.extent, limits.margin - out, what)
+        let name = part.name(page, names);
+        let what = format!("{name} reaches {out:.1} mm beyond {what}");
+        FoundBreach::at(MARGIN, group.at, group.extent, limits.margin - out, what).of(&name)
     };
     grouped(marks, -ROUNDING, within).into_iter().map(of).collect()
 }

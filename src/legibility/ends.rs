@@ -77,7 +77,7 @@ fn broken(paths: &Paths, names: &[String], tip: &Tip, other: &Tip, blank: f32) -
         ),
     };
     let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));
-    FoundBreach::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what)
+    FoundBreach::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what).of(line(tip))
 }
 
 fn facing(a: &Tip, b: &Tip) -> bool {

@@ -1,5 +1,7 @@
 //! What was found: which rule is broken, where, by how much.
 
+use std::collections::BTreeMap;
+
 use super::rules::{self, RULES, Rule, Severity};
 use crate::geom::ninths;
 use crate::page::Page;
@@ -23,6 +25,8 @@ pub struct Finding {
     pub measured: Option<f32>,
     /// What `render` makes of it, where that puts it right: then it is a warning only.
     pub mended: Option<&'static str>,
+    /// The line of the file in which the element of the object begins, counted from 1, as far as that is known.
+    pub line: Option<u32>,
 }
 
 /// A finding before its place has words.
@@ -34,27 +38,58 @@ pub(super) struct FoundBreach {
     pub(super) measured: Option<f32>,
     /// What `render` makes of it, where that puts it right.
     pub(super) mended: Option<&'static str>,
+    /// Where to look for it in the file.
+    pub(super) found_in: FoundIn,
+}
+
+/// Where something stands in the file of a page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum FoundIn {
+    /// In the element of the object of this name.
+    Object(String),
+    /// In this line.
+    Row(u32),
+    /// In no one element.
+    Page,
 }
 
 impl FoundBreach {
     /// A breach at one place.
     pub(super) fn at(rule: Rule, at: MmPoint, extent: MmRect, measured: f32, what: String) -> Self {
         let mended = rules::mended(&rule);
-        Self { rule, what, at: Some(at), extent: Some(extent), measured: Some(measured), mended }
+        Self {
+            rule,
+            what,
+            at: Some(at),
+            extent: Some(extent),
+            measured: Some(measured),
+            mended,
+            found_in: FoundIn::Page,
+        }
     }
 
     /// A breach by the whole page.
     pub(super) fn of_page(rule: Rule, measured: Option<f32>, what: String) -> Self {
         let mended = rules::mended(&rule);
-        Self { rule, what, at: None, extent: None, measured, mended }
+        Self { rule, what, at: None, extent: None, measured, mended, found_in: FoundIn::Page }
     }
 
-    /// `mends` says whether `render` would write the page otherwise.
-    pub(super) fn placed(self, page: &Page, mends: bool) -> Finding {
-        let Self { rule, what, at, extent, measured, mended } = self;
+    /// The same of the object of this name.
+    pub(super) fn of(self, object: &str) -> Self {
+        Self { found_in: FoundIn::Object(object.to_owned()), ..self }
+    }
+
+    /// `mends` says whether `render` would write the page otherwise; `rows` where objects stand in the file.
+    pub(super) fn placed(self, page: &Page, mends: bool, rows: &BTreeMap<String, u32>) -> Finding {
+        let Self { rule, what, at, extent, measured, mended, found_in } = self;
+        let line = match found_in {
+            FoundIn::Object(name) => rows.get(&name).copied(),
+            FoundIn::Row(row) => Some(row),
+            FoundIn::Page => None,
+        };
         let mended = mended.filter(|_| mends);
         let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));
-        Finding { rule, what, at, place, extent, measured, mended }
+        Finding { rule, what, at, place, extent, measured, mended, line }
     }
 }
 

@@ -12,6 +12,8 @@ const APPROACH: f32 = 3.0;
 pub(super) const BEND_LEAST: f32 = 2.0;
 /// Lines cross in a vertex of both if it is on both within this, mm: a page has hundredths.
 const VERTEX: f32 = 0.005;
+/// The largest ring that stands for a point of a drawing, across in distances of two lines.
+const SMALL_RING: f32 = 2.5;
 /// Lines that cross twice are looked at this often between the crossings, mm.
 const STEP: f32 = 0.5;
 
@@ -59,7 +61,8 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
         }
         found
     };
-    let found: Vec<Vec<Join>> = (0..paths.paths.len()).map(of).collect();
+    let mut found: Vec<Vec<Join>> = (0..paths.paths.len()).map(of).collect();
+    add_meetings_in_rings(&mut found, paths, least);
     // two dots beside a line both touch it: they end on it, and do not wind round it
     let winds = |number: usize, join: &Join| {
         join.other as usize != number
@@ -72,6 +75,28 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
     };
     let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
     found.iter().enumerate().map(kept).collect()
+}
+
+/// Lines that end on one small ring, as the roads at a town, meet in it as they would in its middle.
+fn add_meetings_in_rings(joins: &mut [Vec<Join>], paths: &Paths, least: f32) {
+    let is_small = |ring: usize| {
+        let half_width = paths.segments_of(ring).first().map_or(0.0, |segment| segment.half_width);
+        paths.paths[ring].closed
+            && paths.paths[ring].length <= SMALL_RING * std::f32::consts::PI * (least + 2.0 * half_width)
+    };
+    let mut ends: Vec<(u32, usize, f32)> = Vec::new();
+    for (number, (path, own)) in paths.paths.iter().zip(joins.iter()).enumerate() {
+        let is_end = |join: &&Join| join.arc <= VERTEX || join.arc >= path.length - VERTEX;
+        let on_rings = own.iter().filter(is_end).filter(|join| !path.closed && is_small(join.other as usize));
+        ends.extend(on_rings.map(|join| (join.other, number, join.arc)));
+    }
+    ends.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
+    for of_ring in ends.chunk_by(|a, b| a.0 == b.0) {
+        for &(_, number, arc) in of_ring {
+            let others = of_ring.iter().map(|(_, other, _)| *other).filter(|other| *other != number);
+            joins[number].extend(others.map(|other| Join { arc, other: other as u32, line: paths.paths[other].line }));
+        }
+    }
 }
 
 /// The ends of a segment that is longer by [`VERTEX`] at both.

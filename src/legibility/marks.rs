@@ -4,7 +4,7 @@
 use crate::geom::nearby::Index;
 use crate::geom::polygon::is_in_convex;
 use crate::geom::{nearest_on_segment, segment_distance};
-use crate::page::{BrailleText, Dots, Glyph, Line, Names, Page, Pen, Run, Shape, TextRole};
+use crate::page::{Dots, Glyph, Line, Names, Page, Pen, Run, Shape, text_name};
 use crate::units::{Mm, MmPoint, MmRect};
 
 /// What a mark is a part of; numbers count from 0.
@@ -163,7 +163,7 @@ impl PagePart {
             Self::OverviewFrame => "the frame of the overview".into(),
             Self::OverviewLine(number) => name_in(&names.overview_lines, number as usize).to_owned(),
             Self::Numbers(_) => "a number in braille".into(),
-            Self::Braille(number) => page.braille.get(number as usize).map_or_else(String::new, name_of),
+            Self::Braille(number) => page.braille.get(number as usize).map_or_else(String::new, text_name),
             Self::Leader(number) => {
                 format!("the line that leads from {}", Self::Braille(number).name(page, names))
             }
@@ -174,12 +174,4 @@ impl PagePart {
 /// The name of an object, as far as there is one.
 pub(super) fn name_in(names: &[String], number: usize) -> &str {
     names.get(number).map_or("a mark without a name", String::as_str)
-}
-
-fn name_of(text: &BrailleText) -> String {
-    match text.role {
-        TextRole::Title => "the title".into(),
-        TextRole::Number => "the page number".into(),
-        TextRole::Label | TextRole::Key => format!("\"{}\"", text.text),
-    }
 }

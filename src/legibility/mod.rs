@@ -17,6 +17,7 @@ mod finding;
 mod gaps;
 mod ink;
 mod joins;
+mod leaders;
 mod limits;
 mod mark;
 mod marks;
@@ -38,6 +39,8 @@ pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
 pub use verdict::{Fingertip, Textures, Verdict};
+
+use std::collections::BTreeMap;
 
 use usvg::Tree;
 use usvg::roxmltree::Document;
@@ -70,7 +73,7 @@ impl<'a> Drawn<'a> {
         if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
             found.extend(ink::blocks(self.tree));
         }
-        checked((found, self.mends), page, limits, felt)
+        checked((found, self.mends), page, &read.names.rows, limits, felt)
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
@@ -78,7 +81,7 @@ impl<'a> Drawn<'a> {
         let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
         found.extend(drawn::findings(self.document, self.tree, &[], limits));
         found.extend(ink::findings(self.tree, limits));
-        checked((found, false), sheet, limits, Fingertip::NotAsked)
+        checked((found, false), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
     }
 }
 
@@ -112,12 +115,19 @@ const MOST_TOLD: usize = 5;
 /// Holds a page against the rules. `felt` is what a fingertip feels of its textures, for the verdict.
 pub fn check(page: &Page, limits: &RuleLimits, felt: Option<&Report>) -> Checked {
     let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
-    checked((found(page, &Names::of(page), limits), false), page, limits, felt)
+    let names = Names::of(page);
+    checked((found(page, &names, limits), false), page, &names.rows, limits, felt)
 }
 
-/// What was found, and whether `render` mends some of it.
-fn checked((found, mends): (Vec<FoundBreach>, bool), page: &Page, limits: &RuleLimits, felt: Fingertip<'_>) -> Checked {
-    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends)).collect());
+/// What was found, and whether `render` mends some of it. `rows` are the lines of the file in which objects stand.
+fn checked(
+    (found, mends): (Vec<FoundBreach>, bool),
+    page: &Page,
+    rows: &BTreeMap<String, u32>,
+    limits: &RuleLimits,
+    felt: Fingertip<'_>,
+) -> Checked {
+    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends, rows)).collect());
     let verdict = Verdict::of(page, &findings, felt);
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
@@ -142,6 +152,7 @@ fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));
+    found.extend(leaders::findings(&felt, &index));
     found.extend(overview::left_out(page));
     found
 }

@@ -48,7 +48,7 @@ fn added(
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
         let name = name_in(names, number);
         let what = format!("the figure has nothing like {name}, {length:.0} mm of it");
-        Some(FoundBreach::at(OVERVIEW, at, extent, length, what))
+        Some(FoundBreach::at(OVERVIEW, at, extent, length, what).of(name))
     };
     (0..overview.lines.len()).filter_map(of_line).collect()
 }
@@ -72,13 +72,13 @@ fn lacking(
             return None;
         }
         missing(segments.iter(), scale * STEP, in_overview, &index, limits.spacing())?;
+        let name = name_in(names, of.line);
         let what = format!(
-            "the overview has nothing like {} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
-            name_in(names, of.line),
+            "the overview has nothing like {name} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
             extent.width(),
             extent.height()
         );
-        Some(FoundBreach::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what))
+        Some(FoundBreach::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what).of(name))
     };
     (0..paths.paths.len()).filter_map(of_path).collect()
 }

@@ -44,8 +44,8 @@ impl Checked {
     /// The same as JSON: how many `errors` and `warnings`; `verdict`, and the shares 0..=1 that it tells of: `faulty`
     /// of the figure, and of `textures` what is `of_figure`, `judged` and `right` (null where none were felt);
     /// `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the sheet's top left), `what`,
-    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null); and `notes`, what was
-    /// taken otherwise than it looks.
+    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null), `line` (of the file, or
+    /// null); and `notes`, what was taken otherwise than it looks.
     pub fn to_json(&self) -> String {
         let finding = |finding: &Finding| {
             let (limit, unit) = self.number(&finding.rule);
@@ -61,6 +61,7 @@ impl Checked {
                 "unit": unit,
                 "remedy": finding.remedy(),
                 "render": finding.mended,
+                "line": finding.line,
             })
         };
         let findings: Vec<Value> = self.findings.iter().map(finding).collect();
@@ -83,7 +84,8 @@ impl Checked {
     }
 
     /// The same as SARIF 2.1.0 (OASIS), for programs that collect what checkers find. `file` is the page's name. Places
-    /// are names and, in mm, properties, as SARIF has none for drawings.
+    /// are lines of the file, or its first where it is a matter of no one element, names and, in mm, properties, as
+    /// SARIF has none for drawings.
     pub fn to_sarif(&self, file: &str) -> String {
         let rule = |rule: &Rule| {
             let (number, unit) = self.number(rule);
@@ -101,8 +103,11 @@ impl Checked {
                 "level": finding.severity().name(),
                 "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.remedy()) },
                 "locations": [{
-                    // viewers show nothing without a region; a drawing has no lines of text
-                    "physicalLocation": { "artifactLocation": { "uri": file }, "region": { "startLine": 1 } },
+                    // viewers show nothing without a region
+                    "physicalLocation": {
+                        "artifactLocation": { "uri": file },
+                        "region": { "startLine": finding.line.unwrap_or(1) },
+                    },
                     "logicalLocations": [{ "name": place(finding), "kind": "object" }],
                 }],
                 "properties": {

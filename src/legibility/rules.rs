@@ -1,6 +1,6 @@
 //! The rules, as data: what each asks for, its number and unit, where the number comes from, and what to do.
 
-use super::limits::{BRAILLE_GAP, BRAILLE_OFF, MOST_TEXTURES, MediumLimits, RuleLimits, SHAPE};
+use super::limits::{BRAILLE_GAP, BRAILLE_OFF, LEADER_END, MOST_TEXTURES, MediumLimits, RuleLimits, SHAPE};
 
 /// How bad a breach of a rule is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -208,6 +208,14 @@ pub(super) const BRAILLE_CLEAR: Rule = Rule {
     remedy: "move the text away, or delete what is beside it",
     number: |_| Some((BRAILLE_GAP, MM)),
 };
+pub(super) const LABEL_LINE: Rule = Rule {
+    id: "label-line",
+    asks: "A label's line ends no farther than this from a line or a texture, or within a closed shape.",
+    severity: Severity::Warning,
+    source: "chosen by us: less than half of a fingertip's width; beyond it the finger finds nothing there",
+    remedy: "lead it to what the label names, or delete the line and set the label beside that",
+    number: |_| Some((LEADER_END, MM)),
+};
 pub(super) const LEFT_OUT: Rule = Rule {
     id: "left-out",
     asks: "No strong outline of the picture is left out of the page.",
@@ -315,6 +323,7 @@ pub const RULES: &[Rule] = &[
     TEXTURES,
     BRAILLE_CELL,
     BRAILLE_CLEAR,
+    LABEL_LINE,
     BLACK,
     LEFT_OUT,
     BROKEN_LINE,

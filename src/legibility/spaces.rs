@@ -44,11 +44,14 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Rule
     let All { textures, braille, overlaps } = breaches(page, marks, limits);
     let name = |part: &PagePart| part.name(page, names);
     let mut found: Vec<FoundBreach> = Vec::new();
-    found.extend(textures.into_iter().map(|((part, _), breach)| of_texture(&name(&part), breach, limits)));
+    found.extend(textures.into_iter().map(|((part, _), breach)| {
+        let name = name(&part);
+        of_texture(&name, breach, limits).of(&name)
+    }));
     found.extend(braille.into_iter().map(|((part, other), breach)| {
         let (other, blank) = (other.as_ref().map_or_else(String::new, name), millimetres(breach.blank));
         let what = format!("{} is {blank} from {other}; {BRAILLE_GAP} mm of blank is the least", name(&part));
-        finding(BRAILLE_CLEAR, breach, what)
+        finding(BRAILLE_CLEAR, breach, what).of(&name(&part))
     }));
     found.extend(overlaps.into_iter().map(|((part, other), breach)| {
         let what = if other == Some(part) {
@@ -57,7 +60,7 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Rule
             let other = other.as_ref().map_or_else(String::new, name);
             format!("{} lies on {other}, in {}", name(&part), places(breach.count))
         };
-        finding(OVERLAP, breach, what)
+        finding(OVERLAP, breach, what).of(&name(&part))
     }));
     found
 }

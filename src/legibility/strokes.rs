@@ -56,7 +56,7 @@ fn too_near(near: &Near, names: &[String], limits: &RuleLimits) -> FoundBreach {
         true => format!("{one} comes back to itself and is {apart} from itself {along}; {least}"),
         false => format!("{} are {apart} apart {along}; {least}", both(one, other)),
     };
-    FoundBreach::at(LINE_GAP, at, extent, gap, what)
+    FoundBreach::at(LINE_GAP, at, extent, gap, what).of(one)
 }
 
 /// Two lines by their names; those of one object have the same.
@@ -76,7 +76,7 @@ fn too_thin(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach>
     let at = thinnest.points.get(thinnest.points.len() / 2).copied()?;
     let extent = around(line.runs.iter().filter(is_thin).flat_map(|run| run.points.iter().copied()))?;
     let what = format!("{name} is {:.2} mm wide along {length:.0} mm; {line_width} mm is the least", thinnest.width);
-    Some(FoundBreach::at(LINE_WIDTH, at, extent, thinnest.width, what))
+    Some(FoundBreach::at(LINE_WIDTH, at, extent, thinnest.width, what).of(name))
 }
 
 /// Whether a line ends at the edge of a window.
@@ -105,5 +105,5 @@ fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach
     }
     let extent = around(points(line)).unwrap_or_else(MmRect::zero);
     let what = format!("{name} is {length:.1} mm long; {} mm is the least", limits.line_length);
-    Some(FoundBreach::at(LINE_LENGTH, points(line).next()?, extent, length, what))
+    Some(FoundBreach::at(LINE_LENGTH, points(line).next()?, extent, length, what).of(name))
 }

@@ -49,7 +49,7 @@ fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<F
             1 => format!("{}: another line lies on it, point for point", name_in(names, at)),
             _ => format!("{}: {count} other lines lie on it, point for point", name_in(names, at)),
         };
-        found.push(FoundBreach::at(OVERLAP, middle, extent, 0.0, what));
+        found.push(FoundBreach::at(OVERLAP, middle, extent, 0.0, what).of(name_in(names, at)));
     }
     let is_first = |at: usize| of.get(at).is_none_or(|of| *of == at);
     let mut number = 0..;

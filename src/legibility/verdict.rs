@@ -104,23 +104,7 @@ impl Verdict {
     pub(crate) fn told(&self, wording: &Wording) -> String {
         let Self { errors, warnings, faulty, textures } = *self;
         let percent = |share: f32| wording.percent(share).into();
-        let textures = textures.map_or_else(
-            || "none".to_owned(),
-            |Textures { of_figure, judged, right, felt }| match judged > 0.0 {
-                true if judged < LEAST_JUDGED => {
-                    let values = [("share", percent(of_figure)), ("judged", percent(judged))];
-                    wording.say("verdict-textures-few", &values)
-                }
-                true => {
-                    let near = ("near", percent(1.0 - judged));
-                    let values =
-                        [("share", percent(of_figure)), near, ("judged", percent(judged)), ("right", percent(right))];
-                    wording.say("verdict-textures", &values)
-                }
-                false if felt => wording.say("verdict-textures-near", &[("share", percent(of_figure))]),
-                false => wording.say("verdict-textures-large", &[("share", percent(of_figure))]),
-            },
-        );
+        let textures = textures.map_or_else(|| "none".to_owned(), |textures| textures.told(wording));
         let faulty = if faulty > 0.0 { percent(faulty) } else { "none".into() };
         let values = [
             ("errors", errors.into()),
@@ -129,6 +113,32 @@ impl Verdict {
             ("textures", textures.into()),
         ];
         wording.say("verdict", &values)
+    }
+}
+
+/// Less than this share is not told: it would be under 1 percent.
+const LEAST_TOLD: f32 = 0.005;
+
+impl Textures {
+    /// What of them is read right and wrong and what could not be judged, in shares of all of them: what is told of a
+    /// part sounds as if it were told of all.
+    fn told(&self, wording: &Wording) -> String {
+        let Self { judged, right, felt, .. } = *self;
+        if judged <= 0.0 {
+            return wording.say(if felt { "verdict-textures-near" } else { "verdict-textures-large" }, &[]);
+        }
+        let percent = |share: f32| wording.percent(share).into();
+        if judged < LEAST_JUDGED {
+            return wording.say("verdict-textures-few", &[("judged", percent(judged))]);
+        }
+        let wrong = judged * (1.0 - right);
+        let or_none = |is_told: bool, share: f32| if is_told { percent(share) } else { "none".into() };
+        let values = [
+            ("right", percent(judged * right)),
+            ("wrong", or_none(wrong >= LEAST_TOLD, wrong)),
+            ("rest", or_none(judged <= 1.0 - LEAST_TOLD, 1.0 - judged)),
+        ];
+        wording.say("verdict-textures", &values)
     }
 }
 

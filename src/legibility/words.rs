@@ -32,7 +32,7 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
             let (have, need) = (text.dots.at.len(), count);
             let dots = if have == 1 { "1 dot".to_owned() } else { format!("{have} dots") };
             let what = format!("{name} has {dots}, and its cells have {need}");
-            return Some(FoundBreach::at(BRAILLE_CELL, extent.center(), extent, 0.0, what));
+            return Some(FoundBreach::at(BRAILLE_CELL, extent.center(), extent, 0.0, what).of(&name));
         }
         let (at, off) = farthest_off(&text.dots.at, &wanted);
         let what = || {
@@ -42,7 +42,7 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
             );
             format!("{name}: a dot lies {off:.1} mm off its place in a standard cell ({measures})")
         };
-        (off > BRAILLE_OFF).then(|| FoundBreach::at(BRAILLE_CELL, at, extent, off, what()))
+        (off > BRAILLE_OFF).then(|| FoundBreach::at(BRAILLE_CELL, at, extent, off, what()).of(&name))
     };
     page.braille.iter().enumerate().filter_map(of).collect()
 }

@@ -37,6 +37,8 @@ const ROUND: f32 = 0.85;
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
 const BESIDE: f32 = 1.0;
+/// Points are of one size if their radii differ by no more than this share.
+const SAME_SIZE: f32 = 0.2;
 /// A point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
@@ -67,6 +69,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
     let mut points: Vec<Point> = Vec::new();
+    let mut alone: Vec<Point> = Vec::new();
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = points.iter().any(|other| (other.at - point.at).length() <= other.radius.max(point.radius));
@@ -82,6 +85,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         };
         let is_pointed_at = matches!(arms[..], [PointArm { kind: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
+            alone.push(point);
             continue;
         }
         taken[number] = true;
@@ -100,7 +104,22 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         number += 1;
         !taken[number - 1]
     });
+    like_those_alone(&mut points, &alone, params);
     points
+}
+
+/// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines
+/// are rings, and so are those on lines then, unless hollow points are told from filled ones.
+fn like_those_alone(points: &mut [Point], alone: &[Point], params: &Params) {
+    let is_hollow = |point: &Point| !point.is_filled;
+    if points.iter().chain(alone).any(is_hollow) {
+        return;
+    }
+    let is_like = |point: &Point, other: &Point| (point.radius / other.radius - 1.0).abs() <= SAME_SIZE;
+    let is_ring = |other: &Point| !params.hands_marks_on || !params.is_dot(std::f32::consts::TAU * other.radius);
+    for point in points {
+        point.is_filled = !alone.iter().any(|other| is_like(point, other) && is_ring(other));
+    }
 }
 
 /// A line that comes to a point.
@@ -387,6 +406,19 @@ mod tests {
             assert!(take(&mut lines, &PARAMS).is_empty() && lines.len() == 2);
         }
         assert!(take(&mut vec![axis(10.0, 48.0), disc(50.0, 60.0)], &PARAMS).is_empty(), "pointed at");
+    }
+
+    #[test]
+    fn discs_on_lines_are_rings_where_others_beside_lines_are() {
+        let away = |step: f32| line(&arc((60.0, 30.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector);
+        let taken = |others: &[Polyline<Vertex>]| {
+            let mut lines = [&[axis(10.0, 90.0), disc(50.0, 60.0)], others].concat();
+            take(&mut lines, &PARAMS).iter().map(|point| point.is_filled).collect::<Vec<_>>()
+        };
+        assert_eq!(taken(&[]), [true]);
+        assert_eq!(taken(&[away(60.0)]), [false], "towns of a map, of which one lies on a river");
+        assert_eq!(taken(&[away(60.0), disc(70.0, 0.0)]), [true, false], "hollow points mean something else");
+        assert_eq!(taken(&[line(&arc((60.0, 30.0), 2.7, (0.0, 1.0)), true, 60.0, FoundIn::Vector)]), [true]);
     }
 
     #[test]

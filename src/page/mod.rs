@@ -20,6 +20,6 @@ mod text;
 mod transform;
 
 pub use medium::{DotMedium, Medium, MediumParams, Print};
-pub use names::{Names, area_name, line_name, overview_line_name};
+pub use names::{Names, area_name, line_name, overview_line_name, text_name};
 pub use origin::{InSet, LeftOut};
 pub use parts::*;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::parts::{Class, Page};
+use super::parts::{BrailleText, Class, Page, TextRole};
 
 /// The names of a page's objects, in the order of the page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -13,6 +13,9 @@ pub struct Names {
     pub overview_lines: Vec<String>,
     /// Those of the areas, such as "red area 2".
     pub areas: Vec<String>,
+    /// In which line of its file each of them and each text begins, by its name, counted from 1; of a page that was
+    /// read.
+    pub rows: BTreeMap<String, u32>,
 }
 
 impl Names {
@@ -29,6 +32,7 @@ impl Names {
             lines: (1..=page.figure.lines.len()).map(line_name).collect(),
             overview_lines: (1..=overview).map(overview_line_name).collect(),
             areas: page.figure.textures.iter().map(|texture| area(texture.class)).collect(),
+            rows: BTreeMap::new(),
         }
     }
 }
@@ -41,6 +45,15 @@ pub fn line_name(number: usize) -> String {
 /// The name of a line of the overview.
 pub fn overview_line_name(number: usize) -> String {
     format!("overview line {number}")
+}
+
+/// What a text in braille is called.
+pub fn text_name(text: &BrailleText) -> String {
+    match text.role {
+        TextRole::Title => "the title".into(),
+        TextRole::Number => "the page number".into(),
+        TextRole::Label | TextRole::Key => format!("\"{}\"", text.text),
+    }
 }
 
 /// The name of an area: each class counts its own.

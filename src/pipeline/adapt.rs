@@ -72,6 +72,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
             overview_lines: read.names.overview_lines.clone(),
             // they have others than in the file where some were drawn or left out
             areas: Names::of(&page).areas,
+            rows: read.names.rows.clone(),
         };
         let limits = plan.limits();
         let of_overview = legibility::overview_as_told(&page, &names, &limits);

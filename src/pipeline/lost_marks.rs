@@ -182,8 +182,18 @@ fn ordinal(number: usize) -> String {
     }
 }
 
-fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {
-    let first = marks.first?;
+/// What the maker is told of marks of angles that the overview has not, where a reader may think that the angle has
+/// none. Ticks say little in an overview.
+pub(super) fn told_of_overview(marks: &LostMarks) -> Option<Note> {
+    let LostMarks { arcs, corners, .. } = *marks;
+    let told = listed(&LostMarks { ticks: 0, ..*marks })?;
+    let (are, they_are) = if arcs + corners == 1 { ("is", "it is") } else { ("are", "they are") };
+    let told = format!("{told} {are} in the figure only, as {they_are} too short for fingers in the overview");
+    Some(Note::TakenAs(About::Overview, told))
+}
+
+/// Marks by their kinds, such as "2 short ticks and 1 arc of an angle"; none where there are none.
+fn listed(marks: &LostMarks) -> Option<String> {
     let count = |count: usize, one: &str, more: &str| match count {
         0 => None,
         1 => Some(format!("1 {one}")),
@@ -195,12 +205,17 @@ fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {
         count(marks.corners, "mark of a right angle", "marks of right angles"),
     ];
     let all: Vec<String> = all.into_iter().flatten().collect();
+    (!all.is_empty()).then(|| all.join(" and "))
+}
+
+fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {
+    let (first, all) = (marks.first?, listed(marks)?);
     let (at, least) = (format!("the first at {:.0}, {:.0} mm", first.x, first.y), plan.lines().min_length);
     let why = format!(
         "marks shorter than {least:.0} mm are too short for fingers; say in a label what they mean, draw them longer, \
          or make the figure larger"
     );
-    Some(Note::NotOnPage(About::Lines, format!("{} ({at}): {why}", all.join(" and "))))
+    Some(Note::NotOnPage(About::Lines, format!("{all} ({at}): {why}")))
 }
 
 #[cfg(test)]
@@ -261,6 +276,10 @@ mod tests {
                       shorter than 8 mm";
         assert!(told.starts_with(wanted), "{told}");
         assert_eq!(super::told(&Lost::default(), &plan), []);
+        let in_overview = told_of_overview(&marks).expect("a note").to_string();
+        let wanted = "1 mark of a right angle is in the figure only, as it is too short for fingers in the overview";
+        assert_eq!(in_overview, wanted);
+        assert_eq!(told_of_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
         let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
         let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
         assert!(

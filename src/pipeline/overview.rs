@@ -4,6 +4,7 @@ use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
 use super::hand_lines::{near_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
+use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
 use super::request::{OverviewSize, scale_of_photograph};
@@ -167,6 +168,7 @@ impl OverviewSource<'_> {
                 drawn = plain;
             }
         }
+        drawn.lost.marks = lost_marks::of(edges, &drawn, place, &transform, params.min_length);
         let subjects_lacking = outlines.subjects_lacking(&transform, params.min_length);
         PlacedOverview { place, lines: drawn.lines, lost: drawn.lost, subjects_lacking }
     }
@@ -218,7 +220,8 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
         true => Note::LinesNotInOverview { percent, place: lost.place_name() },
         false => Note::NoRoomForOverview,
     });
-    subjects.into_iter().chain(shapes).chain(lines)
+    let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
+    subjects.into_iter().chain(shapes).chain(marks).chain(lines)
 }
 
 #[cfg(test)]

@@ -62,7 +62,10 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
         count => (format!("the textures of {count} areas ({}; the first {at})", colours.join(", ")), "they are"),
     };
     let why = format!("{they_are} smaller than {least} square mm (colours.min_area), in which fingers tell a texture");
-    let told = format!("{areas}, as {why}; say in labels what matters of the colours, or make the figure larger");
+    let told = format!(
+        "{areas}, as {why}; say in labels what matters of the colours, as a \
+         key names only those that have a texture on the page, or make the figure larger"
+    );
     Some(Note::NotOnPage(About::Areas, told))
 }
 

@@ -242,6 +242,8 @@ pub(super) fn draw_textures(
 mod tests {
     use super::*;
     use crate::classes::Region;
+    use crate::lines::Run;
+    use crate::page::{Glyph, Shape};
     use crate::profile::Profile;
     use crate::raster::plane::Plane;
 
@@ -290,6 +292,34 @@ mod tests {
                       lines stand out; figure.ground = true draws it";
         assert_eq!(note.as_deref(), Some(wanted));
         assert_eq!(blanked(rows, "swell-a4"), (vec![38, 30, 4], None), "paper has room for it");
+    }
+
+    #[test]
+    fn a_part_between_lines_without_a_sign_is_bare_though_its_region_has_some() {
+        // a bar of one region, which a line divides, 10 mm a cell
+        let classes =
+            classes(["............", ".bbbbbbbbbb.", ".bbbbbbbbbb.", ".bbbbbbbbbb.", ".bbbbbbbbbb.", "............"]);
+        let place = MmRect::new(MmPoint::zero(), MmPoint::new(120.0, 60.0));
+        let line = Line {
+            strength: 60.0,
+            runs: vec![Run::stroke(1.5, vec![MmPoint::new(60.0, 0.0), MmPoint::new(60.0, 60.0)])],
+        };
+        let sign = |x: f32| Glyph { at: MmPoint::new(x, 30.0), shape: Shape::Dot { diameter: 1.0 } };
+        let bare = |signs: &[f32]| {
+            let params = plan("swell-a4").textures();
+            let texture = Texture {
+                class: Class::Blue,
+                sign: params.palette.sign(Class::Blue),
+                colour: [0; 3],
+                area: 4000.0,
+                glyphs: signs.iter().map(|x| sign(*x)).collect(),
+            };
+            bare_areas(&classes, &[texture], std::slice::from_ref(&line), place)
+        };
+        assert_eq!(bare(&[30.0, 90.0]), [0_usize; 0]);
+        let [cell] = bare(&[30.0])[..] else { panic!("one is bare") };
+        assert!(cell % 12 >= 6, "the right part: {cell}");
+        assert_eq!(bare(&[]).len(), 1, "a region without any sign is told once");
     }
 
     #[test]

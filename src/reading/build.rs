@@ -9,17 +9,16 @@ use super::marks::{PaintedShape, PaintedShapes};
 use super::names::{self, Name};
 use super::shapes::{disc, glyph};
 use super::subpath::{Subpath, clean};
-use super::tally::{Tally, What};
+use super::tally::{self, Tally, What};
 use super::words::{PageWords, language};
 use crate::devices::{Device, DotArea};
-use crate::listing::counted;
 use crate::output::layer::{self, Layer};
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
-    Print, PrintText, Run, Shape, Sign, TextRole, Texture,
+    Print, PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
 };
 use crate::units::{MmPoint, MmRect, MmVector, Size};
-use crate::{About, Error, Note};
+use crate::{Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
@@ -69,14 +68,24 @@ pub(super) fn page(
     for pieces in runs {
         builder.add_lines(pieces);
     }
-    let Builder { mut parts, tally, overview, overview_frame, mut regions, areas, line_names, overview_names, .. } =
-        builder;
+    let Builder {
+        mut parts,
+        tally,
+        overview,
+        overview_frame,
+        mut regions,
+        areas,
+        line_names,
+        overview_names,
+        text_begins,
+        ..
+    } = builder;
     regions.sort_by_key(|(number, _, _)| *number);
-    let names = Names {
-        lines: names::told(&line_names),
-        overview_lines: names::told(&overview_names),
-        areas: names::told(&regions.iter().map(|(_, name, _)| name.clone()).collect::<Vec<_>>()),
-    };
+    let area_names = regions.iter().map(|(_, name, _)| name.clone()).collect();
+    let texts: Vec<(String, usize)> = parts.braille.iter().map(text_name).zip(text_begins).collect();
+    let objects = [line_names, overview_names, area_names];
+    let by_hand = objects[0].iter().map(|name| name.by_hand).collect();
+    let names = names::of_page(&objects, texts, elements.text);
     parts.figure.textures = regions.into_iter().map(|(_, _, texture)| texture).collect();
     parts.figure.place = on_sheet(place(Layer::Figure), sheet);
     parts.figure.source = source(elements).unwrap_or_else(|| {
@@ -87,15 +96,7 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let mut notes: Vec<Note> = tally.notes().collect();
-    let left_out = |what: String| Note::NotOnPage(About::Marks, what);
-    let more = [
-        (pictures, format!("{}: convert what is in a picture to lines first", counted(pictures, "picture"))),
-        (far, format!("{} far beyond the sheet", counted(far, "mark"))),
-        (clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
-        (patterned, format!("gradients and patterns ({patterned}), which are taken as black")),
-    ];
-    notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(_, what)| left_out(what)));
+    let notes = tally.notes().chain(tally::left_out([pictures, far, clipped, patterned])).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();
@@ -105,7 +106,6 @@ pub(super) fn page(
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    let by_hand = line_names.iter().map(|name| name.by_hand).collect();
     Ok(Built { page: Page::new(parts)?, names, by_hand, notes, areas })
 }
 
@@ -176,6 +176,8 @@ struct Builder<'m> {
     regions: Vec<(usize, Name, Texture)>,
     /// Which text is which object.
     texts: Vec<usize>,
+    /// Where the element of each text begins in the file.
+    text_begins: Vec<usize>,
     /// Areas that a person drew.
     areas: Vec<DrawnArea>,
     /// Which dots of labels are which object.
@@ -197,6 +199,7 @@ impl<'m> Builder<'m> {
             overview_names: Vec::new(),
             regions: Vec::new(),
             texts: Vec::new(),
+            text_begins: Vec::new(),
             areas: Vec::new(),
             labels: Vec::new(),
             tally: Tally::default(),
@@ -205,16 +208,14 @@ impl<'m> Builder<'m> {
 
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
     fn add(&mut self, mark: &PaintedShape<'_>, runs: &mut Vec<Pieces>) {
+        let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
         if self.is_foreign && mark.layer.is_none() {
-            let at = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
-            return self.tally.add(What::Foreign, at);
+            return self.tally.add(What::Foreign, first);
         }
         if mark.layer == Some(Layer::PrintWords) {
-            let at = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
-            return self.tally.add(What::InPrint, at);
+            return self.tally.add(What::InPrint, first);
         }
         let has_heights = self.medium.has_heights();
-        let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
         let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
         let is_area = area.is_some();
         if let Some(area) = area {
@@ -433,6 +434,7 @@ impl<'m> Builder<'m> {
         let text = spoken.strip_prefix(&prefix).unwrap_or(&spoken).to_owned();
         let lines = said("data-braille").unwrap_or_default();
         self.texts.push(mark.object);
+        self.text_begins.push(mark.element.range().start);
         self.parts.braille.push(BrailleText {
             role,
             text,

@@ -179,6 +179,8 @@ pub(super) fn with_ids(text: &str) -> Result<String, Error> {
 /// Elements by their ids.
 pub(super) struct Elements<'a> {
     by_id: HashMap<&'a str, Node<'a, 'a>>,
+    /// The text in which they are written.
+    pub(super) text: &'a str,
 }
 
 impl<'a> Elements<'a> {
@@ -189,7 +191,7 @@ impl<'a> Elements<'a> {
                 by_id.entry(id).or_insert(node);
             }
         }
-        Self { by_id }
+        Self { by_id, text: document.input_text() }
     }
 
     pub(super) fn get(&self, id: &str) -> Option<Node<'a, 'a>> {

@@ -1,11 +1,11 @@
 //! What the objects of a page that was read are called: as an editor lists them.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use usvg::roxmltree::Node;
 
 use super::document::{UNNAMED, label_of};
-use crate::page::Class;
+use crate::page::{Class, Names};
 
 /// Most characters of a name.
 const MOST: usize = 40;
@@ -17,6 +17,8 @@ pub(super) struct Name {
     /// None if it has neither a label nor an id of its own.
     shown: Option<String>,
     id: String,
+    /// Where its element begins in the text of the file.
+    pub(super) begins: usize,
     /// Whether it is a line that a person drew: those that we write say how strong they are.
     pub(super) by_hand: bool,
 }
@@ -53,7 +55,7 @@ fn named(element: Node<'_, '_>, kind: &'static str, is_ours: impl Fn(&str) -> bo
         }
         None => None,
     };
-    Name { kind, shown, id: id.to_owned(), by_hand: false }
+    Name { kind, shown, id: id.to_owned(), begins: element.range().start, by_hand: false }
 }
 
 fn is_numbered(name: &str, prefix: &str) -> bool {
@@ -66,7 +68,7 @@ fn is_number(text: &str) -> bool {
 
 /// The names as they are told. Copies of an object have its label: they are told by their ids as well; objects without
 /// a name are counted.
-pub(super) fn told(names: &[Name]) -> Vec<String> {
+fn told(names: &[Name]) -> Vec<String> {
     // for each shown name the ids that have it, numbered in order
     let mut ids: HashMap<Option<&str>, HashMap<&str, usize>> = HashMap::new();
     for name in names {
@@ -86,6 +88,27 @@ pub(super) fn told(names: &[Name]) -> Vec<String> {
         }
     };
     names.iter().map(tell).collect()
+}
+
+/// The names of the lines of the figure, of those of the overview and of the areas of a page, and in which line of
+/// its `text` each of them and of the texts in braille begins; these come with their names and where they begin.
+pub(super) fn of_page(
+    [lines, overview_lines, areas]: &[Vec<Name>; 3],
+    texts: Vec<(String, usize)>,
+    text: &str,
+) -> Names {
+    let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
+    let row = |begins: usize| 1 + ends.partition_point(|end| *end < begins) as u32;
+    let [told_lines, told_overview, told_areas] = [lines, overview_lines, areas].map(|names| told(names));
+    let mut rows: BTreeMap<String, u32> = BTreeMap::new();
+    let of_names = |told: &[String], names: &[Name]| -> Vec<(String, usize)> {
+        told.iter().cloned().zip(names.iter().map(|name| name.begins)).collect()
+    };
+    let of_lines = [of_names(&told_lines, lines), of_names(&told_overview, overview_lines)];
+    for (name, begins) in of_lines.into_iter().flatten().chain(of_names(&told_areas, areas)).chain(texts) {
+        rows.entry(name).or_insert_with(|| row(begins));
+    }
+    Names { lines: told_lines, overview_lines: told_overview, areas: told_areas, rows }
 }
 
 fn article(noun: &str) -> &'static str {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::listing::counted;
 use crate::units::MmPoint;
 use crate::{About, Note};
 
@@ -23,6 +24,18 @@ pub(super) enum What {
     UnevenDots,
     Foreign,
     InPrint,
+}
+
+/// What is told of pictures of pixels, of marks far beyond the sheet, of what cuts off others, and of what is filled
+/// unevenly, by how many there are.
+pub(super) fn left_out([pictures, far, clipped, patterned]: [usize; 4]) -> impl Iterator<Item = Note> {
+    let all = [
+        (pictures, format!("{}: convert what is in a picture to lines first", counted(pictures, "picture"))),
+        (far, format!("{} far beyond the sheet", counted(far, "mark"))),
+        (clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
+        (patterned, format!("gradients and patterns ({patterned}), which are taken as black")),
+    ];
+    all.into_iter().filter(|(count, _)| *count > 0).map(|(_, what)| Note::NotOnPage(About::Marks, what))
 }
 
 impl Tally {

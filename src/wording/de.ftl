@@ -128,11 +128,14 @@ verdict = Urteil: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = Texturen bedecken { $share } der Abbildung: von den { $judged } davon, die zu beurteilen waren, liest eine
-    Fingerkuppe von 1 mm { $right } richtig; die übrigen { $near } liegen so nah an Linien und Rändern, dass über sie nichts gesagt ist
-verdict-textures-few = Texturen bedecken { $share } der Abbildung: nur { $judged } davon waren zu beurteilen, weil die übrigen zu nah
-    an Linien und Rändern liegen; das ist zu wenig, um zu sagen, wie eine Fingerkuppe sie liest
-verdict-textures-near = Texturen bedecken { $share } der Abbildung: nichts davon war zu beurteilen, weil alle zu nah an Linien und
-    Rändern liegen; ob sie zu unterscheiden sind, ist also nicht gesagt
-verdict-textures-large = Texturen bedecken { $share } der Abbildung: nichts davon war zu beurteilen, weil die Seite für das Modell
-    einer Fingerkuppe zu groß ist; ob sie zu unterscheiden sind, ist also nicht gesagt
+verdict-textures = eine Fingerkuppe liest { $right } der Texturen richtig{ $wrong ->
+    [none] {""}
+   *[other] {" "}und { $wrong } falsch
+}{ $rest ->
+    [none] {""}
+   *[other] ; der Rest liegt zu nah an Linien und Rändern, um beurteilt zu werden
+}
+verdict-textures-few = nur { $judged } der Texturen waren zu beurteilen, weil der Rest zu nah an Linien und Rändern liegt: zu wenig,
+    um zu sagen, wie eine Fingerkuppe sie liest
+verdict-textures-near = die Texturen waren nicht zu beurteilen, weil alle zu nah an Linien und Rändern liegen
+verdict-textures-large = die Texturen waren nicht zu beurteilen, weil die Seite für das Modell einer Fingerkuppe zu groß ist

@@ -137,11 +137,14 @@ verdict = Verdict: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = textures cover { $share } of the figure: of the { $judged } of them that could be judged a fingertip of 1 mm
-    reads { $right } right; the other { $near } lie so near to lines and borders that nothing is said of them
-verdict-textures-few = textures cover { $share } of the figure: only { $judged } of them could be judged, as the others lie so near
-    to lines and borders; that is too little to say how a fingertip reads them
-verdict-textures-near = textures cover { $share } of the figure: none of them could be judged, as all lie too near to lines and
-    borders, so nothing is said of whether a fingertip can tell them
-verdict-textures-large = textures cover { $share } of the figure: none of them could be judged, as the page is too large for the
-    model of a fingertip, so nothing is said of whether one can tell them
+verdict-textures = a fingertip reads { $right } of the textures right{ $wrong ->
+    [none] {""}
+   *[other] {" "}and { $wrong } wrong
+}{ $rest ->
+    [none] {""}
+   *[other] ; the rest lies too near to lines and borders to be judged
+}
+verdict-textures-few = only { $judged } of the textures could be judged, as the rest lies too near to lines and borders: too
+    little to say how a fingertip reads them
+verdict-textures-near = the textures could not be judged, as all of them lie too near to lines and borders
+verdict-textures-large = the textures could not be judged, as the page is too large for the model of a fingertip

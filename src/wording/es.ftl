@@ -128,11 +128,14 @@ verdict = Veredicto: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = las texturas cubren { $share } de la figura: del { $judged } que se pudo juzgar, una yema de 1 mm lee bien
-    { $right }; el otro { $near } está tan cerca de líneas y bordes que de él no se dice nada
-verdict-textures-few = las texturas cubren { $share } de la figura: solo se pudo juzgar el { $judged }, pues lo demás está demasiado
-    cerca de líneas y bordes; es muy poco para decir cómo las lee una yema
-verdict-textures-near = las texturas cubren { $share } de la figura: nada de ello se pudo juzgar, pues todas están demasiado cerca
-    de líneas y bordes, así que no se dice si se distinguen
-verdict-textures-large = las texturas cubren { $share } de la figura: nada de ello se pudo juzgar, pues la página es demasiado
-    grande para el modelo de una yema, así que no se dice si se distinguen
+verdict-textures = una yema lee bien { $right } de las texturas{ $wrong ->
+    [none] {""}
+   *[other] {" "}y mal { $wrong }
+}{ $rest ->
+    [none] {""}
+   *[other] ; el resto está demasiado cerca de líneas y bordes para juzgarlo
+}
+verdict-textures-few = solo se pudo juzgar { $judged } de las texturas, pues el resto está demasiado cerca de líneas y bordes: es muy
+    poco para decir cómo las lee una yema
+verdict-textures-near = las texturas no se pudieron juzgar, pues todas están demasiado cerca de líneas y bordes
+verdict-textures-large = las texturas no se pudieron juzgar, pues la página es demasiado grande para el modelo de una yema

@@ -128,11 +128,14 @@ verdict = Verdict : { $errors ->
     [none] {""}
    *[other] {" "}; { $textures }
 }.
-verdict-textures = les textures couvrent { $share } de la figure : des { $judged } qui ont pu être jugés, un bout de doigt de 1 mm
-    lit { $right } correctement ; les autres { $near } sont si près des lignes et des bords que rien n'en est dit
-verdict-textures-few = les textures couvrent { $share } de la figure : seuls { $judged } ont pu être jugés, car les autres sont trop
-    près des lignes et des bords ; c'est trop peu pour dire comment un bout de doigt les lit
-verdict-textures-near = les textures couvrent { $share } de la figure : rien n'a pu en être jugé, car toutes sont trop près des
-    lignes et des bords ; on ne dit donc pas si elles se distinguent
-verdict-textures-large = les textures couvrent { $share } de la figure : rien n'a pu en être jugé, car la page est trop grande pour
-    le modèle d'un bout de doigt ; on ne dit donc pas si elles se distinguent
+verdict-textures = un bout de doigt lit correctement { $right } des textures{ $wrong ->
+    [none] {""}
+   *[other] {" "}et { $wrong } de travers
+}{ $rest ->
+    [none] {""}
+   *[other] {" "}; le reste est trop près des lignes et des bords pour être jugé
+}
+verdict-textures-few = seulement { $judged } des textures ont pu être jugées, car le reste est trop près des lignes et des bords : trop
+    peu pour dire comment un bout de doigt les lit
+verdict-textures-near = les textures n'ont pas pu être jugées, car toutes sont trop près des lignes et des bords
+verdict-textures-large = les textures n'ont pas pu être jugées, car la page est trop grande pour le modèle d'un bout de doigt

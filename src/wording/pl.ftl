@@ -131,11 +131,14 @@ verdict = Ocena: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = faktury zajmują { $share } rysunku: z { $judged } z nich, które dało się ocenić, opuszek palca o średnicy 1 mm
-    odczytuje dobrze { $right }; pozostałe { $near } leży tak blisko linii i brzegów, że nic się o tym nie mówi
-verdict-textures-few = faktury zajmują { $share } rysunku: tylko { $judged } z nich dało się ocenić, bo pozostałe leżą zbyt blisko
-    linii i brzegów; to za mało, by powiedzieć, jak odczytuje je opuszek palca
-verdict-textures-near = faktury zajmują { $share } rysunku: niczego z nich nie dało się ocenić, bo wszystkie leżą zbyt blisko linii
-    i brzegów, więc nie wiadomo, czy można je rozróżnić
-verdict-textures-large = faktury zajmują { $share } rysunku: niczego z nich nie dało się ocenić, bo strona jest za duża dla modelu
-    opuszka palca, więc nie wiadomo, czy można je rozróżnić
+verdict-textures = opuszek palca odczytuje dobrze { $right } faktur{ $wrong ->
+    [none] {""}
+   *[other] {" "}i źle { $wrong }
+}{ $rest ->
+    [none] {""}
+   *[other] ; reszta leży zbyt blisko linii i brzegów, by ją ocenić
+}
+verdict-textures-few = tylko { $judged } faktur dało się ocenić, bo reszta leży zbyt blisko linii i brzegów: to za mało, by
+    powiedzieć, jak odczytuje je opuszek palca
+verdict-textures-near = faktur nie dało się ocenić, bo wszystkie leżą zbyt blisko linii i brzegów
+verdict-textures-large = faktur nie dało się ocenić, bo strona jest za duża dla modelu opuszka palca

@@ -88,6 +88,12 @@ fn rules_of_the_codes() {
     for (language, text, cells) in [
         // UEB 7.6: quotation marks inside brackets are those that open and close
         ("en", "(\"Hallo\")", "⠐⠣⠦⠠⠓⠁⠇⠇⠕⠴⠐⠜"),
+        // ONCE, document B 5: degrees, minutes and seconds
+        ("es", "90°", "⠼⠊⠚⠴"),
+        ("es", "27° 22′ 49″", "⠼⠃⠛⠴⠀⠼⠃⠃⠳⠀⠼⠙⠊⠳⠳"),
+        ("es", "20 °C", "⠼⠃⠚⠀⠴⠨⠉"),
+        // as the library for the blind at Monza publishes the code of Italy
+        ("it", "5 €", "⠼⠑⠀⠘⠑"),
         // UEB 6.6: a numeric space joins groups of three digits only
         ("en", "12 345, 3 40", "⠼⠁⠃⠐⠉⠙⠑⠂⠀⠼⠉⠀⠼⠙⠚"),
         ("en", "SEA LEVEL RISE, 2 m", "⠠⠠⠠⠎⠑⠁⠀⠇⠑⠧⠑⠇⠀⠗⠊⠎⠑⠂⠠⠄⠀⠼⠃⠀⠍"),

@@ -91,6 +91,30 @@ fn line(width: f32, points: &[(f32, f32)]) -> Line {
 }
 
 #[test]
+fn lines_that_end_on_a_small_ring_meet_in_it_as_in_a_point() {
+    let ring = |radius: f32| {
+        let at = |k: u32| {
+            let turn = std::f32::consts::TAU * k as f32 / 40.0;
+            MmPoint::new(60.0 + radius * turn.cos(), 50.0 + radius * turn.sin())
+        };
+        let points: Vec<MmPoint> = (0..=40).map(at).collect();
+        Line { strength: 20.0, runs: vec![Run::stroke(1.0, points)] }
+    };
+    // two roads at 40 degrees
+    let road = |radius: f32, degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        line(1.0, &[(60.0 + radius * cos, 50.0 + radius * sin), (60.0 + 45.0 * cos, 50.0 + 45.0 * sin)])
+    };
+    let found = |radius: f32| too_near(&[ring(radius), road(radius, 0.0), road(radius, 40.0)], LEAST).len();
+    assert_eq!(found(3.0), 0);
+    // of the same roads without a ring the ends are too near to one another
+    assert!(!too_near(&[road(3.0, 0.0), road(3.0, 40.0)], LEAST).is_empty());
+    // at a large ring they are two lines
+    let wide = |degrees: f32| road(9.0, degrees);
+    assert!(!too_near(&[ring(9.0), wide(0.0), wide(20.0)], LEAST).is_empty());
+}
+
+#[test]
 fn a_stretch_has_its_length_and_its_place() {
     // 2 mm of blank along 40 mm, and then away at 45 degrees
     let lines = [line(1.0, &[(10.0, 50.0), (110.0, 50.0)]), line(1.0, &[(30.0, 53.0), (70.0, 53.0), (100.0, 83.0)])];

@@ -219,12 +219,41 @@ fn the_verdict_is_weighted_by_area_and_says_what_was_not_judged() {
     let textures = checked.verdict.textures.expect("it has textures");
     assert!(textures.judged < 0.25 && textures.right > 0.9, "{textures:?}");
     let told = checked.verdict.to_string();
-    let few = format!("only {:.0} % of them could be judged", 100.0 * textures.judged);
+    let few = format!("only {:.0} % of the textures could be judged", 100.0 * textures.judged);
     assert!(told.contains(&few) && !told.contains("right"), "{told}");
     let mut enough = checked.verdict;
     enough.textures.iter_mut().for_each(|textures| textures.judged = 0.6);
     let told = enough.to_string();
-    assert!(told.contains("the other 40 % lie so near to lines and borders that nothing is said of them"), "{told}");
+    assert!(told.contains("; the rest lies too near to lines and borders to be judged"), "{told}");
+    enough.textures.iter_mut().for_each(|textures| (textures.judged, textures.right) = (0.8, 0.75));
+    let told = enough.to_string();
+    assert!(told.contains("reads 60 % of the textures right and 20 % wrong; the rest lies"), "{told}");
+    enough.textures.iter_mut().for_each(|textures| (textures.judged, textures.right) = (1.0, 1.0));
+    let told = enough.to_string();
+    assert!(told.ends_with("; a fingertip reads 100 % of the textures right."), "{told}");
+}
+
+/// A finding says in which line of the file its element stands: of lines and texts, as they were written or drawn by
+/// hand.
+#[test]
+fn findings_have_their_line_in_the_file() {
+    let written = page::of_sample("cell.svg", "swell-a4").page.to_svg();
+    let by_hand = "<path id=\"roof\" d=\"M100,150L103,150\" stroke=\"#000\" stroke-width=\"1.5\"/>\n\
+                   <text x=\"30\" y=\"40\" font-size=\"6\">cell</text>\n";
+    let (before, after) = written.rsplit_once("</svg>").expect("its end");
+    let edited = format!("{before}\n{by_hand}</svg>{after}");
+    let row_of = |what: &str| 1 + edited[..edited.find(what).expect("it is there")].matches('\n').count() as u32;
+    let checked = check(&edited, None).expect("it can be read");
+    let line_of = |rule: &str, what: &str| {
+        let found = checked.findings.iter().find(|found| found.rule.id == rule && found.what.contains(what));
+        found.unwrap_or_else(|| panic!("{rule}: {checked}")).line
+    };
+    assert_eq!(line_of("line-length", "\"roof\""), Some(row_of("<path id=\"roof\"")));
+    assert_eq!(line_of("letters", "\"cell\""), Some(row_of("<text")));
+    let sarif: serde_json::Value = serde_json::from_str(&checked.to_sarif("page.svg")).expect("JSON");
+    let rows = sarif["runs"][0]["results"].as_array().expect("results").iter();
+    let rows = rows.map(|result| result["locations"][0]["physicalLocation"]["region"]["startLine"].as_u64());
+    assert!(rows.flatten().any(|row| row == u64::from(row_of("<path id=\"roof\""))));
 }
 
 #[test]

@@ -1,0 +1,136 @@
+//! Which words stay on one line: those of an equation, and a number with its unit.
+
+/// Signs that join what stands beside them with blanks.
+const SIGNS: &str = "=+\u{2212}\u{d7}\u{f7}\u{b7}<>\u{2264}\u{2265}\u{2248}\u{2260}\u{b1}\u{221d}";
+/// Signs that do so between numbers and letters of equations only; between words they are dashes and the like.
+const SIGNS_OF_TERMS: &str = "-\u{2010}\u{2013}*/:";
+/// Signs of comparison, in front of which a long equation is divided.
+const COMPARISONS: &str = "=<>\u{2264}\u{2265}\u{2248}\u{2260}\u{221d}";
+/// Signs of currencies stand before their number or behind it.
+const CURRENCIES: &str = "\u{20ac}$\u{a3}\u{a5}\u{a2}";
+/// Most letters of a term, such as those of a line between two points.
+const LETTERS_OF_TERM: usize = 2;
+/// An equation of more characters is divided in front of its signs of comparison: labels have no more in a line.
+const LONG: usize = 20;
+/// Units, as they stand behind numbers; those with a stroke, such as km/h, are made of them.
+const UNITS: [&str; 56] = [
+    "%", "\u{2030}", "\u{b0}", "\u{b0}C", "\u{b0}F", "K", "mm", "cm", "dm", "m", "km", "in", "ft", "yd", "mi", "ha",
+    "a", "mg", "g", "kg", "t", "lb", "oz", "ml", "cl", "dl", "l", "hl", "L", "s", "ms", "min", "h", "d", "Std", "Hz",
+    "kHz", "MHz", "V", "mV", "kV", "A", "mA", "W", "kW", "MW", "kWh", "J", "kJ", "N", "kN", "Pa", "hPa", "kPa", "bar",
+    "mol",
+];
+
+/// The spaces of a text at which no line ends, in order.
+pub(super) fn spaces(text: &[char]) -> Vec<usize> {
+    let words: Vec<&[char]> = text.split(|letter| *letter == ' ').collect();
+    let mut ends = Vec::with_capacity(words.len());
+    let mut at = 0;
+    for word in &words {
+        at += word.len();
+        ends.push(at);
+        at += 1;
+    }
+    let mut joined: Vec<usize> = (1..words.len()).filter(|&next| is_joined(&words, next)).collect();
+    // what belongs together may be too long for a line
+    let is_long = |next: usize, joined: &[usize]| {
+        let first = (1..=next).rev().take_while(|before| joined.contains(before)).last().unwrap_or(next);
+        let last = (next..words.len()).take_while(|after| joined.contains(after)).last().unwrap_or(next);
+        ends[last] - (ends[first - 1] - words[first - 1].len()) > LONG
+    };
+    let all = joined.clone();
+    joined.retain(|&next| !is_one_of(words[next], COMPARISONS) || !is_long(next, &all));
+    joined.into_iter().map(|next| ends[next - 1]).collect()
+}
+
+/// The blanks of cells at which no line ends, where another program wrote this text: known where it has as many words
+/// as its braille.
+pub(super) fn blanks(text: &str, cells: &[u8]) -> Vec<usize> {
+    let text: Vec<char> = text.chars().collect();
+    let of_text = || text.iter().enumerate().filter(|(_, letter)| **letter == ' ').map(|(at, _)| at);
+    let blanks: Vec<usize> = (0..cells.len()).filter(|&at| cells[at] == 0).collect();
+    if blanks.len() != of_text().count() {
+        return Vec::new();
+    }
+    let joined = spaces(&text);
+    of_text().zip(blanks).filter(|(space, _)| joined.contains(space)).map(|(_, blank)| blank).collect()
+}
+
+/// Whether a word stays on the line of the one before it.
+fn is_joined(words: &[&[char]], next: usize) -> bool {
+    let (before, after) = (words[next - 1], words[next]);
+    let other = |at: Option<usize>| at.and_then(|at| words.get(at)).is_some_and(|word| is_term(word));
+    let is_sign = is_one_of(before, SIGNS) || is_one_of(after, SIGNS);
+    let is_between_terms = is_one_of(before, SIGNS_OF_TERMS) && is_term(after) && other(next.checked_sub(2))
+        || is_one_of(after, SIGNS_OF_TERMS) && is_term(before) && other(Some(next + 1));
+    let is_measure = is_number(before) && (is_unit(after) || is_group(before, after) || is_one_of(after, CURRENCIES))
+        || is_one_of(before, CURRENCIES) && is_number(after);
+    is_sign || is_between_terms || is_measure
+}
+
+fn is_one_of(word: &[char], signs: &str) -> bool {
+    matches!(word, [sign] if signs.contains(*sign))
+}
+
+/// A number or a few letters, as they stand in equations.
+fn is_term(word: &[char]) -> bool {
+    word.iter().any(char::is_ascii_digit)
+        || (1..=LETTERS_OF_TERM).contains(&word.len()) && word.iter().all(|letter| letter.is_alphabetic())
+}
+
+fn is_number(word: &[char]) -> bool {
+    let digits = word.iter().filter(|letter| letter.is_ascii_digit()).count();
+    digits > 0 && word.last().is_some_and(char::is_ascii_digit) && word.len() - digits <= digits
+}
+
+/// Whether three digits go on with a number, as in 12 000.
+fn is_group(before: &[char], after: &[char]) -> bool {
+    let is_three = after.len() >= 3 && after[..3].iter().all(char::is_ascii_digit);
+    is_three && after.get(3).is_none_or(|next| !next.is_ascii_digit()) && before.len() <= 3
+}
+
+/// Whether a word is a unit, perhaps with a power and with punctuation behind it.
+fn is_unit(word: &[char]) -> bool {
+    let word: String = word.iter().collect();
+    let word = word.trim_end_matches([',', '.', ';', ':', '?', '!', ')']);
+    let is_known = |part: &str| UNITS.contains(&part.trim_end_matches(['\u{b2}', '\u{b3}', '2', '3']));
+    !word.is_empty() && word.split('/').all(is_known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The text with an underscore at each blank at which no line ends.
+    fn joined(text: &str) -> String {
+        let letters: Vec<char> = text.chars().collect();
+        let joined = spaces(&letters);
+        letters.iter().enumerate().map(|(at, letter)| if joined.contains(&at) { '_' } else { *letter }).collect()
+    }
+
+    #[test]
+    fn equations_and_measures_stay_on_one_line() {
+        for (text, want) in [
+            ("x = ?", "x_=_?"),
+            ("c = 12 cm", "c_=_12_cm"),
+            ("speed 12 km/h", "speed 12_km/h"),
+            ("area 20 m\u{b2}, wet", "area 20_m\u{b2}, wet"),
+            ("20 \u{b0}C at noon", "20_\u{b0}C at noon"),
+            ("5 - 3 is 2", "5_-_3 is 2"),
+            ("AB - CD", "AB_-_CD"),
+            ("Leeds - Bradford - York", "Leeds - Bradford - York"),
+            ("12 000 people", "12_000 people"),
+            ("\u{20ac} 5 or 5 \u{20ac}", "\u{20ac}_5 or 5_\u{20ac}"),
+            ("3 apples", "3 apples"),
+            ("Area 12", "Area 12"),
+            ("height = length \u{d7} width", "height =_length_\u{d7}_width"),
+        ] {
+            assert_eq!(joined(text), want);
+        }
+    }
+
+    #[test]
+    fn of_braille_by_another_program_the_blanks_are_found_by_their_words() {
+        assert_eq!(blanks("x = 5 cm or so", &[1, 0, 2, 0, 3, 4, 0, 5, 0, 6, 0, 7]), [1, 3, 6]);
+        assert!(blanks("x = 5", &[1, 2, 3]).is_empty(), "it left its blanks out");
+    }
+}
