@@ -101,6 +101,14 @@ mod tests {
     }
 
     #[test]
+    fn a_box_holds_a_level_line_only_if_that_is_in_it() {
+        let place = |x: f32, y: f32, wide: f32, high: f32| MmRect::new((x, y).into(), (x + wide, y + high).into());
+        let ring = place(10.0, 10.0, 4.0, 4.0);
+        assert!(holds_box(ring, place(11.0, 12.0, 2.0, 0.0)) && holds_box(ring, ring));
+        assert!(!holds_box(ring, place(0.0, 12.0, 90.0, 0.0)) && !holds_box(ring, place(50.0, 12.0, 2.0, 0.0)));
+    }
+
+    #[test]
     fn a_row_through_an_l_with_a_hole_is_inside_in_two_parts() {
         let outer = points(&[(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (4.0, 4.0), (4.0, 10.0), (0.0, 10.0)]);
         let hole = points(&[(2.0, 1.0), (6.0, 1.0), (6.0, 3.0), (2.0, 3.0)]);

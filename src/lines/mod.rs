@@ -28,6 +28,7 @@ mod params;
 mod points;
 mod row_marks;
 mod saliency;
+mod series;
 mod ticks;
 mod vertex;
 mod weight;
@@ -49,6 +50,7 @@ pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
 pub use params::Params;
+pub use series::without_scraps;
 
 use crate::edges::Edges;
 use crate::geom::polyline::Polyline;

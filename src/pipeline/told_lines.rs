@@ -85,3 +85,29 @@ pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
 fn of_lines(lost: &Lost) -> f32 {
     (lost.lost - lost.marks.length).max(0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::LostLine;
+    use crate::units::MmRect;
+
+    #[test]
+    fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
+        let line = |x: f32, length: f32, closed: bool| LostLine {
+            extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
+            length,
+            closed,
+        };
+        let told = |gone: Vec<LostLine>| {
+            let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
+            told_gone(&lost).map(|note| note.to_string())
+        };
+        assert_eq!(told(vec![]), None);
+        assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
+        let hand = told(vec![line(20.0, 36.0, false)]).expect("a hand of a clock");
+        assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm)"), "{hand}");
+        let two = told(vec![line(20.0, 12.0, false), line(50.0, 30.0, true)]).expect("two");
+        assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm)"), "{two}");
+    }
+}
