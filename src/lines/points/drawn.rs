@@ -18,7 +18,7 @@ pub(in crate::lines) struct DrawnPoints {
     /// Of the line of each filled one its number, and where its bead is.
     pub(super) beads: Vec<(usize, MmPoint)>,
     /// Where lines end at hollow ones, and how far from their middles, mm.
-    holes: Vec<(MmPoint, f32)>,
+    pub(super) holes: Vec<(MmPoint, f32)>,
     /// The rings of those.
     pub(in crate::lines) rings: Vec<Polyline<Vertex>>,
     /// How many have no room.
