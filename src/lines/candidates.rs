@@ -10,6 +10,7 @@ use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
 use super::points::{self, Point};
+use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, join, junction, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
@@ -59,6 +60,7 @@ impl LineCandidates {
                 (true, None) => scales = ticks::take(&mut polylines, area, params),
                 _ => ticks::lengthen(&mut polylines, area, params),
             }
+            crossbars::lengthen(&mut polylines, area, params);
         }
         let mut short = LossTally::new(area);
         let is_crumb = |polyline: &Polyline<Vertex>| {

@@ -146,12 +146,15 @@ fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Par
     let on_lines = points.to_vec();
     let of_alone = || alone.iter().map(|(_, point)| *point);
     let is_ring = |other: &Point| !params.hands_marks_on || !params.is_dot(std::f32::consts::TAU * other.radius);
-    if !on_lines.iter().copied().chain(of_alone()).any(|point| !point.is_filled) {
+    let are_all_filled = on_lines.iter().copied().chain(of_alone()).all(|point| point.is_filled);
+    if are_all_filled {
         for point in points {
             point.is_filled = !of_alone().any(|other| is_like(point, &other) && is_ring(&other));
         }
     }
-    let beside = alone.iter().filter(|(_, point)| on_lines.iter().any(|other| is_like(point, other)));
+    let is_shown = |point: &Point| !point.is_filled || are_all_filled;
+    let beside =
+        alone.iter().filter(|(_, point)| is_shown(point) && on_lines.iter().any(|other| is_like(point, other)));
     let ring = |(number, point): &(usize, Point)| (*number, Point { is_filled: false, is_alone: true, ..*point });
     if params.hands_marks_on { Vec::new() } else { beside.map(ring).collect() }
 }
@@ -285,7 +288,8 @@ mod tests {
         let away = |step: f32| line(&arc((60.0, 30.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector);
         let taken = |others: &[Polyline<Vertex>]| {
             let mut lines = [&[axis(10.0, 90.0), disc(50.0, 60.0)], others].concat();
-            take(&mut lines, &PARAMS).iter().map(|point| point.is_filled).collect::<Vec<_>>()
+            let points = take(&mut lines, &PARAMS);
+            points.iter().filter(|point| !point.is_alone).map(|point| point.is_filled).collect::<Vec<_>>()
         };
         assert_eq!(taken(&[]), [true]);
         assert_eq!(taken(&[away(60.0)]), [false], "towns of a map, of which one lies on a river");

@@ -62,6 +62,12 @@ pub(super) fn told_gone(lost: &Lost) -> Option<Note> {
     Some(Note::NotOnPage(About::Lines, told))
 }
 
+/// What the maker is told of a squared grid that is left out as a whole.
+pub(super) fn told_grid(lost: &Lost) -> Option<Note> {
+    let why = "pieces of it would be felt as lines; say the scale in a label, or make the figure larger";
+    (lost.grid > 0).then(|| Note::NotOnPage(About::Lines, format!("the squared grid, {} lines: {why}", lost.grid)))
+}
+
 /// What the maker is told of dashed lines.
 pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
     let (lines, they_are) = match edges.dashed {
@@ -98,6 +104,7 @@ mod tests {
             extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
             length,
             closed,
+            is_faint: false,
         };
         let told = |gone: Vec<LostLine>| {
             let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
