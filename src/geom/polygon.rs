@@ -32,6 +32,11 @@ pub fn corners<U>(of: Box2D<f32, U>) -> [Point2D<f32, U>; 4] {
     [(left, top), (right, top), (right, bottom), (left, bottom)].map(Point2D::from)
 }
 
+/// Whether a box lies in another one, also a box without area, as that around a level line.
+pub fn holds_box<U>(outer: Box2D<f32, U>, inner: Box2D<f32, U>) -> bool {
+    outer.contains_inclusive(inner.min) && outer.contains_inclusive(inner.max)
+}
+
 /// Distance of a point from a box; 0 inside.
 pub fn distance_to_box<U>(at: Point2D<f32, U>, place: Box2D<f32, U>) -> f32 {
     (at - at.clamp(place.min, place.max)).length()
@@ -93,6 +98,14 @@ mod tests {
         let length: f32 = sides(&circle).map(|(a, b)| (*b - *a).length()).sum();
         assert!((area(&circle) - 4.0 * PI).abs() < 0.01 && (roundness(area(&circle), length) - 1.0).abs() < 0.001);
         assert_eq!((roundness(0.0, 8.0), roundness(0.0, 0.0), area::<()>(&[])), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_box_holds_a_level_line_only_if_that_is_in_it() {
+        let place = |x: f32, y: f32, wide: f32, high: f32| MmRect::new((x, y).into(), (x + wide, y + high).into());
+        let ring = place(10.0, 10.0, 4.0, 4.0);
+        assert!(holds_box(ring, place(11.0, 12.0, 2.0, 0.0)) && holds_box(ring, ring));
+        assert!(!holds_box(ring, place(0.0, 12.0, 90.0, 0.0)) && !holds_box(ring, place(50.0, 12.0, 2.0, 0.0)));
     }
 
     #[test]

@@ -12,6 +12,8 @@ use crate::units::{MmPoint, MmVector};
 const REACH: f32 = 14.0;
 /// Shortest piece of a line across an axis that is a tick, mm: a piece as short as the line is wide has no direction.
 const SHORTEST: f32 = 2.0;
+/// Shortest tick of a drawing that will be drawn longer, mm, beyond its axis: what is shorter is not (`lines::ticks`).
+const SHORTEST_DRAWN: f32 = 0.5;
 /// How far beside a tick there is nothing, as a share of the distance to the next number.
 const BESIDE: f32 = 0.25;
 /// Step in which a tick is looked for, mm: a square of the room.
@@ -88,7 +90,7 @@ pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f3
             let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + MmVector::new(0.0, 3.0 * by)));
             let axis = (begin..=begin + steps).find(|step| beside(*step) || !room.is_ink(at(*step)))?;
             let length = STEP * (axis - begin) as f32;
-            let is_tick = beside(axis) && length >= SHORTEST && length < least;
+            let is_tick = beside(axis) && length >= SHORTEST_DRAWN && length < least;
             is_tick.then(|| (begin as f32 * STEP, (at(begin), sign * (least - length))))
         };
         let sides = [-1.0, 1.0].into_iter().filter_map(side);
@@ -180,5 +182,30 @@ mod tests {
     #[test]
     fn lines_of_a_grid_are_no_ticks() {
         assert_eq!(counts_of(&[0, 5, 10], (-20.0, 20.0)), [1, 2, 5, 10]);
+    }
+
+    #[test]
+    fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
+        let line = |from: (f32, f32), to: (f32, f32)| Line {
+            strength: 50.0,
+            runs: vec![Run::stroke(1.0, vec![MmPoint::from(from), MmPoint::from(to)])],
+        };
+        let at = |i: usize| 10.0 + 20.0 * i as f32;
+        let longest = |tick: f32| {
+            let ticks = (0..4).map(|i| line((40.0 - tick, at(i)), (40.0, at(i))));
+            let lines: Vec<Line> = std::iter::once(line((40.0, 5.0), (40.0, 80.0))).chain(ticks).collect();
+            let room = Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0)), &lines, &[], 3.0);
+            let number = |i: usize| Wanted {
+                text: format!("{i} \u{20ac}"),
+                anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),
+                led_from: None,
+            };
+            let wanted: Vec<Wanted> = (0..4).map(number).collect();
+            let groups = super::super::groups::of(&wanted, |_| true, |_| false);
+            longer(&groups, &wanted, &room, 8.0).iter().map(|at| at.x).fold(f32::INFINITY, f32::min)
+        };
+        assert!(longest(2.5) < 33.5, "{}", longest(2.5));
+        assert!(longest(1.5) < 33.5, "{}", longest(1.5));
+        assert!(longest(0.0).is_infinite(), "an axis is no tick");
     }
 }

@@ -5,11 +5,12 @@ use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelI
 
 use super::clearance::Cleared;
 use super::faint::FaintStrokes;
-use super::lost::{LossTally, Lost};
+use super::lost::{LossTally, Lost, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
 use super::points::{self, Point};
+use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, join, junction, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
@@ -59,6 +60,7 @@ impl LineCandidates {
                 (true, None) => scales = ticks::take(&mut polylines, area, params),
                 _ => ticks::lengthen(&mut polylines, area, params),
             }
+            crossbars::lengthen(&mut polylines, area, params);
         }
         let mut short = LossTally::new(area);
         let is_crumb = |polyline: &Polyline<Vertex>| {
@@ -110,7 +112,11 @@ impl LineCandidates {
             contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
             kept.count_rings(drawn.iter().map(|line| &line.polyline));
         }
-        wanted.lost(&kept)
+        let lost = wanted.lost(&kept);
+        // an overview is told as a whole, and a line that is too short for one by what it is
+        let may_lack = params.of_drawing && !params.whole_rings && lost.lost >= params.min_length;
+        let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
+        Lost { gone: if may_lack { gone() } else { Vec::new() }, ..lost }
     }
 }
 

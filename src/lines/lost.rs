@@ -1,6 +1,8 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
-use super::vertex::Vertex;
+use super::faint::is_faint;
+use super::params::Params;
+use super::vertex::{Vertex, nearby};
 use crate::geom::ninths::{NAMES, most_of, ninth};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
@@ -22,6 +24,48 @@ pub struct Lost {
     pub marks: LostMarks,
     /// Scales that a page of dots has not all ticks of.
     pub scales: Vec<LostScale>,
+    /// Lines of a drawing of which nothing is drawn.
+    pub gone: Vec<LostLine>,
+    /// How many lines a squared grid has that is left out as a whole.
+    pub grid: usize,
+}
+
+/// A line of which nothing is drawn, or so little that nobody would know it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LostLine {
+    /// The box around it.
+    pub extent: MmRect,
+    /// Its length, mm.
+    pub length: f32,
+    /// Whether it is a closed shape.
+    pub closed: bool,
+    /// Whether it is thin and pale, as one of a grid.
+    pub is_faint: bool,
+}
+
+/// A line of which less than this share is drawn is gone.
+pub const GONE: f32 = 0.2;
+
+/// Which of these lines are gone, where those of `drawn` stand for them: each piece for the line that is nearest to it.
+pub(super) fn gone<'a>(
+    lines: &[&Polyline<Vertex>],
+    drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
+    area: MmRect,
+    params: &Params,
+) -> Vec<LostLine> {
+    let near = nearby(lines.iter().copied(), area, params);
+    let mut kept = vec![0.0; lines.len()];
+    for (a, b) in drawn.flat_map(Polyline::segments) {
+        if let Some((_, _, segment)) = near.nearest(a.at.lerp(b.at, 0.5), params.farthest_moved(), |_| true) {
+            kept[segment.line as usize] += (b.at - a.at).length();
+        }
+    }
+    let lines = lines.iter().zip(kept).map(|(line, kept)| (line, line.length(), kept));
+    let gone = lines.filter(|(_, length, kept)| *kept < GONE * length).map(|(line, length, _)| {
+        let extent = MmRect::from_points(line.vertices.iter().map(|vertex| vertex.at));
+        LostLine { extent, length, closed: line.closed, is_faint: is_faint(line) }
+    });
+    gone.collect()
 }
 
 /// A scale of which ticks are not drawn.
@@ -70,6 +114,13 @@ impl Lost {
     /// Where most of it is, in words; none if less than half of it is in any place.
     pub fn place_name(&self) -> Option<&'static str> {
         most_of(self.by_place).map(|ninth| NAMES[ninth])
+    }
+
+    /// A squared grid of so many lines, of which this length was drawn, is left out as a whole, and told as such.
+    pub fn without_grid(&mut self, lines: usize, length: f32) {
+        self.grid = lines + self.gone.iter().filter(|line| line.is_faint).count();
+        self.gone.retain(|line| !line.is_faint);
+        self.wanted = (self.wanted - length).max(self.lost);
     }
 
     /// The same if of what is drawn only a share is kept after all.

@@ -23,6 +23,8 @@ pub struct PointMark {
     pub radius: f32,
     /// Whether it is a disc, and not a ring.
     pub is_filled: bool,
+    /// The number of the series that it is of, as the points of a curve.
+    pub series: Option<usize>,
 }
 
 /// The head of an arrow at the end of a line.

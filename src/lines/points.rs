@@ -9,20 +9,23 @@
 //!   hollow:  ----( )----  a ring at which the line ends
 //! ```
 
+mod drawn;
+
 use super::junction::{extend_to, heading};
 use super::marks::PointMark;
-use super::params::{HEADING, Params, RING_FARTHEST};
-use super::vertex::{FoundIn, SPACING, Vertex, nearby};
+use super::params::{HEADING, Params};
+use super::series::SERIES;
+use super::vertex::Vertex;
 use crate::geom::nearest_on_segment;
-use crate::geom::polygon::{circle_points, roundness};
+use crate::geom::polygon::roundness;
 use crate::geom::polyline::Polyline;
-use crate::units::{MmPoint, MmRect, MmVector};
+use crate::units::{MmPoint, MmVector};
+
+pub(super) use drawn::{DrawnPoints, draw};
 
 /// A filled point is drawn as many times as broad as the broadest line: sizes that differ by 30 percent are told apart
 /// (BANA, as quoted by others), and three is more than any line.
 pub(super) const BEAD: f32 = 3.0;
-/// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
-const BEAD_LENGTH: f32 = 0.1;
 /// The smallest shape that is taken for a point, mm across: in a figure it is a dot, in an overview a sixth of one that
 /// has room in the figure.
 const SMALLEST: f32 = 0.6;
@@ -47,12 +50,16 @@ pub(super) struct Point {
     radius: f32,
     is_filled: bool,
     strength: f32,
+    /// The line that it is a point of, with others that are alike.
+    series: Option<usize>,
+    /// Whether it lies beside all lines, and is like others on them.
+    is_alone: bool,
 }
 
 impl Point {
     /// As it is handed on.
     pub(super) fn mark(&self) -> PointMark {
-        PointMark { at: self.at, radius: self.radius, is_filled: self.is_filled }
+        PointMark { at: self.at, radius: self.radius, is_filled: self.is_filled, series: self.series }
     }
 }
 
@@ -69,7 +76,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
     let mut points: Vec<Point> = Vec::new();
-    let mut alone: Vec<Point> = Vec::new();
+    let mut alone: Vec<(usize, Point)> = Vec::new();
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = points.iter().any(|other| (other.at - point.at).length() <= other.radius.max(point.radius));
@@ -85,41 +92,71 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         };
         let is_pointed_at = matches!(arms[..], [PointArm { kind: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
-            alone.push(point);
+            alone.push((number, point));
             continue;
         }
         taken[number] = true;
         if again {
             continue;
         }
-        for arm in arms {
+        for arm in &arms {
             if let Approach::End { at_start } = arm.kind {
                 extend_to(&mut polylines[arm.line], at_start, point.at);
             }
         }
-        points.push(point);
+        let through = arms.iter().find(|arm| arm.kind == Approach::Through).map(|arm| arm.line);
+        points.push(Point { series: through, ..point });
+    }
+    name_series(&mut points);
+    let mut beside = like_those_alone(&mut points, &alone, params);
+    beside.retain(|(number, _)| !taken[*number]);
+    for (number, point) in beside {
+        taken[number] = true;
+        // the outline of a disc beside its stroke
+        if !points.iter().any(|other| (other.at - point.at).length() <= other.radius) {
+            points.push(point);
+        }
     }
     let mut number = 0;
     polylines.retain(|_| {
         number += 1;
         !taken[number - 1]
     });
-    like_those_alone(&mut points, &alone, params);
     points
 }
 
-/// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines
-/// are rings, and so are those on lines then, unless hollow points are told from filled ones.
-fn like_those_alone(points: &mut [Point], alone: &[Point], params: &Params) {
-    let is_hollow = |point: &Point| !point.is_filled;
-    if points.iter().chain(alone).any(is_hollow) {
-        return;
-    }
-    let is_like = |point: &Point, other: &Point| (point.radius / other.radius - 1.0).abs() <= SAME_SIZE;
-    let is_ring = |other: &Point| !params.hands_marks_on || !params.is_dot(std::f32::consts::TAU * other.radius);
+/// Of points that are no series each is by itself.
+fn name_series(points: &mut [Point]) {
+    let all = points.to_vec();
     for point in points {
-        point.is_filled = !alone.iter().any(|other| is_like(point, other) && is_ring(other));
+        let is_of = |other: &&Point| other.series == point.series && is_like(point, other);
+        point.series = point.series.filter(|_| all.iter().filter(is_of).count() >= SERIES);
     }
+}
+
+/// Whether two points look alike.
+fn is_like(point: &Point, other: &Point) -> bool {
+    point.is_filled == other.is_filled && (point.radius / other.radius - 1.0).abs() <= SAME_SIZE
+}
+
+/// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines
+/// are rings, and so are those on lines then, unless hollow points are told from filled ones. Gives those beside lines
+/// that are like others on lines, with their numbers; where lines become dots, these are shapes by themselves.
+fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
+    let on_lines = points.to_vec();
+    let of_alone = || alone.iter().map(|(_, point)| *point);
+    let is_ring = |other: &Point| !params.hands_marks_on || !params.is_dot(std::f32::consts::TAU * other.radius);
+    let are_all_filled = on_lines.iter().copied().chain(of_alone()).all(|point| point.is_filled);
+    if are_all_filled {
+        for point in points {
+            point.is_filled = !of_alone().any(|other| is_like(point, &other) && is_ring(&other));
+        }
+    }
+    let is_shown = |point: &Point| !point.is_filled || are_all_filled;
+    let beside =
+        alone.iter().filter(|(_, point)| is_shown(point) && on_lines.iter().any(|other| is_like(point, other)));
+    let ring = |(number, point): &(usize, Point)| (*number, Point { is_filled: false, is_alone: true, ..*point });
+    if params.hands_marks_on { Vec::new() } else { beside.map(ring).collect() }
 }
 
 /// A line that comes to a point.
@@ -179,6 +216,8 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
         radius: (area / std::f32::consts::PI).sqrt(),
         is_filled: has_step(ring),
         strength: ring.mean_strength(),
+        series: None,
+        is_alone: false,
     };
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
@@ -189,174 +228,10 @@ fn has_step(line: &Polyline<Vertex>) -> bool {
     2 * steps.count() > line.vertices.len()
 }
 
-/// The marks of those points that have room on the lines that are drawn.
-#[derive(Debug, Default)]
-pub(super) struct DrawnPoints {
-    /// Of the line of each filled one its number, and where its bead is.
-    beads: Vec<(usize, MmPoint)>,
-    /// Where lines end at hollow ones, and how far from their middles, mm.
-    holes: Vec<(MmPoint, f32)>,
-    /// The rings of those.
-    pub(super) rings: Vec<Polyline<Vertex>>,
-    /// How many have no room.
-    pub(super) lost: usize,
-}
-
-/// Draws points on `lines`.
-pub(super) fn draw(points: &[Point], lines: &[&Polyline<Vertex>], area: MmRect, params: &Params) -> DrawnPoints {
-    let mut drawn = DrawnPoints::default();
-    if points.is_empty() {
-        return drawn;
-    }
-    let segments = nearby(lines.iter().copied(), area, params);
-    // on the line that goes through it, wherever that was moved
-    let place = |point: &Point| {
-        let (_, at, segment) = segments.nearest(point.at, RING_FARTHEST + MIDDLE * point.radius, |_| true)?;
-        Some((at, segment.line, radius(point, params)))
-    };
-    let half = 0.5 * params.width_max;
-    let mut taken: Vec<(MmPoint, f32)> = Vec::new();
-    for point in points {
-        let Some((at, line, radius)) = place(point) else {
-            drawn.lost += 1;
-            continue;
-        };
-        let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
-        let beside = radius + params.min_gap + half;
-        let mut near: Vec<u32> = Vec::new();
-        segments.around_point(at, beside, |segment| {
-            if nearest_on_segment(at, segment.a, segment.b).0 < beside {
-                near.push(segment.line);
-            }
-        });
-        let passes = |line: u32| segments.nearest_of_line(at, radius, line).is_some();
-        if taken.iter().any(is_near) || !near.into_iter().all(passes) {
-            drawn.lost += 1;
-            continue;
-        }
-        taken.push((at, radius));
-        if point.is_filled {
-            drawn.beads.push((line as usize, at));
-        } else {
-            drawn.rings.push(ring(point, at, radius - half, params));
-            drawn.holes.push((at, radius - half));
-        }
-    }
-    drawn
-}
-
-/// Radius of what is drawn for a point, mm, with its ink.
-fn radius(point: &Point, params: &Params) -> f32 {
-    let half = 0.5 * params.width_max;
-    if point.is_filled { BEAD * half } else { point.radius.max(0.5 * params.max_spacing()) + half }
-}
-
-fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Vertex> {
-    let count = ((std::f32::consts::TAU * radius / SPACING).ceil() as usize).max(12);
-    let vertex = |at: MmPoint| Vertex {
-        at,
-        strength: point.strength.max(params.full_strength),
-        contrast: [0.0; 3],
-        width: params.width_max,
-        source: FoundIn::Vector,
-    };
-    Polyline { vertices: circle_points(at, radius, count).map(vertex).collect(), closed: true }
-}
-
-impl DrawnPoints {
-    /// A line, of this number among those that are drawn, with its beads, and in parts where it ends at hollow points;
-    /// with what of it is anchored.
-    pub(super) fn parts(
-        &self,
-        number: usize,
-        line: &Polyline<Vertex>,
-        anchored: &[bool],
-        params: &Params,
-    ) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
-        let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
-        for (_, at) in self.beads.iter().filter(|(of, _)| *of == number) {
-            add_bead(&mut line, &mut anchored, *at, BEAD * params.width_max);
-        }
-        match self.holes[..] {
-            [] => vec![(line, anchored)],
-            // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
-            ref holes => outside(&line, &anchored, holes, params.min_gap),
-        }
-    }
-}
-
-/// Makes a line as broad as this for a moment.
-fn add_bead(line: &mut Polyline<Vertex>, anchored: &mut Vec<bool>, at: MmPoint, width: f32) {
-    let distance = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(at, a.at, b.at).0;
-    let distances: Vec<f32> = line.segments().map(distance).collect();
-    let Some(nearest) = (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b])) else { return };
-    let (a, b) = (line.vertices[nearest], line.vertices[(nearest + 1) % line.vertices.len()]);
-    let (chord, half) = (b.at - a.at, 0.5 * BEAD_LENGTH);
-    let Some(along) = chord.try_normalize() else { return };
-    // within the segment, so that the line does not go back
-    let middle = (at - a.at).dot(along).clamp(half, (chord.length() - half).max(half));
-    let bead = |ahead: f32| Vertex { at: a.at + along * (middle + ahead), width, ..a };
-    line.vertices.splice(nearest + 1..nearest + 1, [bead(-half), bead(half)]);
-    anchored.splice(nearest + 1..nearest + 1, [true, true]);
-}
-
-/// The parts of a line, with what is anchored of it, that lie in none of the holes. An end of the line shorter than
-/// `least`, mm, is none of them.
-fn outside(
-    line: &Polyline<Vertex>,
-    anchored: &[bool],
-    holes: &[(MmPoint, f32)],
-    least: f32,
-) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
-    let hole_at = |vertex: &Vertex| holes.iter().find(|(at, radius)| (vertex.at - *at).length() < *radius);
-    let Some(inside) = line.vertices.iter().position(|vertex| hole_at(vertex).is_some()) else {
-        return vec![(line.clone(), anchored.to_vec())];
-    };
-    let count = line.vertices.len();
-    // a ring is gone round from a hole to the same hole
-    let (start, steps) = if line.closed { (inside, count + 1) } else { (0, count) };
-    let mut parts: Vec<(Vec<Vertex>, Vec<bool>)> = vec![Default::default()];
-    let mut before: Option<&Vertex> = None;
-    for i in (start..start + steps).map(|i| i % count) {
-        let vertex = &line.vertices[i];
-        let side = |inner: &Vertex, outer: &Vertex| -> Option<Vertex> {
-            let (at, radius) = hole_at(inner)?;
-            let away = (outer.at - *at).try_normalize()?;
-            Some(Vertex { at: *at + away * *radius, ..*outer })
-        };
-        let part = parts.last_mut();
-        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some(), part) {
-            (true, false, Some(part)) => {
-                part.0.extend(before.and_then(|before| side(before, vertex)).into_iter().chain([*vertex]));
-                part.1.extend([true, anchored[i]]);
-            }
-            (false, true, Some(part)) => {
-                part.0.extend(before.and_then(|before| side(vertex, before)));
-                part.1.resize(part.0.len(), true);
-                parts.push(Default::default());
-            }
-            (false, false, Some(part)) => {
-                part.0.push(*vertex);
-                part.1.push(anchored[i]);
-            }
-            // within a hole nothing is drawn
-            (true, true, _) | (_, _, None) => {}
-        }
-        before = Some(vertex);
-    }
-    let last = parts.len() - 1;
-    let parts = parts.into_iter().enumerate().filter(|(_, (vertices, _))| vertices.len() > 1);
-    let parts = parts.map(|(number, (vertices, anchored))| (number, Polyline::open(vertices), anchored));
-    let is_end = |number: usize| !line.closed && (number == 0 || number == last);
-    let stays = |(number, part, anchored): (usize, Polyline<Vertex>, Vec<bool>)| {
-        (!is_end(number) || part.length() >= least).then_some((part, anchored))
-    };
-    parts.filter_map(stays).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::tests::area;
+    use super::super::vertex::{FoundIn, SPACING};
     use super::*;
 
     const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
@@ -413,7 +288,8 @@ mod tests {
         let away = |step: f32| line(&arc((60.0, 30.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector);
         let taken = |others: &[Polyline<Vertex>]| {
             let mut lines = [&[axis(10.0, 90.0), disc(50.0, 60.0)], others].concat();
-            take(&mut lines, &PARAMS).iter().map(|point| point.is_filled).collect::<Vec<_>>()
+            let points = take(&mut lines, &PARAMS);
+            points.iter().filter(|point| !point.is_alone).map(|point| point.is_filled).collect::<Vec<_>>()
         };
         assert_eq!(taken(&[]), [true]);
         assert_eq!(taken(&[away(60.0)]), [false], "towns of a map, of which one lies on a river");
@@ -455,5 +331,35 @@ mod tests {
         let drawn = draw(&points, &[&lines[0], &beside], area(), &PARAMS);
         // of two that are too near to one another the first is drawn
         assert!(points.len() == 3 && drawn.lost == 2 && drawn.beads.len() == 1, "{drawn:?}");
+    }
+
+    #[test]
+    fn points_beside_lines_are_drawn_like_those_on_them() {
+        let beside = |y: f32| line(&arc((50.0, y), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
+        let mut lines = vec![axis(10.0, 90.0), disc(30.0, 0.0), beside(70.0), beside(55.0)];
+        let points = take(&mut lines, &PARAMS);
+        assert!(points.len() == 3 && lines.len() == 1, "{points:?}");
+        let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+        let lengths: Vec<f32> = drawn.rings.iter().map(Polyline::length).collect();
+        let [on_line, beside] = lengths[..] else { panic!("one is too near to the axis: {lengths:?}") };
+        assert!((on_line - beside).abs() < 0.01 && drawn.lost == 1);
+        let on_dots = Params { hands_marks_on: true, ..PARAMS };
+        let alone = line(&arc((50.0, 70.0), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
+        let mut lines = vec![axis(10.0, 90.0), disc(30.0, 0.0), alone];
+        assert_eq!((take(&mut lines, &on_dots).len(), lines.len()), (1, 2), "there it is a shape");
+    }
+
+    #[test]
+    fn points_of_a_series_are_drawn_all_or_none() {
+        let drawn = |xs: &[f32]| {
+            let mut lines = vec![axis(5.0, 95.0)];
+            lines.extend(xs.iter().map(|&x| disc(x, 60.0)));
+            let points = take(&mut lines, &PARAMS);
+            let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+            (drawn.beads.len(), drawn.lost)
+        };
+        assert_eq!(drawn(&[10.0, 25.0, 40.0, 55.0, 70.0]), (5, 0));
+        assert_eq!(drawn(&[10.0, 15.0, 20.0, 25.0, 30.0]), (0, 5), "every second one would be a special one");
+        assert_eq!(drawn(&[10.0, 15.0, 40.0]), (2, 1), "three are no series");
     }
 }

@@ -62,7 +62,7 @@ impl Line {
             let is_filled = dots.any(|dot| (*dot - at).length() < MIDDLE * step);
             // the second row around a ring has that inside
             let is_hollow = first.points.iter().all(|dot| (*dot - at).length() > radius - INSIDE * step);
-            (is_point && (is_filled || is_hollow)).then_some(PointMark { at, radius, is_filled })
+            (is_point && (is_filled || is_hollow)).then_some(PointMark { at, radius, is_filled, series: None })
         })
     }
 }

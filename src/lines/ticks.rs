@@ -1,6 +1,8 @@
 //! Ticks of a scale, as of an axis, a ruler or a clock, that are shorter than the least line. They are meant all
 //! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
 
+pub(super) mod crossbars;
+
 use super::junction::{extend_to, heading};
 use super::marks::TickMark;
 use super::params::Params;
@@ -142,13 +144,8 @@ fn whole(marks: Vec<(f32, TickMark)>) -> Vec<TickMark> {
 
 /// All ticks, where enough of them are too short for a line.
 fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Tick> {
-    let is_tick = |line: &Polyline<Vertex>| {
-        let (Some(first), Some(last)) = (line.vertices.first(), line.vertices.last()) else { return false };
-        let length = line.length();
-        !line.closed
-            && (SHORTEST..LONGEST * params.min_length).contains(&length)
-            && (last.at - first.at).length() >= STRAIGHT * length
-    };
+    let is_tick =
+        |line: &Polyline<Vertex>| (SHORTEST..LONGEST * params.min_length).contains(&line.length()) && is_straight(line);
     let straight: Vec<usize> = (0..polylines.len()).filter(|&i| is_tick(&polylines[i])).collect();
     if straight.iter().filter(|&&i| polylines[i].length() < params.min_length).count() < SCALE {
         return Vec::new();
@@ -179,6 +176,11 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
         }
     };
     straight.into_iter().filter_map(tick).collect()
+}
+
+fn is_straight(line: &Polyline<Vertex>) -> bool {
+    let chord = line.vertices.first().zip(line.vertices.last()).map_or(0.0, |(a, b)| (b.at - a.at).length());
+    !line.closed && chord >= STRAIGHT * line.length()
 }
 
 /// A tick that is longer by so much, mm, at its free ends, and stands on its line.
@@ -232,9 +234,9 @@ mod tests {
     use super::*;
     use crate::lines::vertex::{FoundIn, SPACING};
 
-    const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
+    pub(super) const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
-    fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
+    pub(super) fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
         let vertex = |(x, y): (f32, f32)| Vertex {
             at: MmPoint::new(x, y),
             strength: 60.0,

@@ -8,7 +8,8 @@ use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
 use crate::dots::ShownScale;
-use crate::lines::{Line, Lines, LostScale, LostSign, Run, TickMark};
+use crate::geom::polygon::holds_box;
+use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, TickMark};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
@@ -25,8 +26,17 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
     let length = |lines: &[Line]| {
         lines.iter().map(|line| line.runs.first().map_or(0.0, |run| run.polyline().length())).sum::<f32>()
     };
+    let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &plan.dots(medium));
+    let (mut lines, mut shown) = press(&drawn);
+    let grid = torn_grid(&drawn.lines, &lines, area, plan.lines().least_strength);
+    if !grid.is_empty() {
+        let (of_grid, others): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut drawn.lines).into_iter().enumerate().partition(|(number, _)| grid.contains(number));
+        drawn.lines = others.into_iter().map(|(_, line)| line).collect();
+        (lines, shown) = press(&drawn);
+        drawn.lost.without_grid(grid.len(), of_grid.iter().map(|(_, line)| line.length()).sum());
+    }
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
-    let (lines, shown) = dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     // the dots of a line through a small ring are near to all of it, and none of them is its own
@@ -36,14 +46,21 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
     };
     let has_own = |ring: &Line| {
         let reach = extent(ring).inflate(MOVED, MOVED);
-        lines.iter().any(|line| reach.contains_box(&extent(line)) && around(line) >= WHOLE * ring.length())
+        lines.iter().any(|line| holds_box(reach, extent(line)) && around(line) >= WHOLE * ring.length())
     };
-    let rings = drawn.lines.iter().zip(shares).filter(|(line, _)| is_small_ring(line));
+    let rings = drawn.lines.iter().zip(&shares).filter(|(line, _)| is_small_ring(line));
     let signs: Vec<LostSign> = rings
-        .filter(|(line, share)| *share < WHOLE || !has_own(line))
+        .filter(|(line, share)| **share < WHOLE || !has_own(line))
         .map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: is_arrowhead(line, &lines) })
         .collect();
     let mut lost = drawn.lost.keeping(kept);
+    let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
+    lost.gone.extend(gone.map(|(line, _)| LostLine {
+        extent: extent(line),
+        length: line.length(),
+        closed: false,
+        is_faint: false,
+    }));
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, is_arrowhead: false }));
@@ -52,6 +69,38 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
     lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }
+
+/// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines.
+const GRID_WHOLE: f32 = 0.8;
+/// So many lines each way are a squared grid.
+const GRID_LINES: usize = 4;
+
+/// The numbers of the lines of a squared grid, thin and pale ones level and upright, if too little of it is among
+/// `pressed`.
+fn torn_grid(lines: &[Line], pressed: &[Line], area: MmRect, faint: f32) -> Vec<usize> {
+    let is_straight =
+        |line: &Line| line.strength <= faint * ROUNDED_UP && line.runs.len() == 1 && line.runs[0].points.len() == 2;
+    let way = |line: &Line| {
+        let size = extent(line).size();
+        (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
+    };
+    let faint = lines.iter().enumerate().filter(|(_, line)| is_straight(line));
+    let ways: Vec<(usize, bool)> = faint.filter_map(|(number, line)| Some((number, way(line)?))).collect();
+    let count = |level: bool| ways.iter().filter(|(_, of)| *of == level).count();
+    if count(true) < GRID_LINES || count(false) < GRID_LINES {
+        return Vec::new();
+    }
+    let (_, shares) = kept_lines::matched(lines, area, pressed, area);
+    let length = |number: usize| lines[number].length();
+    let whole: f32 = ways.iter().map(|(number, _)| length(*number)).sum();
+    let kept: f32 = ways.iter().map(|(number, _)| shares[*number].min(1.0) * length(*number)).sum();
+    if kept < GRID_WHOLE * whole { ways.into_iter().map(|(number, _)| number).collect() } else { Vec::new() }
+}
+
+/// What rounding may add to the strength of a faint line.
+const ROUNDED_UP: f32 = 1.001;
+/// A level or upright line is no farther from being so, mm.
+const STRAIGHT: f32 = 0.3;
 
 /// What of a scale is not drawn.
 fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale> {
@@ -127,5 +176,31 @@ fn parts(
         braille,
         medium: layout.medium.clone(),
         ..Parts::of(layout.sheet, figure)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::MmPoint;
+
+    #[test]
+    fn a_squared_grid_that_is_torn_is_known_as_such() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let line = |from: (f32, f32), to: (f32, f32), strength: f32| Line {
+            strength,
+            runs: vec![Run::stroke(1.0, vec![from.into(), to.into()])],
+        };
+        let level = |y: f32, to: f32| line((10.0, y), (to, y), 7.0);
+        let upright = |x: f32| line((x, 10.0), (x, 90.0), 7.0);
+        let places = || (0..5).map(|i| 10.0 + 20.0 * i as f32);
+        let axis = line((5.0, 50.0), (95.0, 50.0), 90.0);
+        let all = |to: f32| -> Vec<Line> {
+            std::iter::once(axis.clone()).chain(places().map(|y| level(y, to))).chain(places().map(upright)).collect()
+        };
+        assert_eq!(torn_grid(&all(90.0), &all(90.0), area, 7.0), [0; 0], "it is whole");
+        assert_eq!(torn_grid(&all(90.0), &all(30.0), area, 7.0), (1..=10).collect::<Vec<_>>());
+        let only_level: Vec<Line> = places().map(|y| level(y, 90.0)).collect();
+        assert_eq!(torn_grid(&only_level, &[], area, 7.0), [0; 0], "gridlines of a chart are each told");
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::geom::nearby::{Nearby, Segment};
-use crate::lines::{Line, Pen, Run};
+use crate::lines::{GONE, Line, Pen, Run};
 use crate::listing::list;
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::{About, Note};
@@ -21,8 +21,6 @@ pub struct LineName {
 const STEP: f32 = 1.0;
 /// Farthest that a line lies from where it was, mm: lines are moved aside by less than this.
 const REACH: f32 = 8.0;
-/// A line of which less than this share is there is lost.
-const LOST: f32 = 0.2;
 /// A line that a person drew is lost in part where less than this share is there: every line of theirs is meant, and up
 /// to a step of dots and the width of a line is missing where lines meet.
 const IN_PART: f32 = 0.7;
@@ -97,7 +95,7 @@ const CIRCLE: u32 = 12;
 /// is lost.
 pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
     let told = |(share, LineName { name, by_hand }): (&f32, &LineName)| match *share {
-        share if share < LOST => Some((*by_hand, name.clone())),
+        share if share < GONE => Some((*by_hand, name.clone())),
         share if share < IN_PART && *by_hand => Some((true, format!("{name} in part"))),
         _ => None,
     };

@@ -4,7 +4,7 @@
 use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::areas::index_of;
-use super::lost_signs::beads;
+use super::lost_signs::{beads, extent, is_small_ring};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -21,6 +21,8 @@ const ENDS_ON: f32 = 2.5;
 const DRAWN: f32 = 1.2;
 /// A line by which a place of a mark is drawn differs in its direction from the mark by at most 45 degrees: the cosine.
 const ALONG: f32 = FRAC_1_SQRT_2;
+/// Within a ring that is no broader than this, mm, nothing else is felt: it is a hollow point on a line.
+const HIDES: f32 = 7.0;
 /// A mark is drawn if at least this share of it is.
 const MOSTLY: f32 = 0.5;
 /// Places of a mark at which is looked.
@@ -63,7 +65,9 @@ pub(super) fn of(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTra
         Some((distance, (b - a).try_normalize().unwrap_or_default()))
     };
     // what a point on a line covers, as the tick behind it, is no mark
-    let beads: Vec<MmRect> = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN)).collect();
+    let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent).filter(|ring| ring.width() <= HIDES);
+    let beads = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN));
+    let covered: Vec<MmRect> = beads.chain(rings).collect();
     let is_handed_on = |at: MmPoint| {
         let ticks = || handed_on.scales.iter().flatten();
         let is_tick = |(from, to): (MmPoint, MmPoint)| nearest_on_segment(at, from, to).0 < DRAWN;
@@ -80,7 +84,7 @@ pub(super) fn of(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTra
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let middle = first.lerp(last, 0.5);
-        if beads.iter().any(|bead| bead.contains(middle)) || is_handed_on(middle) {
+        if covered.iter().any(|point| point.contains(middle)) || is_handed_on(middle) {
             continue;
         }
         let looked = (0..PLACES).map(|i| i * (points.len() - 1) / (PLACES - 1));

@@ -6,7 +6,7 @@ use super::texts::Text;
 use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
-use crate::geom::polygon::distance_to_box;
+use crate::geom::polygon::{distance_to_box, holds_box};
 use crate::labels::NEAR;
 use crate::lines::{Line, Lines, LostSign, is_triangle};
 use crate::page::Figure;
@@ -49,7 +49,7 @@ pub(super) fn of(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform, 
         let side = |extent: &MmRect| extent.width().max(extent.height());
         let is_centreline = |line: &Line| {
             let line = extent(line);
-            ring.inflate(MOVED, MOVED).contains_box(&line) && side(&line) >= 0.5 * side(&ring)
+            holds_box(ring.inflate(MOVED, MOVED), line) && side(&line) >= 0.5 * side(&ring)
         };
         let is_narrow = ring.width().min(ring.height()) <= widest_stroke;
         // the line that an arrowhead ends is no centreline of it
@@ -107,7 +107,7 @@ pub(super) fn is_small_ring(line: &Line) -> bool {
     is_closed && is_small(extent(line))
 }
 
-fn is_small(extent: MmRect) -> bool {
+pub(super) fn is_small(extent: MmRect) -> bool {
     extent.width().max(extent.height()) <= SIGN
 }
 

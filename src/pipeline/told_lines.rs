@@ -1,5 +1,6 @@
 //! What the maker is told of lines that are not drawn, or drawn otherwise.
 
+use super::lost_signs::is_small;
 use crate::devices::Family;
 use crate::edges::Edges;
 use crate::lines::{Beyond, Lines, Lost};
@@ -47,6 +48,26 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
 }
 
+/// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
+pub(super) fn told_gone(lost: &Lost) -> Option<Note> {
+    let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
+    let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let (at, mm) = (longest.extent.center(), longest.length);
+    let (lines, which, them) = match gone().count() {
+        1 => ("1 line as a whole".to_owned(), "", "it"),
+        count => (format!("{count} lines as a whole"), "the longest ", "them"),
+    };
+    let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
+    let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm): {why}", at.x, at.y);
+    Some(Note::NotOnPage(About::Lines, told))
+}
+
+/// What the maker is told of a squared grid that is left out as a whole.
+pub(super) fn told_grid(lost: &Lost) -> Option<Note> {
+    let why = "pieces of it would be felt as lines; say the scale in a label, or make the figure larger";
+    (lost.grid > 0).then(|| Note::NotOnPage(About::Lines, format!("the squared grid, {} lines: {why}", lost.grid)))
+}
+
 /// What the maker is told of dashed lines.
 pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
     let (lines, they_are) = match edges.dashed {
@@ -69,4 +90,31 @@ pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
 /// How much of lines is lost, mm: marks that are too short are told by themselves, and no room would help them.
 fn of_lines(lost: &Lost) -> f32 {
     (lost.lost - lost.marks.length).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::LostLine;
+    use crate::units::MmRect;
+
+    #[test]
+    fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
+        let line = |x: f32, length: f32, closed: bool| LostLine {
+            extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
+            length,
+            closed,
+            is_faint: false,
+        };
+        let told = |gone: Vec<LostLine>| {
+            let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
+            told_gone(&lost).map(|note| note.to_string())
+        };
+        assert_eq!(told(vec![]), None);
+        assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
+        let hand = told(vec![line(20.0, 36.0, false)]).expect("a hand of a clock");
+        assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm)"), "{hand}");
+        let two = told(vec![line(20.0, 12.0, false), line(50.0, 30.0, true)]).expect("two");
+        assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm)"), "{two}");
+    }
 }

@@ -34,7 +34,7 @@ pub(in crate::dots) fn on_grid(
         let (cells, closed) = cells_of(&lines[line], grid, within);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
-            piece.cells.len() >= LEAST_DOTS && length + ROUNDED_OFF >= params.min_length
+            piece.cells.len() >= LEAST_DOTS && (piece.is_link || length + ROUNDED_OFF >= params.min_length)
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
             piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
@@ -93,6 +93,8 @@ fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
 struct RowPiece {
     cells: Vec<Cell>,
     closed: bool,
+    /// Whether it is a whole line that leads from one line to another, as an arrow between two boxes: it may be short.
+    is_link: bool,
 }
 
 /// A piece that is drawn, and the number of the line that it is of.
@@ -105,7 +107,7 @@ impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
         let closed = ends_touch(&cells);
-        Self { cells: if closed { rasterise::thin(cells, true) } else { cells }, closed }
+        Self { cells: if closed { rasterise::thin(cells, true) } else { cells }, closed, is_link: false }
     }
 }
 
@@ -213,7 +215,7 @@ impl OccupiedDots {
     fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<RowPiece> {
         let mut distances = self.distances(cells, closed);
         if distances.iter().all(Option::is_none) {
-            return vec![RowPiece { cells: cells.to_vec(), closed }];
+            return vec![RowPiece { cells: cells.to_vec(), closed, is_link: false }];
         }
         let mut cells = cells.to_vec();
         if closed {
@@ -222,12 +224,15 @@ impl OccupiedDots {
             cells.rotate_left(start);
             distances.rotate_left(start);
         } else {
-            self.allow_junction(&mut cells, &mut distances);
+            let joins_start = self.allow_junction(&mut cells, &mut distances);
             cells.reverse();
             distances.reverse();
-            self.allow_junction(&mut cells, &mut distances);
+            let joins_end = self.allow_junction(&mut cells, &mut distances);
             cells.reverse();
             distances.reverse();
+            if joins_start && joins_end && distances.iter().all(Option::is_none) {
+                return vec![RowPiece { is_link: true, ..RowPiece::cut_out(cells) }];
+            }
         }
         let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
             let from = *at;
@@ -239,13 +244,13 @@ impl OccupiedDots {
 
     /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and
     /// the dots from the one beside it until the gap is reached are allowed, at most two for each step of the gap. A
-    /// line that runs along the other is none.
-    fn allow_junction(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) {
+    /// line that runs along the other is none. Says whether there is one.
+    fn allow_junction(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) -> bool {
         let near = distances.iter().take_while(|distance| distance.is_some()).count();
         let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
-        let Some(last) = touches else { return };
+        let Some(last) = touches else { return false };
         if near - last > (2 * self.gap) as usize || last > (2 * self.gap + 2) as usize {
-            return;
+            return false;
         }
         let skipped = if distances[last] == Some(0) { last + 1 } else { last };
         // beside the line that it touches it may lie, not beside a third one
@@ -258,11 +263,12 @@ impl OccupiedDots {
             .iter()
             .any(|&cell| within(cell, self.gap).any(|other| !touched.contains(&other)))
         {
-            return;
+            return false;
         }
         distances[..near].iter_mut().for_each(|distance| *distance = None);
         cells.drain(..skipped);
         distances.drain(..skipped);
+        true
     }
 }
 
@@ -326,6 +332,18 @@ mod tests {
     }
 
     #[test]
+    fn a_short_line_from_one_line_to_another_is_a_link() {
+        let upright = |x: i32| (0..12).map(move |y| [x, y]).collect::<Vec<Cell>>();
+        let boxes = taken(&[upright(0), upright(7)], 2);
+        let links = |from: i32, to: i32| {
+            let pieces = boxes.pieces(&row(6, from..to), false);
+            pieces.into_iter().map(|piece| (piece.cells.len(), piece.is_link)).collect::<Vec<_>>()
+        };
+        assert_eq!(links(0, 8), [(6, true)]);
+        assert_eq!(links(0, 5), [(4, false)], "it ends before the other one");
+    }
+
+    #[test]
     fn a_line_that_comes_back_keeps_the_gap_from_itself() {
         let hairpin: Vec<Cell> = row(0, 0..20).into_iter().chain(row(1, 0..20).into_iter().rev()).collect();
         let left = pieces(&taken(&[], 1), &hairpin, false);
@@ -337,7 +355,7 @@ mod tests {
     #[test]
     fn a_second_row_keeps_the_gap_from_other_lines() {
         let first = row(0, 0..12);
-        let piece = RowPiece { cells: first.clone(), closed: false };
+        let piece = RowPiece { cells: first.clone(), closed: false, is_link: false };
         let alone = taken(std::slice::from_ref(&first), 1);
         assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
         assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));

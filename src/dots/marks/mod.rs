@@ -22,7 +22,7 @@ use self::lattice::{DotDisc, LEAST_STEP, MarkField, Owner};
 use super::cell::GridPoint;
 use super::params::{LEAST_DOTS, Params};
 use crate::geom::right_of;
-use crate::lines::{LineMarks, PointMark, TickMark};
+use crate::lines::{LineMarks, PointMark, TickMark, without_scraps};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use self::lattice::Lattice;
@@ -133,6 +133,14 @@ struct Places<'a> {
 
 /// Finds room for marks on rows of dots.
 pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, params: &Params) -> Placed {
+    let placed = place_with(marks, &vec![true; marks.points.len()], rows, lattice, params);
+    let series: Vec<Option<usize>> = marks.points.iter().map(|point| point.series).collect();
+    let whole = without_scraps(&series, &placed.shown.points);
+    if whole == placed.shown.points { placed } else { place_with(marks, &whole, rows, lattice, params) }
+}
+
+/// The same with those of the points that are wanted.
+fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice<'_>, params: &Params) -> Placed {
     let mut field = MarkField::new(lattice);
     for (number, row) in rows.iter().enumerate() {
         let dots = row.dots.iter().enumerate();
@@ -145,8 +153,8 @@ pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, param
         shown: Shown::default(),
     };
     let mut places = Places { rows, params, field, points: Vec::new(), placed };
-    for point in &marks.points {
-        let is_drawn = places.point(point);
+    for (point, wanted) in marks.points.iter().zip(wanted) {
+        let is_drawn = *wanted && places.point(point);
         places.placed.shown.points.push(is_drawn);
     }
     for head in &marks.heads {

@@ -29,7 +29,7 @@ fn tick(x: f32, above: f32, below: f32) -> TickMark {
 }
 
 fn point(x: f32, radius: f32, is_filled: bool) -> PointMark {
-    PointMark { at: MmPoint::new(x, 40.4), radius, is_filled }
+    PointMark { at: MmPoint::new(x, 40.4), radius, is_filled, series: None }
 }
 
 fn placed(points: &[PointMark], scale: &[TickMark], rows: &[Row]) -> Placed {

@@ -2,10 +2,11 @@
 
 use super::measures::{HEADING, LENGTHS, SPREAD, end};
 use super::shorten::shortened;
-use crate::geom::nearby::Nearby;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::geom::segment_distance;
-use crate::lines::junction::heading;
+use crate::lines::junction::{extend_to, heading};
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::{FoundIn, Vertex, nearby};
@@ -17,12 +18,17 @@ const ALONG: f32 = 0.7;
 const MOST: f32 = 8.0;
 const STEP: f32 = 0.5;
 
+/// Where a head has room nowhere on its shaft, as at an axis that ends shortly after its grid, the shaft is longer by at
+/// most this, mm, if there is nothing before it.
+const FARTHER: f32 = 10.0;
+
 /// Heads that are drawn.
 #[derive(Debug, Default)]
 pub(in crate::lines) struct DrawnHeads {
     /// Their strokes.
     pub(in crate::lines) heads: Vec<Polyline<Vertex>>,
-    /// The shafts that are shorter for them: the number of the line, which end, and by how much, mm.
+    /// The shafts that are shorter for them, or longer: the number of the line, which end, and by how much it is
+    /// shorter, mm.
     shorter: Vec<(usize, bool, f32)>,
 }
 
@@ -35,7 +41,14 @@ impl DrawnHeads {
         anchored: &[bool],
     ) -> (Polyline<Vertex>, Vec<bool>) {
         let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
-        for &(_, at_start, cut) in self.shorter.iter().filter(|(of, _, cut)| *of == number && *cut > 0.0) {
+        for &(_, at_start, cut) in self.shorter.iter().filter(|(of, _, cut)| *of == number && *cut != 0.0) {
+            if cut < 0.0 {
+                let count = line.vertices.len();
+                line = longer(&line, at_start, -cut);
+                let added = vec![false; line.vertices.len() - count];
+                anchored.splice(if at_start { 0..0 } else { count..count }, added);
+                continue;
+            }
             let shorter = shortened(&line, at_start, cut);
             let gone = line.vertices.len() - shorter.vertices.len();
             if at_start {
@@ -103,12 +116,35 @@ impl Places<'_> {
         let most = (line.length() - self.params.min_length).clamp(0.0, MOST);
         let cuts = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
         let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, shortened(line, at_start, cut))).collect();
-        LENGTHS.iter().find_map(|length| {
-            shafts.iter().find_map(|(cut, shaft)| {
-                let at = end(shaft, at_start)?;
-                let strokes = strokes(at, heading(shaft, at_start, HEADING)?, *length);
-                self.has_room(strokes, at_start).then(|| (self.polyline(strokes, at_start), *cut))
-            })
+        let head = |(cut, shaft): &(f32, Polyline<Vertex>), length: f32| {
+            let at = end(shaft, at_start)?;
+            let strokes = strokes(at, heading(shaft, at_start, HEADING)?, length);
+            self.has_room(strokes, at_start).then(|| (self.polyline(strokes, at_start), *cut))
+        };
+        let on_shaft = LENGTHS.iter().find_map(|length| shafts.iter().find_map(|shaft| head(shaft, *length)));
+        on_shaft.or_else(|| {
+            // an overview has no room for more
+            let most = if self.params.whole_rings { 0 } else { (FARTHER / STEP) as u32 };
+            let longer = (1..=most).map(|step| step as f32 * STEP).map(|by| (-by, longer(line, at_start, by)));
+            let free: Vec<(f32, Polyline<Vertex>)> =
+                longer.take_while(|(_, shaft)| self.is_clear(shaft, at_start)).collect();
+            LENGTHS.iter().rev().find_map(|length| free.iter().find_map(|shaft| head(shaft, *length)))
+        })
+    }
+
+    /// Whether the end of a longer shaft is clear of all other lines.
+    fn is_clear(&self, shaft: &Polyline<Vertex>, at_start: bool) -> bool {
+        let clearance = self.params.max_clearance();
+        end(shaft, at_start).is_some_and(|at| {
+            let other = |segment: &Segment| segment.line as usize != self.line;
+            let ahead = heading(shaft, at_start, HEADING);
+            let is_before = |of: MmPoint| ahead.is_none_or(|ahead| (of - at).dot(ahead) >= 0.0);
+            let mut is_clear = self.area.contains(at);
+            self.segments.around_point(at, clearance, |segment| {
+                let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
+                is_clear &= !other(segment) || distance >= clearance || !is_before(nearest);
+            });
+            is_clear
         })
     }
 
@@ -141,6 +177,15 @@ impl Places<'_> {
         let vertex = |at: MmPoint| Vertex { at, strength, contrast: [0.0; 3], width, source: FoundIn::Vector };
         Polyline::open(strokes.map(vertex).to_vec())
     }
+}
+
+/// A line that goes straight on at one of its ends by so much, mm.
+fn longer(line: &Polyline<Vertex>, at_start: bool, by: f32) -> Polyline<Vertex> {
+    let mut line = line.clone();
+    if let (Some(at), Some(heading)) = (end(&line, at_start), heading(&line, at_start, HEADING)) {
+        extend_to(&mut line, at_start, at + heading * by);
+    }
+    line
 }
 
 /// The strokes of a head with its tip at a place: their ends, and that between them.

@@ -166,3 +166,21 @@ fn a_triangle_has_three_corners() {
     assert!(!of(&circle));
     assert!(!is_triangle(&[], 4.0));
 }
+
+#[test]
+fn an_axis_that_ends_shortly_after_its_grid_goes_on_until_its_head_has_room() {
+    let grid = contour(&[(57.0, 20.0), (57.0, 80.0)], false);
+    let drawn = |others: &[&Polyline<Vertex>]| {
+        let mut marks = taken(vec![shaft(), heads()[0].1[0].clone()]).0;
+        let axis = shaft();
+        let lines: Vec<&Polyline<Vertex>> = std::iter::once(&axis).chain(others.iter().copied()).collect();
+        let drawn = draw(&mut marks, &lines, area(), &PARAMS);
+        let (shaft, anchored) = drawn.shaft(0, &axis, &vec![false; axis.vertices.len()]);
+        assert_eq!(anchored.len(), shaft.vertices.len());
+        (marks[0].is_drawn, shaft.length())
+    };
+    let (is_drawn, length) = drawn(&[&grid]);
+    assert!(is_drawn && (53.0..60.0).contains(&length), "{length}");
+    let wall = contour(&[(66.0, 20.0), (66.0, 80.0)], false);
+    assert!(!drawn(&[&grid, &wall]).0, "there is something before it");
+}

@@ -12,6 +12,10 @@ use crate::units::MmRect;
 
 /// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
 const DEPTH: usize = 8;
+/// A straight line on which so many others end is the axis of a chart or a wall: it goes before all lines.
+const AXIS: usize = 4;
+/// A line is straight if the distance of its ends is at least this share of its length.
+const STRAIGHT: f32 = 0.99;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;
 
@@ -24,6 +28,15 @@ pub(super) fn raised(
 ) -> Vec<f32> {
     let mut all = saliencies.to_vec();
     let on_bases = lines_on_bases(lines, area, params);
+    let most = saliencies.iter().copied().fold(0.0, f32::max);
+    let mut count = vec![0; lines.len()];
+    on_bases.iter().for_each(|&(_, base)| count[base] += 1);
+    for ((line, _), (own, count)) in lines.iter().zip(all.iter_mut().zip(count)) {
+        let chord = line.vertices.first().zip(line.vertices.last()).map_or(0.0, |(a, b)| (b.at - a.at).length());
+        if params.of_drawing && count >= AXIS && chord >= STRAIGHT * line.length() {
+            *own = own.max(most);
+        }
+    }
     for _ in 0..DEPTH {
         let before = all.clone();
         for &(stem, base) in &on_bases {
@@ -123,5 +136,19 @@ mod tests {
         let raised = raised(&own, &circle, area(), &Params::TEST);
         assert!(raised.iter().zip(&own).all(|(raised, own)| (*own..most).contains(raised)), "{own:?} {raised:?}");
         assert!(raised[0] > own[0], "something stands on it");
+    }
+
+    #[test]
+    fn an_axis_is_whole_where_a_curve_begins_close_beside_it() {
+        let mut lines = vec![stroke(&[(20.0, 10.0), (20.0, 90.0)], 30.0)];
+        lines.extend([20.0, 40.0, 60.0, 80.0].map(|y| stroke(&[(20.0, y), (32.0, y)], 30.0)));
+        lines.push(stroke(&[(22.0, 52.0), (60.0, 30.0), (95.0, 70.0)], 90.0));
+        let params = Params { of_drawing: true, ..Params::TEST };
+        let is_axis = |line: &Polyline<Vertex>| line.vertices.iter().all(|vertex| (vertex.at.x - 20.0).abs() < 0.1);
+        let cleared = clear_all(lines, area(), &params);
+        let axis: f32 =
+            cleared.iter().map(|line| &line.polyline).filter(|line| is_axis(line)).map(Polyline::length).sum();
+        assert!((axis - 80.0).abs() < 0.5, "{axis}");
+        assert!(cleared.iter().any(|line| line.polyline.length() > 60.0), "and most of the curve");
     }
 }

@@ -6,6 +6,7 @@
 
 mod anchor;
 mod bases;
+mod branch;
 mod displace;
 mod drawn;
 mod extend;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::branch::branch;
 use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
 use super::passage::Junction;
@@ -81,7 +82,7 @@ pub(super) fn split(
     if polyline.closed && params.is_dot(length) {
         return Vec::new();
     }
-    let (open, states) = match states.iter().position(|state| *state == LineState::TooNear) {
+    let (open, open_states) = match states.iter().position(|state| *state == LineState::TooNear) {
         Some(start) if polyline.closed => {
             let count = states.len();
             (polyline.opened_at(start), (0..=count).map(|k| states[(start + k) % count]).collect())
@@ -91,7 +92,12 @@ pub(super) fn split(
     let is_drawn = polyline.vertices.iter().all(|vertex| vertex.source.is_exact());
     let least = if is_drawn { WHOLE_DRAWN } else { WHOLE } * length;
     let kept = |pieces: &[Polyline<Vertex>]| pieces.iter().map(Polyline::length).sum::<f32>();
-    let coarse = pieces(&open.vertices, clear_stretches(&states), ends, drawn);
+    let coarse = pieces(&open.vertices, clear_stretches(&open_states), ends, drawn);
+    if kept(&coarse) < WHOLE * length
+        && let Some(branch) = branch(polyline, states, drawn)
+    {
+        return vec![branch];
+    }
     if kept(&coarse) >= least {
         return coarse;
     }
@@ -99,7 +105,7 @@ pub(super) fn split(
     let is_stroke = |vertex: &Vertex| dot(vertex.contrast, vertex.contrast) <= 0.0;
     let strokes = polyline.vertices.iter().filter(|vertex| is_stroke(vertex)).count();
     let fine = match 2 * strokes > polyline.vertices.len() {
-        true => pieces(&open.vertices, apart_stretches(&states), ends, drawn),
+        true => pieces(&open.vertices, apart_stretches(&open_states), ends, drawn),
         false => Vec::new(),
     };
     if kept(&fine) >= least && !fine.is_empty() {

@@ -1,0 +1,193 @@
+//! Points on lines as they are drawn: beads, and rings at which lines end.
+
+use super::{BEAD, MIDDLE, Point};
+use crate::geom::nearby::Nearby;
+use crate::geom::nearest_on_segment;
+use crate::geom::polygon::circle_points;
+use crate::geom::polyline::Polyline;
+use crate::lines::params::{Params, RING_FARTHEST};
+use crate::lines::series::without_scraps;
+use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
+use crate::units::{MmPoint, MmRect};
+
+/// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
+const BEAD_LENGTH: f32 = 0.1;
+/// The marks of those points that have room on the lines that are drawn.
+#[derive(Debug, Default)]
+pub(in crate::lines) struct DrawnPoints {
+    /// Of the line of each filled one its number, and where its bead is.
+    pub(super) beads: Vec<(usize, MmPoint)>,
+    /// Where lines end at hollow ones, and how far from their middles, mm.
+    pub(super) holes: Vec<(MmPoint, f32)>,
+    /// The rings of those.
+    pub(in crate::lines) rings: Vec<Polyline<Vertex>>,
+    /// How many have no room.
+    pub(in crate::lines) lost: usize,
+}
+
+/// Draws points on `lines`.
+pub(in crate::lines) fn draw(
+    points: &[Point],
+    lines: &[&Polyline<Vertex>],
+    area: MmRect,
+    params: &Params,
+) -> DrawnPoints {
+    if points.is_empty() {
+        return DrawnPoints::default();
+    }
+    let segments = nearby(lines.iter().copied(), area, params);
+    let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &segments, params);
+    let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
+    let whole = without_scraps(&series, &has_room);
+    if whole == has_room { drawn } else { draw_those(points, &whole, &segments, params).0 }
+}
+
+/// Draws those of the points that are wanted and have room; says which.
+fn draw_those(points: &[Point], wanted: &[bool], segments: &Nearby, params: &Params) -> (DrawnPoints, Vec<bool>) {
+    let mut drawn = DrawnPoints::default();
+    // on the line that goes through it, wherever that was moved
+    let place = |point: &Point| {
+        let reach = RING_FARTHEST + MIDDLE * point.radius;
+        let on_line = segments.nearest(point.at, reach, |_| true).filter(|_| !point.is_alone);
+        let place = on_line.map(|(_, at, segment)| (at, Some(segment.line), radius(point, params)));
+        place.or_else(|| point.is_alone.then(|| (point.at, None, radius(point, params))))
+    };
+    let half = 0.5 * params.width_max;
+    let mut taken: Vec<(MmPoint, f32)> = Vec::new();
+    let mut has_room = vec![false; points.len()];
+    for (number, point) in points.iter().enumerate().filter(|(number, _)| wanted[*number]) {
+        let Some((at, line, radius)) = place(point) else { continue };
+        let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
+        let beside = radius + params.min_gap + half;
+        let mut near: Vec<u32> = Vec::new();
+        segments.around_point(at, beside, |segment| {
+            if nearest_on_segment(at, segment.a, segment.b).0 < beside {
+                near.push(segment.line);
+            }
+        });
+        let passes = |line: u32| !point.is_alone && segments.nearest_of_line(at, radius, line).is_some();
+        if taken.iter().any(is_near) || !near.into_iter().all(passes) {
+            continue;
+        }
+        has_room[number] = true;
+        taken.push((at, radius));
+        match line.filter(|_| point.is_filled) {
+            Some(line) => drawn.beads.push((line as usize, at)),
+            None => {
+                drawn.rings.push(ring(point, at, radius - half, params));
+                drawn.holes.push((at, radius - half));
+            }
+        }
+    }
+    drawn.lost = has_room.iter().filter(|has_room| !**has_room).count();
+    (drawn, has_room)
+}
+
+/// Radius of what is drawn for a point, mm, with its ink.
+fn radius(point: &Point, params: &Params) -> f32 {
+    let half = 0.5 * params.width_max;
+    if point.is_filled { BEAD * half } else { point.radius.max(0.5 * params.max_spacing()) + half }
+}
+
+fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Vertex> {
+    let count = ((std::f32::consts::TAU * radius / SPACING).ceil() as usize).max(12);
+    let vertex = |at: MmPoint| Vertex {
+        at,
+        strength: point.strength.max(params.full_strength),
+        contrast: [0.0; 3],
+        width: params.width_max,
+        source: FoundIn::Vector,
+    };
+    Polyline { vertices: circle_points(at, radius, count).map(vertex).collect(), closed: true }
+}
+
+impl DrawnPoints {
+    /// A line, of this number among those that are drawn, with its beads, and in parts where it ends at hollow points;
+    /// with what of it is anchored.
+    pub(in crate::lines) fn parts(
+        &self,
+        number: usize,
+        line: &Polyline<Vertex>,
+        anchored: &[bool],
+        params: &Params,
+    ) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+        let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
+        for (_, at) in self.beads.iter().filter(|(of, _)| *of == number) {
+            add_bead(&mut line, &mut anchored, *at, BEAD * params.width_max);
+        }
+        match self.holes[..] {
+            [] => vec![(line, anchored)],
+            // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
+            ref holes => outside(&line, &anchored, holes, params.min_gap),
+        }
+    }
+}
+
+/// Makes a line as broad as this for a moment.
+fn add_bead(line: &mut Polyline<Vertex>, anchored: &mut Vec<bool>, at: MmPoint, width: f32) {
+    let distance = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(at, a.at, b.at).0;
+    let distances: Vec<f32> = line.segments().map(distance).collect();
+    let Some(nearest) = (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b])) else { return };
+    let (a, b) = (line.vertices[nearest], line.vertices[(nearest + 1) % line.vertices.len()]);
+    let (chord, half) = (b.at - a.at, 0.5 * BEAD_LENGTH);
+    let Some(along) = chord.try_normalize() else { return };
+    // within the segment, so that the line does not go back
+    let middle = (at - a.at).dot(along).clamp(half, (chord.length() - half).max(half));
+    let bead = |ahead: f32| Vertex { at: a.at + along * (middle + ahead), width, ..a };
+    line.vertices.splice(nearest + 1..nearest + 1, [bead(-half), bead(half)]);
+    anchored.splice(nearest + 1..nearest + 1, [true, true]);
+}
+
+/// The parts of a line, with what is anchored of it, that lie in none of the holes. An end of the line shorter than
+/// `least`, mm, is none of them.
+fn outside(
+    line: &Polyline<Vertex>,
+    anchored: &[bool],
+    holes: &[(MmPoint, f32)],
+    least: f32,
+) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+    let hole_at = |vertex: &Vertex| holes.iter().find(|(at, radius)| (vertex.at - *at).length() < *radius);
+    let Some(inside) = line.vertices.iter().position(|vertex| hole_at(vertex).is_some()) else {
+        return vec![(line.clone(), anchored.to_vec())];
+    };
+    let count = line.vertices.len();
+    // a ring is gone round from a hole to the same hole
+    let (start, steps) = if line.closed { (inside, count + 1) } else { (0, count) };
+    let mut parts: Vec<(Vec<Vertex>, Vec<bool>)> = vec![Default::default()];
+    let mut before: Option<&Vertex> = None;
+    for i in (start..start + steps).map(|i| i % count) {
+        let vertex = &line.vertices[i];
+        let side = |inner: &Vertex, outer: &Vertex| -> Option<Vertex> {
+            let (at, radius) = hole_at(inner)?;
+            let away = (outer.at - *at).try_normalize()?;
+            Some(Vertex { at: *at + away * *radius, ..*outer })
+        };
+        let part = parts.last_mut();
+        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some(), part) {
+            (true, false, Some(part)) => {
+                part.0.extend(before.and_then(|before| side(before, vertex)).into_iter().chain([*vertex]));
+                part.1.extend([true, anchored[i]]);
+            }
+            (false, true, Some(part)) => {
+                part.0.extend(before.and_then(|before| side(vertex, before)));
+                part.1.resize(part.0.len(), true);
+                parts.push(Default::default());
+            }
+            (false, false, Some(part)) => {
+                part.0.push(*vertex);
+                part.1.push(anchored[i]);
+            }
+            // within a hole nothing is drawn
+            (true, true, _) | (_, _, None) => {}
+        }
+        before = Some(vertex);
+    }
+    let last = parts.len() - 1;
+    let parts = parts.into_iter().enumerate().filter(|(_, (vertices, _))| vertices.len() > 1);
+    let parts = parts.map(|(number, (vertices, anchored))| (number, Polyline::open(vertices), anchored));
+    let is_end = |number: usize| !line.closed && (number == 0 || number == last);
+    let stays = |(number, part, anchored): (usize, Polyline<Vertex>, Vec<bool>)| {
+        (!is_end(number) || part.length() >= least).then_some((part, anchored))
+    };
+    parts.filter_map(stays).collect()
+}
