@@ -173,10 +173,10 @@ pub enum Note {
     /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
     #[error("{}", no_subject(*.0))]
     NoSubject([i32; 2]),
-    /// Weak lines and textures around the subject are left out, as was asked: how much of lines, mm on the sheet.
+    /// Weak lines and textures around the subject are left out, as was asked: how much of contours, mm on the sheet.
     #[error(
-        "around the subject {0} mm of weak lines, the outlines of other regions and all textures are left out, as was \
-         asked"
+        "around the subject weak lines ({0} mm of contours), the outlines of other regions and all textures are left \
+         out, as was asked; strong lines stay"
     )]
     BackgroundCalmed(u32),
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.

@@ -154,7 +154,11 @@ pub(super) fn draw(
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
         blank(classes, &decisions.erased);
         notes.extend(if of_picture { blank_ground(classes, plan) } else { None });
-        decisions.calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
+        decisions
+            .calmed_around
+            .iter()
+            .filter(|_| of_picture)
+            .for_each(|subject| subject::blank_around(classes, subject, size));
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     notes.extend(told_of_overview(&overview));

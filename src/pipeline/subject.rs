@@ -66,7 +66,9 @@ pub(super) fn prepare(
     }
     decisions.calmed_around = all.filter(|_| given.calm_background);
     if let Some(subject) = &decisions.calmed_around {
-        notes.push(Note::BackgroundCalmed(calm(edges, subject, layout, plan).round() as u32));
+        // lines that a person gave are all meant
+        let calmed = if given.lines.is_none() { calm(edges, subject, layout, plan) } else { 0.0 };
+        notes.push(Note::BackgroundCalmed(calmed.round() as u32));
     }
     notes
 }

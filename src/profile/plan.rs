@@ -185,9 +185,7 @@ impl Plan {
             if of_overview { OVERVIEW_SHAPES } else { FIGURE_SHAPES };
         let (distance, smoothing) = (lines.max_spacing(), lines.smoothing);
         let (spacing, narrowest) = (spacing * distance, narrowest * distance);
-        let drawn = lines.most_shapes;
-        let most = drawn.map_or(most, |drawn| most.max(drawn));
-        regions::Params { most, drawn, least_gain, most_near, spacing, narrowest, smoothing }
+        regions::Params { most, drawn: lines.most_shapes, least_gain, most_near, spacing, narrowest, smoothing }
     }
 
     /// How lines become dots, on a page of dots.

@@ -12,7 +12,53 @@ use crate::units::{PxPoint, Size};
 pub(super) fn of_tree(tree: &Tree, transform: Transform, size: Size) -> Vec<DrawnText> {
     let mut found = Vec::new();
     add_group(tree.root(), transform, size, &mut found);
-    found
+    sentences(found)
+}
+
+/// Texts of which some are lines of one sentence, as programs write them that know no paragraphs: the lines are one
+/// text. One goes on with the other if it comes next, begins with a small letter right below a text that begins with a
+/// capital, in letters of the same size, and one of them has several words. A list of single words is none.
+pub(super) fn sentences(texts: Vec<DrawnText>) -> Vec<DrawnText> {
+    let mut joined: Vec<DrawnText> = Vec::new();
+    // the last line of the text that was last
+    let mut line: Option<(PxPoint, PxPoint)> = None;
+    for text in texts {
+        let own = (text.min, text.max);
+        match (joined.last_mut(), line) {
+            (Some(last), Some(above)) if goes_on(last, above, &text) => {
+                match last.string.strip_suffix('-') {
+                    Some(begun) => last.string = format!("{begun}{}", text.string),
+                    None => last.string = format!("{} {}", last.string, text.string),
+                }
+                (last.min, last.max) = (last.min.min(text.min), last.max.max(text.max));
+            }
+            _ => joined.push(text),
+        }
+        line = Some(own);
+    }
+    joined
+}
+
+/// Lines of a paragraph are so far apart, in sizes of their font (the usual leading is 1.2).
+const LEADING: std::ops::RangeInclusive<f32> = 0.9..=1.45;
+/// Their beginnings or their middles are in line within this, in sizes of their font.
+const IN_LINE: f32 = 0.35;
+
+/// Whether a text goes on with the sentence of `text`, whose last line is `above` it.
+fn goes_on(text: &DrawnText, (min, max): (PxPoint, PxPoint), next: &DrawnText) -> bool {
+    let size = text.size.max(f32::MIN_POSITIVE);
+    let is_alike = text.hidden == next.hidden
+        && (next.size / size - 1.0).abs() < 0.05
+        && text.angle.abs() < 1.0
+        && next.angle.abs() < 1.0;
+    let step = 0.5 * (next.min.y + next.max.y - min.y - max.y) / size;
+    let middles = 0.5 * (next.min.x + next.max.x - min.x - max.x);
+    let in_line = (next.min.x - min.x).abs().min(middles.abs()) <= IN_LINE * size;
+    let begins = text.string.chars().next().is_some_and(char::is_uppercase);
+    let is_ended = text.string.ends_with(['.', '!', '?', ':', ';']);
+    let has_small = next.string.chars().next().is_some_and(char::is_lowercase);
+    let has_words = text.string.contains(' ') || next.string.contains(' ') || text.string.ends_with('-');
+    is_alike && LEADING.contains(&step) && in_line && begins && !is_ended && has_small && has_words
 }
 
 /// Whether a group has a text in it. (usvg 0.49 has such a question, but does not look into groups.)
@@ -57,4 +103,41 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
         size: largest.fold(0.0, f32::max) * to_pixels.kx.hypot(to_pixels.sy),
         hidden: false,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(string: &str, x: f32, y: f32) -> DrawnText {
+        let (min, max) = (PxPoint::new(x, y), PxPoint::new(x + 12.0 * string.chars().count() as f32, y + 24.0));
+        DrawnText { string: string.to_owned(), min, max, angle: 0.0, size: 20.0, hidden: false }
+    }
+
+    fn strings(texts: Vec<DrawnText>) -> Vec<String> {
+        sentences(texts).into_iter().map(|text| text.string).collect()
+    }
+
+    #[test]
+    fn lines_of_a_sentence_are_one_text() {
+        let lines = [text("The boiler", 10.0, 10.0), text("heats the", 10.0, 34.0), text("water.", 10.0, 58.0)];
+        let joined = sentences(lines.to_vec());
+        assert_eq!(joined.len(), 1);
+        assert_eq!(joined[0].string, "The boiler heats the water.");
+        assert_eq!((joined[0].min, joined[0].max), (lines[0].min, PxPoint::new(130.0, 82.0)));
+        let divided = [text("A spider-", 10.0, 10.0), text("ling", 10.0, 34.0)];
+        assert_eq!(strings(divided.to_vec()), ["A spiderling"]);
+    }
+
+    #[test]
+    fn lists_and_texts_apart_are_several() {
+        let list = [text("duck", 10.0, 10.0), text("sea gull", 10.0, 34.0), text("Great tit", 10.0, 58.0)];
+        assert_eq!(strings(list.to_vec()).len(), 3);
+        let apart = [text("The boiler", 10.0, 10.0), text("heats the water", 10.0, 60.0)];
+        assert_eq!(strings(apart.to_vec()).len(), 2, "too far below");
+        let beside = [text("The boiler", 10.0, 10.0), text("heats the water", 60.0, 34.0)];
+        assert_eq!(strings(beside.to_vec()).len(), 2, "not in line");
+        let ended = [text("The end.", 10.0, 10.0), text("not its own", 10.0, 34.0)];
+        assert_eq!(strings(ended.to_vec()).len(), 2, "the sentence has ended");
+    }
 }

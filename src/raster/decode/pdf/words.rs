@@ -3,6 +3,7 @@
 use hayro_interpret::kurbo::{Point, Rect, Vec2};
 use resvg::tiny_skia::Transform;
 
+use super::super::texts::sentences;
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 
@@ -168,7 +169,7 @@ pub(super) fn on_canvas(texts: &[Written], transform: Transform, size: Size) -> 
             hidden: text.hidden,
         })
     };
-    texts.iter().filter_map(drawn).collect()
+    sentences(texts.iter().filter_map(drawn).collect())
 }
 
 #[cfg(test)]
