@@ -297,8 +297,8 @@ fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
 
-/// Takes the glyphs out of a figure that labels and their leader lines need blank. Gives, for each texture of which none
-/// is left, which of the labels lies nearest to its middle.
+/// Takes the glyphs out of a figure that labels and their leader lines need blank. Gives, for each texture of which
+/// none is left, which of the labels lies nearest to its middle.
 pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Vec<usize> {
     let mut gone = Vec::new();
     figure.textures.retain_mut(|texture| {

@@ -162,11 +162,7 @@ pub(super) fn draw(
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     notes.extend(told_of_overview(&overview));
-    let lacking = |lines: &[Line], place: MmRect, about: About| {
-        subject::told_lacking(&decisions, lines, (edges.size, place), (&layout, plan), about)
-    };
-    notes.extend(lacking(&drawn.lines, layout.figure, About::Lines));
-    notes.extend(overview.marks.iter().filter_map(|(place, lines)| lacking(lines, *place, About::Overview)));
+    notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let of_drawing = edges.of_drawing();

@@ -73,9 +73,25 @@ pub(super) fn prepare(
     notes
 }
 
-/// What the maker is told of subjects whose outlines are not among the lines of a part of the page, or only pieces of
-/// them; `picture` is the size of the picture, which lies at `place` there.
+/// What the maker is told of subjects whose outlines are not among the lines of the figure, or of the overview that lies
+/// in a place, or only pieces of them; `picture` is the size of the picture.
 pub(super) fn told_lacking(
+    decisions: &Decisions,
+    picture: Size,
+    figure: &[Line],
+    overview: Option<&(MmRect, Vec<Line>)>,
+    layout: &Layout,
+    plan: &Plan,
+) -> impl Iterator<Item = Note> {
+    let lacking = |lines: &[Line], place: MmRect, about: About| {
+        lacking(decisions, lines, (picture, place), (layout, plan), about)
+    };
+    let of_figure = lacking(figure, layout.figure, About::Lines);
+    of_figure.into_iter().chain(overview.and_then(|(place, lines)| lacking(lines, *place, About::Overview)))
+}
+
+/// The same of one part of the page, in which the picture lies at `place`.
+fn lacking(
     decisions: &Decisions,
     lines: &[Line],
     (picture, place): (Size, MmRect),
