@@ -26,7 +26,8 @@ pub(super) fn findings(
     for (number, line) in lines.iter().enumerate() {
         found.extend(too_thin(line, name_in(names, number), limits));
         if !window.is_some_and(|window| goes_on(line, window, limits)) {
-            found.extend(too_short(line, name_in(names, number), limits));
+            let short = too_short(line, name_in(names, number), limits);
+            found.extend(short.filter(|_| !is_link(number, lines, limits)));
         }
     }
     let (near, are_all) = match (limits.medium, medium) {
@@ -89,6 +90,18 @@ fn goes_on(line: &Line, window: MmRect, limits: &RuleLimits) -> bool {
     let ends = line.runs.iter().flat_map(|run| [run.points.first(), run.points.last()]).flatten();
     inner.is_negative() || ends.into_iter().any(|end| !inner.contains(*end))
 }
+
+/// Whether both ends of a line of dots lie beside dots of others, as those of an arrow between two boxes, which may be
+/// short.
+fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
+    let MediumLimits::Dots { pitch, .. } = limits.medium else { return false };
+    let Some([first, .., last]) = lines[number].runs.first().map(|run| &run.points[..]) else { return false };
+    let others = || lines.iter().enumerate().filter(|(other, _)| *other != number).flat_map(|(_, line)| points(line));
+    [first, last].into_iter().all(|end| others().any(|dot| (dot - *end).length() <= BESIDE * pitch))
+}
+
+/// Dots no farther apart than so many pitches are beside one another.
+const BESIDE: f32 = 1.5;
 
 fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {
     // a dot stands for half a pitch to both sides

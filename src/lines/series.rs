@@ -1,5 +1,5 @@
-//! Points of one series, as the months of a curve in a chart. A few of them, where there is no room for all, are felt as
-//! special ones: the others say with their line what they mark.
+//! Points of one series, as the months of a curve in a chart. A few of them, where there is no room for all, are felt
+//! as special ones; without them the line still says where it bends.
 
 /// So many points that are alike on one line are a series.
 pub(super) const SERIES: usize = 4;

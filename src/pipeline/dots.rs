@@ -78,14 +78,13 @@ const GRID_LINES: usize = 4;
 /// The numbers of the lines of a squared grid, thin and pale ones level and upright, if too little of it is among
 /// `pressed`.
 fn torn_grid(lines: &[Line], pressed: &[Line], area: MmRect, faint: f32) -> Vec<usize> {
-    let is_straight =
-        |line: &Line| line.strength <= faint * ROUNDED_UP && line.runs.len() == 1 && line.runs[0].points.len() == 2;
+    let is_faint = |line: &Line| line.strength <= faint * ROUNDED_UP;
     let way = |line: &Line| {
         let size = extent(line).size();
         (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
     };
-    let faint = lines.iter().enumerate().filter(|(_, line)| is_straight(line));
-    let ways: Vec<(usize, bool)> = faint.filter_map(|(number, line)| Some((number, way(line)?))).collect();
+    let thin = lines.iter().enumerate().filter(|(_, line)| is_faint(line));
+    let ways: Vec<(usize, bool)> = thin.filter_map(|(number, line)| Some((number, way(line)?))).collect();
     let count = |level: bool| ways.iter().filter(|(_, of)| *of == level).count();
     if count(true) < GRID_LINES || count(false) < GRID_LINES {
         return Vec::new();

@@ -18,7 +18,7 @@ use super::small_areas;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
-use super::told_lines::{left_out, told_dashed, told_gone, told_grid, told_left_out, told_simplified};
+use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified, told_whole};
 use super::words::{Words, become_labels};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, Ridges};
@@ -139,8 +139,7 @@ pub(super) fn draw(
     };
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
-    notes.extend(told_left_out(&drawn, &edges, &layout));
-    notes.extend(told_gone(&drawn.lost).into_iter().chain(told_grid(&drawn.lost)));
+    notes.extend(told_left_out(&drawn, &edges, &layout).into_iter().chain(told_whole(&drawn.lost)));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
     if let Some(AreasOfColours { classes, with_small }) = &mut areas_of_colours {

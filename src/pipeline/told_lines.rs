@@ -48,8 +48,13 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
 }
 
+/// What the maker is told of lines of a drawing that are not on the page as a whole.
+pub(super) fn told_whole(lost: &Lost) -> impl Iterator<Item = Note> {
+    told_gone(lost).into_iter().chain(told_grid(lost))
+}
+
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
-pub(super) fn told_gone(lost: &Lost) -> Option<Note> {
+fn told_gone(lost: &Lost) -> Option<Note> {
     let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
     let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
@@ -63,7 +68,7 @@ pub(super) fn told_gone(lost: &Lost) -> Option<Note> {
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.
-pub(super) fn told_grid(lost: &Lost) -> Option<Note> {
+fn told_grid(lost: &Lost) -> Option<Note> {
     let why = "pieces of it would be felt as lines; say the scale in a label, or make the figure larger";
     (lost.grid > 0).then(|| Note::NotOnPage(About::Lines, format!("the squared grid, {} lines: {why}", lost.grid)))
 }

@@ -32,9 +32,11 @@ pub(in crate::dots) fn on_grid(
     let mut drawn: Vec<DrawnPiece> = Vec::new();
     for line in order(lines, part, params.centres()) {
         let (cells, closed) = cells_of(&lines[line], grid, within);
+        let is_arrow = is_arrow(&lines[line], marks);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
-            piece.cells.len() >= LEAST_DOTS && (piece.is_link || length + ROUNDED_OFF >= params.min_length)
+            let is_long = length + ROUNDED_OFF >= params.min_length || is_arrow && piece.is_link;
+            is_long && piece.cells.len() >= LEAST_DOTS
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
             piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
@@ -79,6 +81,17 @@ fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     (rasterise::thin(cells, closed), closed)
 }
 
+/// A head is that of a line if its tip is so near to one of its ends, mm.
+const AT_TIP: f32 = 2.0;
+
+/// Whether a line is the shaft of an arrow.
+fn is_arrow(line: &Line, marks: &LineMarks) -> bool {
+    let points = || line.runs.iter().flat_map(|run| run.points.iter());
+    let ends = [points().next(), points().last()];
+    let is_tip = |end: &MmPoint| marks.heads.iter().any(|head| (head.at - *end).length() <= AT_TIP);
+    ends.into_iter().flatten().any(is_tip)
+}
+
 /// Whether the ends of a line have become neighbours on the grid, which closes it.
 fn ends_touch(cells: &[Cell]) -> bool {
     let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
@@ -93,7 +106,7 @@ fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
 struct RowPiece {
     cells: Vec<Cell>,
     closed: bool,
-    /// Whether it is a whole line that leads from one line to another, as an arrow between two boxes: it may be short.
+    /// Whether it is a whole line that leads from one line to another: an arrow between two boxes may be short.
     is_link: bool,
 }
 

@@ -18,8 +18,8 @@ const ALONG: f32 = 0.7;
 const MOST: f32 = 8.0;
 const STEP: f32 = 0.5;
 
-/// Where a head has room nowhere on its shaft, as at an axis that ends shortly after its grid, the shaft is longer by at
-/// most this, mm, if there is nothing before it.
+/// Where a head has room nowhere on its shaft, as at an axis that ends shortly after its grid, the shaft is longer by
+/// at most this, mm, if there is nothing before it.
 const FARTHER: f32 = 10.0;
 
 /// Heads that are drawn.

@@ -13,8 +13,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 const SHORTEST: f32 = 0.4;
 /// Strokes across ends that are longer than so many least lengths are lines by themselves.
 const LONGEST: f32 = 3.0;
-/// Strokes across ends belong together if they are parallel (the cosine) and no farther apart than this, in distances of
-/// two lines: the plates of a battery.
+/// Strokes across ends belong together if they are parallel (the cosine) and no farther apart than this, in distances
+/// of two lines: the plates of a battery.
 const PARALLEL: f32 = 0.98;
 const TOGETHER: f32 = 3.0;
 /// The end of a line lies no farther from the stroke across it than this, mm.
@@ -99,7 +99,8 @@ mod tests {
     use super::*;
     use crate::lines::tests::area;
 
-    /// The lengths of the plates of a battery, of which the short one is so long, and so far from the long one, in tenths of a mm.
+    /// The lengths of the plates of a battery, in tenths of a mm, of which the short one is so long, and so far from the
+    /// long one.
     fn plates(short: f32, apart: f32) -> [i32; 2] {
         let plate = |y: f32, length: f32| line((50.0 - 0.5 * length, y), (50.0 + 0.5 * length, y));
         let mut lines = vec![
@@ -117,7 +118,7 @@ mod tests {
         assert_eq!(plates(6.0, 6.0), [142, 82]);
         assert_eq!(plates(9.0, 6.0), [180, 90], "it is long enough");
         assert_eq!(plates(6.0, 3.0), [120, 60], "too near to one another");
-        assert_eq!(plates(2.0, 6.0), [40, 20], "crumbs");
+        assert_eq!(plates(1.4, 6.0), [28, 14], "crumbs");
     }
 
     #[test]
