@@ -4,6 +4,7 @@
 
 mod adapt;
 mod areas;
+mod areas_of_colours;
 mod bars;
 pub mod colours;
 mod decisions;

@@ -1,6 +1,7 @@
 //! From bytes to sorted colours: as for a page, but no further.
 
-use super::draw::{find_edges, sort_colours, working_size};
+use super::areas_of_colours::sort_colours;
+use super::draw::{find_edges, working_size};
 use super::progress::Watch;
 use super::read::{Read, read};
 use super::request::{OverviewSize, Request};

@@ -1,8 +1,9 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
+use super::areas_of_colours::AreasOfColours;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
-use super::given::{Given, GivenLines, blank, erase};
+use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::leaders;
@@ -14,20 +15,17 @@ use super::overview::{draw_overview, seen_in_figure, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request};
-use super::small_areas;
 use super::subject;
 use super::texts::{self, Text, placed};
-use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
+use super::textures::{draw_textures, told_bare};
 use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified, told_whole};
 use super::words::{Words, become_labels};
-use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, Ridges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, Detail, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
@@ -142,22 +140,9 @@ pub(super) fn draw(
     notes.extend(told_left_out(&drawn, &edges, &layout).into_iter().chain(told_whole(&drawn.lost)));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
-    if let Some(AreasOfColours { classes, with_small }) = &mut areas_of_colours {
+    if let Some(of_colours) = &mut areas_of_colours {
         let size = picture.raster.size();
-        // which areas a person gave have a texture is theirs to say
-        let of_picture = given.areas.is_none();
-        // what is erased is not there on purpose
-        let with_small = with_small.as_ref().filter(|_| decisions.erased.is_empty());
-        notes.extend(with_small.and_then(|fine| small_areas::told(classes, fine, &layout, plan)));
-        let outlines = areas.as_ref().filter(|_| of_picture);
-        notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
-        blank(classes, &decisions.erased);
-        notes.extend(if of_picture { blank_ground(classes, plan) } else { None });
-        decisions
-            .calmed_around
-            .iter()
-            .filter(|_| of_picture)
-            .for_each(|subject| subject::blank_around(classes, subject, size));
+        notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, (&layout, plan)));
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     notes.extend(told_of_overview(&overview));
@@ -439,57 +424,4 @@ fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     let why = "the room beside it is for the drawing's own words; give the words as labels, or ask for more";
     let told = format!("the figure is {width:.0} mm wide and not {wanted:.0}, as {why}");
     (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
-}
-
-/// The areas of a figure by their colours.
-struct AreasOfColours {
-    classes: Classes,
-    /// The same with areas that are too small for a texture, where such are told.
-    with_small: Option<Classes>,
-}
-
-impl AreasOfColours {
-    /// The areas that a person gave, or the colours of the picture.
-    fn of(
-        given: &Given,
-        raster: &Raster,
-        edges: &Edges,
-        layout: &Layout,
-        plan: &Plan,
-        watch: &mut Watch<'_>,
-    ) -> Option<Self> {
-        if let Some(areas) = &given.areas {
-            return plan.profile().figure.textures.then(|| Self { classes: areas.clone(), with_small: None });
-        }
-        if small_areas::are_told(edges, layout) {
-            let [classes, small] = sort_colours(raster, [1.0, small_areas::LEAST], edges, layout, plan, watch)?;
-            return Some(Self { classes, with_small: Some(small) });
-        }
-        let [classes] = sort_colours(raster, [1.0], edges, layout, plan, watch)?;
-        Some(Self { classes, with_small: None })
-    }
-}
-
-/// The colours of a picture, sorted for each of these least areas, in shares of that of the profile.
-pub(super) fn sort_colours<const N: usize>(
-    raster: &Raster,
-    shares: [f32; N],
-    edges: &Edges,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> Option<[Classes; N]> {
-    if !plan.profile().figure.textures {
-        watch(Event::Skip(Stage::Classes, "figure.textures is off"));
-        return None;
-    }
-    if raster.is_grey() {
-        watch(Event::Skip(Stage::Hues, "the picture is grey"));
-    }
-    let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
-    Some(run(watch, Stage::Classes, || {
-        let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
-        let params = plan.classes(px_per_mm);
-        classes::sort_for(raster, &contours, &params, shares.map(|share| share * params.min_area))
-    }))
 }
