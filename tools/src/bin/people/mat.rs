@@ -22,7 +22,7 @@ const MOST: u64 = 100_000_000;
 
 /// A value in a file.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Array {
+pub(super) enum Array {
     Cells(Vec<Array>),
     /// Of structures the fields of all, one after the other.
     Fields(Vec<(String, Array)>),
@@ -31,18 +31,18 @@ pub enum Array {
 
 /// Whole numbers in rows.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Matrix {
-    pub width: usize,
-    pub height: usize,
+pub(super) struct Matrix {
+    pub(super) width: usize,
+    pub(super) height: usize,
     /// Row by row.
-    pub values: Vec<u16>,
+    pub(super) values: Vec<u16>,
 }
 
 /// The variables of a file.
 ///
 /// # Errors
 /// What in it is not as the format has it, or is none of what is read here.
-pub fn read(file: &[u8]) -> Result<Vec<Array>, String> {
+pub(super) fn read(file: &[u8]) -> Result<Vec<Array>, String> {
     if file.get(HEADER - 2..HEADER) != Some(b"IM") {
         return Err("this is no MAT-file of level 5 in little-endian order".into());
     }
@@ -155,4 +155,61 @@ fn array(bytes: &[u8]) -> Result<Array, String> {
 /// The whole numbers of four bytes in an element.
 fn whole(bytes: &[u8]) -> impl Iterator<Item = usize> {
     bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn element(kind: u32, data: &[u8]) -> Vec<u8> {
+        let mut bytes = [kind.to_le_bytes(), (data.len() as u32).to_le_bytes()].concat();
+        bytes.extend(data);
+        bytes.resize(bytes.len().next_multiple_of(8), 0);
+        bytes
+    }
+
+    /// A matrix of bytes, two high and three wide, given column by column; its numbers in an element or in its tag.
+    fn matrix(columns: &[u8], in_tag: bool) -> Vec<u8> {
+        let numbers = if in_tag {
+            let tag = UINT8 | (columns.len() as u32) << 16;
+            [&tag.to_le_bytes()[..], columns].concat()
+        } else {
+            element(UINT8, columns)
+        };
+        let sides = [(columns.len() / 3).to_le_bytes()[..4].to_vec(), 3_u32.to_le_bytes().to_vec()].concat();
+        let parts = [element(6, &[OF_UINT8 as u8, 0, 0, 0, 0, 0, 0, 0]), element(5, &sides), element(1, b""), numbers];
+        element(MATRIX, &parts.concat())
+    }
+
+    fn file(elements: &[u8]) -> Vec<u8> {
+        let mut bytes = vec![0; HEADER];
+        bytes[HEADER - 2..].copy_from_slice(b"IM");
+        [&bytes, elements].concat()
+    }
+
+    #[test]
+    fn columns_become_rows() {
+        let Ok([Array::Numbers(found)]) = read(&file(&matrix(&[1, 2, 3, 4, 5, 6], false)))
+            .as_deref()
+            .map(|all| <&[Array; 1]>::try_from(all).expect("one variable"))
+        else {
+            panic!("a matrix")
+        };
+        assert_eq!((found.width, found.height, &found.values[..]), (3, 2, &[1, 3, 5, 2, 4, 6][..]));
+    }
+
+    #[test]
+    fn short_elements_stand_in_their_tag() {
+        let found = read(&file(&matrix(&[7, 8, 9], true))).expect("a file");
+        assert_eq!(found, [Array::Numbers(Matrix { width: 3, height: 1, values: vec![7, 8, 9] })]);
+    }
+
+    #[test]
+    fn what_is_cut_or_of_another_kind_is_refused() {
+        let whole = file(&matrix(&[1, 2, 3, 4, 5, 6], false));
+        for length in HEADER + 1..whole.len() {
+            assert!(read(&whole[..length]).is_err(), "{length} bytes");
+        }
+        assert!(read(b"no file").is_err());
+    }
 }

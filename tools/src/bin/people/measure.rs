@@ -13,29 +13,29 @@ const GAP: i64 = 3;
 const CLOSED: f64 = 3.0;
 
 /// What one person outlined.
-pub struct Outlined {
+pub(super) struct Outlined {
     /// 1 on boundaries, else 0.
-    pub boundaries: Matrix,
+    pub(super) boundaries: Matrix,
     /// The number of the segment of each pixel.
-    pub segments: Matrix,
+    pub(super) segments: Matrix,
 }
 
 /// A line in pixels of the picture.
-pub type Path = Vec<(f64, f64)>;
+pub(super) type Path = Vec<(f64, f64)>;
 
 /// Counts and shares of one picture.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Agreement {
+pub(super) struct Agreement {
     /// Drawn pixels, and those on any boundary.
-    pub drawn: usize,
-    pub right: usize,
+    pub(super) drawn: usize,
+    pub(super) right: usize,
     /// Boundary pixels that at least half of the people share, and those with a line.
-    pub wanted: usize,
-    pub found: usize,
-    pub lines: usize,
+    pub(super) wanted: usize,
+    pub(super) found: usize,
+    pub(super) lines: usize,
     /// Share of the drawn length in rings.
-    pub closed: f64,
-    pub covering: f64,
+    pub(super) closed: f64,
+    pub(super) covering: f64,
 }
 
 /// A bitmap of the size of the picture.
@@ -102,7 +102,7 @@ fn disc(radius: f64) -> Vec<(i64, i64)> {
 }
 
 /// How well lines draw what people outlined.
-pub fn agreement(lines: &[Path], people: &[Outlined]) -> Agreement {
+pub(super) fn agreement(lines: &[Path], people: &[Outlined]) -> Agreement {
     let (width, height) = (people[0].boundaries.width, people[0].boundaries.height);
     let diagonal = (width as f64).hypot(height as f64);
     let near = disc(TOLERANCE * diagonal);
