@@ -99,8 +99,8 @@ mod tests {
     use super::*;
     use crate::lines::tests::area;
 
-    /// The lengths of the plates of a battery, in tenths of a mm, of which the short one is so long, and so far from the
-    /// long one.
+    /// The lengths of the plates of a battery, in tenths of a mm, of which the short one is so long, and so far from
+    /// the long one.
     fn plates(short: f32, apart: f32) -> [i32; 2] {
         let plate = |y: f32, length: f32| line((50.0 - 0.5 * length, y), (50.0 + 0.5 * length, y));
         let mut lines = vec![
