@@ -43,8 +43,8 @@ impl AreasOfColours {
         Some(Self { classes, with_small: None })
     }
 
-    /// Takes out what has no texture on a page: crumbs beside outlines, what is erased, the ground, and what lies around
-    /// a subject that is to stand out. Tells what of that is not on purpose.
+    /// Takes out what has no texture on a page: crumbs beside outlines, what is erased, the ground, and what lies
+    /// around a subject that is to stand out. Tells what of that is not on purpose.
     pub(super) fn fit_to_page(
         &mut self,
         given: &Given,
