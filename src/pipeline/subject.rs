@@ -73,8 +73,8 @@ pub(super) fn prepare(
     notes
 }
 
-/// What the maker is told of subjects whose outlines are not among the lines of the figure, or of the overview that lies
-/// in a place, or only pieces of them; `picture` is the size of the picture.
+/// What the maker is told of subjects whose outlines are not among the lines of the figure, or of the overview that
+/// lies in a place, or only pieces of them; `picture` is the size of the picture.
 pub(super) fn told_lacking(
     decisions: &Decisions,
     picture: Size,
