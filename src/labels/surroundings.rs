@@ -31,7 +31,7 @@ const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
 const FARTHEST_ARC: f32 = 25.0;
 /// A text or a label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
-pub(super) const FURTHEST_OUTLINE: f32 = 60.0;
+pub(super) const FURTHEST_OUTLINE: f32 = 90.0;
 /// So far from its middle one is beside a line, mm: more than half of the widest.
 const OFF_LINE: f32 = 2.5;
 /// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given

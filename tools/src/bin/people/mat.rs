@@ -189,12 +189,8 @@ mod tests {
 
     #[test]
     fn columns_become_rows() {
-        let Ok([Array::Numbers(found)]) = read(&file(&matrix(&[1, 2, 3, 4, 5, 6], false)))
-            .as_deref()
-            .map(|all| <&[Array; 1]>::try_from(all).expect("one variable"))
-        else {
-            panic!("a matrix")
-        };
+        let all = read(&file(&matrix(&[1, 2, 3, 4, 5, 6], false))).expect("a file");
+        let [Array::Numbers(found)] = &all[..] else { panic!("{all:?}") };
         assert_eq!((found.width, found.height, &found.values[..]), (3, 2, &[1, 3, 5, 2, 4, 6][..]));
     }
 
