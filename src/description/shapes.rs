@@ -12,7 +12,7 @@ use crate::wording::{Value, Wording};
 /// A closed line is round if its area is so much of that of a circle of its length; a square has 0.785.
 const ROUND: f32 = 0.88;
 /// A round line has at least this ratio of its narrower to its wider side.
-const AS_WIDE: f32 = 0.85;
+const AS_WIDE: f32 = 0.84;
 /// An open line is straight if its ends are so far apart, of its length.
 const STRAIGHTNESS: f32 = 0.97;
 /// A straight line is level or upright within 10 degrees.
