@@ -1,0 +1,99 @@
+//! Lines of dots that keep apart on a grid.
+
+use super::*;
+
+fn row(y: i32, columns: std::ops::Range<i32>) -> Vec<Cell> {
+    columns.map(|x| [x, y]).collect()
+}
+
+fn taken(lines: &[Vec<Cell>], gap: i32) -> OccupiedDots {
+    let mut taken = OccupiedDots { lines: BTreeMap::new(), gap };
+    for (number, cells) in lines.iter().enumerate() {
+        cells.iter().for_each(|&cell| taken.take(cell, number));
+    }
+    taken
+}
+
+fn pieces(taken: &OccupiedDots, cells: &[Cell], closed: bool) -> Vec<(Vec<Cell>, bool)> {
+    taken.pieces(cells, closed).into_iter().map(|piece| (piece.cells, piece.closed)).collect()
+}
+
+#[test]
+fn a_line_far_from_others_stays_whole() {
+    let taken = taken(&[row(0, 0..20)], 2);
+    assert_eq!(pieces(&taken, &row(3, 0..20), false), [(row(3, 0..20), false)]);
+    // a step nearer there are too few empty dots between
+    assert_eq!(pieces(&taken, &row(2, 0..20), false), []);
+}
+
+#[test]
+fn a_line_is_cut_where_it_comes_near_another() {
+    let taken = taken(&[row(0, 10..12)], 1);
+    assert_eq!(pieces(&taken, &row(1, 0..20), false), [(row(1, 0..9), false), (row(1, 13..20), false)]);
+}
+
+#[test]
+fn a_ring_that_is_cut_is_an_open_line() {
+    let side = |from: Cell, step: Cell| (0..6).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
+    let right_and_down = side([0, 0], [1, 0]).chain(side([6, 0], [0, 1]));
+    let ring: Vec<Cell> = right_and_down.chain(side([6, 6], [-1, 0])).chain(side([0, 6], [0, -1])).collect();
+    assert_eq!(pieces(&taken(&[], 1), &ring, true), [(ring.clone(), true)]);
+    let cut = pieces(&taken(&[vec![[3, -1]]], 1), &ring, true);
+    assert_eq!(cut.len(), 1);
+    let (cells, closed) = &cut[0];
+    assert!(!closed && cells.len() == ring.len() - 3, "{cells:?}");
+    assert_eq!((cells.first(), cells.last()), (Some(&[5, 0]), Some(&[1, 0])));
+}
+
+#[test]
+fn an_end_that_touches_another_line_stays_joined() {
+    let taken = taken(&[row(0, 0..20)], 2);
+    let upright = |rows: std::ops::Range<i32>| rows.map(|y| [10, y]).collect::<Vec<Cell>>();
+    // the dot on the other line is removed, the one beside it stays
+    assert_eq!(pieces(&taken, &upright(0..9), false), [(upright(1..9), false)]);
+    let reversed: Vec<Cell> = upright(0..9).into_iter().rev().collect();
+    assert_eq!(pieces(&taken, &reversed, false), [(upright(1..9).into_iter().rev().collect(), false)]);
+    // an end that only comes near is shortened
+    assert_eq!(pieces(&taken, &upright(2..9), false), [(upright(3..9), false)]);
+}
+
+#[test]
+fn a_short_line_from_one_line_to_another_is_a_link() {
+    let upright = |x: i32| (0..12).map(move |y| [x, y]).collect::<Vec<Cell>>();
+    let boxes = taken(&[upright(0), upright(7)], 2);
+    let links = |from: i32, to: i32| {
+        let pieces = boxes.pieces(&row(6, from..to), false);
+        pieces.into_iter().map(|piece| (piece.cells.len(), piece.is_link)).collect::<Vec<_>>()
+    };
+    assert_eq!(links(0, 8), [(6, true)]);
+    assert_eq!(links(0, 5), [(4, false)], "it ends before the other one");
+}
+
+#[test]
+fn a_line_that_comes_back_keeps_the_gap_from_itself() {
+    let hairpin: Vec<Cell> = row(0, 0..20).into_iter().chain(row(1, 0..20).into_iter().rev()).collect();
+    let left = pieces(&taken(&[], 1), &hairpin, false);
+    // both arms are near each other for 8 dots from the turn on
+    assert_eq!(left.len(), 1);
+    assert_eq!((left[0].0.first(), left[0].0.len()), (Some(&[0, 0]), 20 + 4));
+}
+
+#[test]
+fn a_second_row_keeps_the_gap_from_other_lines() {
+    let first = row(0, 0..12);
+    let piece = RowPiece { cells: first.clone(), closed: false, is_link: false };
+    let alone = taken(std::slice::from_ref(&first), 1);
+    assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
+    assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
+    let beside = taken(&[first, vec![[6, 2]]], 1);
+    assert_eq!(beside.second_row((0, &piece), LEAST_DOTS, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+    assert_eq!(beside.second_row((0, &piece), 5, |_| true), row(1, 0..5), "four dots are too few");
+}
+
+#[test]
+fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
+    let ring = [[7, 5], [6, 6], [5, 7], [5, 8], [5, 9], [4, 9], [3, 9], [2, 8], [2, 7], [3, 6], [4, 6], [5, 6], [6, 5]];
+    let piece = RowPiece::cut_out(ring.to_vec());
+    assert_eq!((piece.closed, &piece.cells[..]), (true, &ring[2..12]));
+    assert!(!RowPiece::cut_out(ring[..8].to_vec()).closed);
+}

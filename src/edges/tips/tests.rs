@@ -1,0 +1,114 @@
+//! Ends of contours: where they lead, and to what they are joined.
+
+use super::super::contour::testing::polyline;
+use super::*;
+
+const SIGMA: f32 = 1.8;
+
+fn stroke(points: &[(f32, f32)]) -> FoundContour {
+    FoundContour { stroke: Some(4.0), ..FoundContour::edge(polyline(points)) }
+}
+
+#[test]
+fn the_sides_of_a_sharp_corner_meet_at_its_tip() {
+    // 28 degrees between the sides, whose tip is at (100, 50)
+    let sides = [stroke(&[(-60.0, 10.0), (90.0, 47.5)]), stroke(&[(-60.0, 90.0), (92.0, 52.0)])];
+    let corner = join_corners(sides.to_vec(), SIGMA, &|_, _, _, _| true);
+    assert_eq!(corner.len(), 1);
+    let at = |(x, y)| {
+        let distances = corner[0].contour.vertices.iter().map(|vertex| (vertex.at - PxPoint::new(x, y)).length());
+        distances.fold(f32::INFINITY, f32::min)
+    };
+    assert!(at((100.0, 50.0)) < 0.1 && at((-60.0, 10.0)) < 0.1 && at((-60.0, 90.0)) < 0.1);
+}
+
+#[test]
+fn a_stroke_whose_own_ends_make_a_corner_is_closed() {
+    let triangle =
+        join_corners(vec![stroke(&[(92.0, 48.0), (20.0, 30.0), (20.0, 70.0), (90.0, 52.5)])], SIGMA, &|_, _, _, _| {
+            true
+        });
+    assert!(triangle.len() == 1 && triangle[0].contour.closed);
+    assert!((triangle[0].contour.length() - 2.0 * 82.46 - 40.0).abs() < 0.5);
+}
+
+#[test]
+fn what_is_one_in_a_closed_thread_does_not_depend_on_which_part_comes_first() {
+    // a triangle of two strokes, which make a corner, and an edge
+    let stroke = |points: &[(f32, f32)]| stroke(points);
+    let sides = [
+        stroke(&[(20.0, 100.0), (100.0, 20.0)]),
+        stroke(&[(104.0, 20.0), (184.0, 100.0)]),
+        FoundContour { stroke: None, ..stroke(&[(182.0, 103.0), (22.0, 103.0)]) },
+    ];
+    for first in 0..3 {
+        for reversed in 0..8 {
+            let mut sides = sides.clone();
+            sides.rotate_left(first);
+            for (k, side) in sides.iter_mut().enumerate() {
+                if reversed & (1 << k) != 0 {
+                    side.contour.reverse();
+                }
+            }
+            let met = join_corners(sides.to_vec(), SIGMA, &|_, _, _, _| true);
+            let mut lengths: Vec<f32> = met.iter().map(|found| found.contour.length()).collect();
+            lengths.sort_by(f32::total_cmp);
+            let [edge, two] = lengths[..] else { panic!("{lengths:?} from {first}, {reversed:b} reversed") };
+            let is_as_ever = (edge - 170.0).abs() < 0.5 && (two - 2.0 * 85.0 * 2.0_f32.sqrt()).abs() < 0.5;
+            assert!(is_as_ever, "{lengths:?} from {first}, {reversed:b} reversed");
+        }
+    }
+}
+
+#[test]
+fn ends_that_make_no_corner_stay() {
+    let parallel = [stroke(&[(-60.0, 46.0), (90.0, 46.0)]), stroke(&[(-60.0, 54.0), (90.0, 54.0)])];
+    assert_eq!(join_corners(parallel.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2);
+    let far = [stroke(&[(-80.0, 5.0), (46.0, 36.5)]), stroke(&[(-80.0, 95.0), (46.0, 63.5)])];
+    assert_eq!(join_corners(far.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2, "27 px apart are more than 26");
+    let steps = [stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&[(165.0, 34.0), (300.0, 34.0)])];
+    assert_eq!(join_corners(steps.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2);
+}
+
+#[test]
+fn a_short_stroke_makes_a_corner_if_the_way_to_its_tip_is_seen() {
+    // 14 px, as of the eaves of a small house
+    let corner = [stroke(&[(86.0, 50.0), (100.0, 50.0)]), stroke(&[(-60.0, 109.4), (92.0, 53.5)])];
+    assert_eq!(join_corners(corner.to_vec(), SIGMA, &|_, _, _, _| false).len(), 2);
+    assert_eq!(join_corners(corner.to_vec(), SIGMA, &|_, _, _, _| true).len(), 1);
+    let crumb = [stroke(&[(94.0, 50.0), (100.0, 50.0)]), corner[1].clone()];
+    assert_eq!(join_corners(crumb.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2, "6 px are no line");
+}
+
+#[test]
+fn a_stroke_goes_on_over_a_gap() {
+    let aligned = [stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&[(165.0, 30.0), (300.0, 30.0)])];
+    let one = join_corners(aligned.to_vec(), SIGMA, &|_, _, _, _| true);
+    assert!(matches!(&one[..], [one] if (one.contour.length() - 280.0).abs() < 1.0));
+}
+
+#[test]
+fn an_edge_and_a_stroke_meet_and_stay_two() {
+    let edge = FoundContour { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
+    let both = join_corners(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA, &|_, _, _, _| true);
+    assert_eq!(both.len(), 2);
+    let ends = both.iter().map(|found| found.contour.vertices.iter().map(|v| v.at.x).fold(0.0, f32::max));
+    assert!(ends.into_iter().all(|x| (x - 101.5).abs() < 0.2));
+}
+
+#[test]
+fn a_right_angle_is_closed_over_a_small_gap_and_a_tip_that_is_not_seen_is_none() {
+    let corner = [stroke(&[(20.0, 50.0), (96.0, 50.0)]), stroke(&[(100.0, 54.0), (100.0, 150.0)])];
+    assert_eq!(join_corners(corner.to_vec(), SIGMA, &|_, _, _, _| true).len(), 1);
+    let far = [stroke(&[(20.0, 50.0), (88.0, 50.0)]), stroke(&[(100.0, 62.0), (100.0, 150.0)])];
+    assert_eq!(join_corners(far.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2);
+    let sides = [stroke(&[(-60.0, 10.0), (80.0, 45.0)]), stroke(&[(-60.0, 90.0), (80.0, 55.0)])];
+    assert_eq!(join_corners(sides.to_vec(), SIGMA, &|_, _, _, _| false).len(), 2);
+}
+
+#[test]
+fn an_edge_goes_on_in_a_stroke_as_one_line() {
+    let edge = FoundContour { stroke: None, ..stroke(&[(20.0, 30.0), (60.0, 30.0)]) };
+    let one = join_corners(vec![edge, stroke(&[(65.0, 30.0), (300.0, 30.0)])], SIGMA, &|_, _, _, _| true);
+    assert!(matches!(&one[..], [one] if one.stroke.is_some() && (one.contour.length() - 280.0).abs() < 1.0));
+}

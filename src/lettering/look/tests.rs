@@ -1,0 +1,140 @@
+//! What letters in pixels look like, and what only looks like them.
+
+use super::*;
+use crate::raster::Raster;
+use crate::units::Size;
+
+const SIZE: Size = Size { width: 320, height: 120 };
+
+/// Letters of 5 x 7 pixels.
+const LETTERS: [(char, [&str; 7]); 7] = [
+    ('A', [" ### ", "#   #", "#   #", "#####", "#   #", "#   #", "#   #"]),
+    ('E', ["#####", "#    ", "#    ", "#### ", "#    ", "#    ", "#####"]),
+    ('N', ["#   #", "##  #", "# # #", "#  ##", "#   #", "#   #", "#   #"]),
+    ('P', ["#### ", "#   #", "#   #", "#### ", "#    ", "#    ", "#    "]),
+    ('R', ["#### ", "#   #", "#   #", "#### ", "# #  ", "#  # ", "#   #"]),
+    ('S', [" ####", "#    ", "#    ", " ### ", "    #", "    #", "#### "]),
+    ('5', ["#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "]),
+];
+/// Side of a pixel of a letter, px.
+const SCALE: usize = 3;
+
+/// A picture of ink and paper, each by its light.
+struct Sheet {
+    is_ink: Vec<bool>,
+}
+
+impl Sheet {
+    fn of(texts: &[(&str, [usize; 2])]) -> Self {
+        let mut sheet = Self { is_ink: vec![false; SIZE.len()] };
+        for (text, [left, top]) in texts {
+            for (i, letter) in text.chars().enumerate() {
+                let (_, rows) = LETTERS.iter().find(|(known, _)| *known == letter).expect("a known letter");
+                for (y, row) in rows.iter().enumerate() {
+                    for (x, _) in row.chars().enumerate().filter(|(_, pixel)| *pixel == '#') {
+                        sheet.bar([left + (6 * i + x) * SCALE, top + y * SCALE], [SCALE, SCALE]);
+                    }
+                }
+            }
+        }
+        sheet
+    }
+
+    fn bar(&mut self, [left, top]: [usize; 2], [width, height]: [usize; 2]) {
+        for row in top..top + height {
+            self.is_ink[row * SIZE.width as usize + left..][..width].fill(true);
+        }
+    }
+
+    /// Looks for text that is darker or lighter than its ground, in a picture of ink and paper of this light, and
+    /// gives what `of` makes of it; none if nothing thin is there.
+    fn look<T>(
+        &self,
+        [ink, paper]: [f32; 2],
+        polarity: Polarity,
+        strict: Strictness,
+        of: impl FnOnce(&Look, &Colours<'_>) -> T,
+    ) -> Option<T> {
+        let light = self.is_ink.iter().map(|is_ink| if *is_ink { ink } else { paper }).collect();
+        let raster = Raster::grey(SIZE, light);
+        let colours = Colours::new(&raster, strict == Strictness::Drawing);
+        let plane = &colours.planes[0];
+        Look::new((plane, &Levels::of(plane)), polarity, &colours, strict).map(|look| of(&look, &colours))
+    }
+
+    /// How many letters each line of dark text in a drawing has.
+    fn letters(&self) -> Vec<usize> {
+        let lines = |look: &Look, colours: &Colours<'_>| look.lines(colours);
+        let lines = self.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, lines).unwrap_or_default();
+        lines.iter().map(|line| line.letters.len()).collect()
+    }
+}
+
+#[test]
+fn a_word_is_one_line_with_all_its_letters() {
+    assert_eq!(Sheet::of(&[("SPARE", [40, 40])]).letters(), [5]);
+    assert_eq!(Sheet::of(&[("SPARE", [40, 20]), ("NEAR", [160, 80])]).letters().iter().sum::<usize>(), 9);
+    assert_eq!(Sheet::of(&[]).letters(), [0_usize; 0]);
+}
+
+#[test]
+fn light_text_is_seen_by_the_look_for_light_things_only() {
+    let sheet = Sheet::of(&[("SPARE", [40, 40])]);
+    let count =
+        |polarity| sheet.look([1.0, 0.0], polarity, Strictness::Drawing, |look, colours| look.lines(colours).len());
+    assert_eq!(count(Polarity::Above), Some(1));
+    assert_eq!(count(Polarity::Below).unwrap_or(0), 0);
+}
+
+#[test]
+fn a_digit_alone_is_text_only_beside_others_of_its_style() {
+    let sheet = Sheet::of(&[("SPARE", [40, 40]), ("5", [200, 40])]);
+    let found = sheet.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, |look, colours| {
+        let words: Vec<TextLine> = look.lines(colours).into_iter().filter(|line| line.letters.len() == 5).collect();
+        let alone =
+            |others: &[TextLine]| look.in_style(colours, others).iter().filter(|line| line.letters.len() == 1).count();
+        (words.len(), alone(&words), alone(&[]))
+    });
+    assert_eq!(found, Some((1, 1, 0)));
+}
+
+#[test]
+fn bars_side_by_side_are_no_text() {
+    let mut bars = Sheet::of(&[]);
+    (0..8).for_each(|i| bars.bar([40 + 24 * i, 40], [4, 30]));
+    assert_eq!(bars.letters(), [0_usize; 0]);
+}
+
+#[test]
+fn hatching_around_a_word_is_clutter() {
+    let mut hatched = Sheet::of(&[("SPARE", [40, 40])]);
+    for row in (22..100).step_by(6) {
+        // between the rows of pixels of letters, too
+        hatched.bar([20, row], [140, 2]);
+    }
+    assert_eq!(hatched.letters(), [0_usize; 0]);
+}
+
+#[test]
+fn in_a_photograph_pale_letters_are_not_looked_at() {
+    let sheet = Sheet::of(&[("SPARE", [40, 40])]);
+    let count = |ink: f32, strict: Strictness| {
+        let count = |look: &Look, _: &Colours<'_>| look.letters.len();
+        sheet.look([ink, 0.5], Polarity::Below, strict, count).unwrap_or(0)
+    };
+    // 0.3 is darker than 0.5 by 15 of 100 of lightness, 0.05 by 50
+    assert_eq!([0.3, 0.05].map(|ink| count(ink, Strictness::Drawing)), [5, 5]);
+    assert_eq!([0.3, 0.05].map(|ink| count(ink, Strictness::Photograph)), [0, 5]);
+}
+
+#[test]
+fn the_cells_of_a_line_are_those_of_its_letters() {
+    let mut sheet = Sheet::of(&[("SPARE", [40, 40])]);
+    let ink = sheet.is_ink.iter().filter(|is_ink| **is_ink).count() as f32;
+    sheet.bar([10, 100], [300, 3]);
+    let cells =
+        |look: &Look, colours: &Colours<'_>| look.lines(colours).iter().map(|line| look.cells(line).len()).sum();
+    let cells: Option<usize> = sheet.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, cells);
+    let cells = cells.expect("something thin") as f32;
+    assert!((cells / ink - 1.0).abs() < 0.1, "{cells} cells of {ink}");
+}

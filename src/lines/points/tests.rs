@@ -1,0 +1,134 @@
+//! Points of drawings: which small rings and discs are points, and how they are drawn.
+
+use super::super::tests::area;
+use super::super::vertex::{FoundIn, SPACING};
+use super::*;
+
+const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
+
+fn line(points: &[(f32, f32)], closed: bool, step: f32, source: FoundIn) -> Polyline<Vertex> {
+    let vertex = |&(x, y): &(f32, f32)| Vertex {
+        at: MmPoint::new(x, y),
+        strength: 60.0,
+        contrast: [step, 0.0, 0.0],
+        width: PARAMS.width_max,
+        source,
+    };
+    let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
+    line.subdivide(SPACING);
+    line
+}
+
+/// A part of a circle around a place, from one share of a turn to another.
+fn arc(middle: (f32, f32), radius: f32, turns: (f32, f32)) -> Vec<(f32, f32)> {
+    let turn = |k: u32| std::f32::consts::TAU * (turns.0 + (turns.1 - turns.0) * k as f32 / 40.0);
+    (0..40).map(|k| (middle.0 + radius * turn(k).cos(), middle.1 + radius * turn(k).sin())).collect()
+}
+
+fn disc(x: f32, step: f32) -> Polyline<Vertex> {
+    line(&arc((x, 50.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector)
+}
+
+fn axis(from: f32, to: f32) -> Polyline<Vertex> {
+    line(&[(from, 50.0), (to, 50.0)], false, 0.0, FoundIn::Vector)
+}
+
+#[test]
+fn a_disc_between_two_ends_is_a_point_and_the_line_goes_on_to_its_middle() {
+    let mut lines = vec![axis(10.0, 48.0), disc(50.0, 60.0), axis(52.0, 54.5), disc(56.5, 60.0), axis(58.5, 90.0)];
+    let points = take(&mut lines, &PARAMS);
+    assert!(points.len() == 2 && points.iter().all(|point| point.is_filled), "{points:?}");
+    let length: f32 = lines.iter().map(Polyline::length).sum();
+    assert!(lines.len() == 3 && (length - 80.0).abs() < 0.05, "{length}");
+}
+
+#[test]
+fn what_lies_beside_a_line_or_is_pointed_at_or_is_no_disc_stays() {
+    let triangle = line(&[(48.0, 48.0), (52.0, 50.0), (48.0, 52.0)], true, 60.0, FoundIn::Vector);
+    let beside = line(&arc((50.0, 48.0), 2.0, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
+    for ring in [triangle, beside, line(&arc((50.0, 50.0), 4.0, (0.0, 1.0)), true, 60.0, FoundIn::Vector)] {
+        let mut lines = vec![axis(10.0, 90.0), ring];
+        assert!(take(&mut lines, &PARAMS).is_empty() && lines.len() == 2);
+    }
+    assert!(take(&mut vec![axis(10.0, 48.0), disc(50.0, 60.0)], &PARAMS).is_empty(), "pointed at");
+}
+
+#[test]
+fn discs_on_lines_are_rings_where_others_beside_lines_are() {
+    let away = |step: f32| line(&arc((60.0, 30.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector);
+    let taken = |others: &[Polyline<Vertex>]| {
+        let mut lines = [&[axis(10.0, 90.0), disc(50.0, 60.0)], others].concat();
+        let points = take(&mut lines, &PARAMS);
+        points.iter().filter(|point| !point.is_alone).map(|point| point.is_filled).collect::<Vec<_>>()
+    };
+    assert_eq!(taken(&[]), [true]);
+    assert_eq!(taken(&[away(60.0)]), [false], "towns of a map, of which one lies on a river");
+    assert_eq!(taken(&[away(60.0), disc(70.0, 0.0)]), [true, false], "hollow points mean something else");
+    assert_eq!(taken(&[line(&arc((60.0, 30.0), 2.7, (0.0, 1.0)), true, 60.0, FoundIn::Vector)]), [true]);
+}
+
+#[test]
+fn a_filled_point_is_a_bead_and_a_hollow_one_a_ring_at_which_the_line_ends() {
+    let mut lines = vec![axis(10.0, 90.0), disc(30.0, 60.0), disc(60.0, 0.0)];
+    let points = take(&mut lines, &PARAMS);
+    let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+    assert!(drawn.rings.len() == 1 && drawn.lost == 0);
+    let count = lines[0].vertices.len();
+    let parts = drawn.parts(0, &lines[0], &vec![false; count], &PARAMS);
+    let [(before, anchored), (after, _)] = &parts[..] else { panic!("{} parts", parts.len()) };
+    let radius = 0.5 * PARAMS.max_spacing();
+    assert!((before.length() - (50.0 - radius)).abs() < 0.02 && (after.length() - (30.0 - radius)).abs() < 0.02);
+    let bead: Vec<f32> = before.vertices.iter().filter(|at| at.width > 4.0).map(|at| at.at.x).collect();
+    assert!(matches!(bead[..], [a, b] if (a + b - 60.0).abs() < 0.15), "{bead:?}");
+    assert_eq!(anchored.len(), before.vertices.len());
+}
+
+#[test]
+fn of_a_tick_under_a_hollow_point_nothing_sticks_out() {
+    let drawn = |length: f32| {
+        let tick = line(&[(60.0, 50.0 - 0.5 * length), (60.0, 50.0 + 0.5 * length)], false, 0.0, FoundIn::Vector);
+        let drawn = DrawnPoints { holes: vec![(MmPoint::new(60.0, 50.0), 2.5)], ..DrawnPoints::default() };
+        drawn.parts(0, &tick, &vec![false; tick.vertices.len()], &PARAMS).len()
+    };
+    assert_eq!((drawn(8.0), drawn(40.0)), (0, 2));
+}
+
+#[test]
+fn points_without_room_are_counted() {
+    let mut lines = vec![axis(10.0, 90.0), disc(30.0, 60.0), disc(36.0, 60.0), disc(70.0, 60.0)];
+    let points = take(&mut lines, &PARAMS);
+    let beside = line(&[(60.0, 55.0), (80.0, 55.0)], false, 0.0, FoundIn::Vector);
+    let drawn = draw(&points, &[&lines[0], &beside], area(), &PARAMS);
+    // of two that are too near to one another the first is drawn
+    assert!(points.len() == 3 && drawn.lost == 2 && drawn.beads.len() == 1, "{drawn:?}");
+}
+
+#[test]
+fn points_beside_lines_are_drawn_like_those_on_them() {
+    let beside = |y: f32| line(&arc((50.0, y), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
+    let mut lines = vec![axis(10.0, 90.0), disc(30.0, 0.0), beside(70.0), beside(55.0)];
+    let points = take(&mut lines, &PARAMS);
+    assert!(points.len() == 3 && lines.len() == 1, "{points:?}");
+    let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+    let lengths: Vec<f32> = drawn.rings.iter().map(Polyline::length).collect();
+    let [on_line, beside] = lengths[..] else { panic!("one is too near to the axis: {lengths:?}") };
+    assert!((on_line - beside).abs() < 0.01 && drawn.lost == 1);
+    let on_dots = Params { hands_marks_on: true, ..PARAMS };
+    let alone = line(&arc((50.0, 70.0), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
+    let mut lines = vec![axis(10.0, 90.0), disc(30.0, 0.0), alone];
+    assert_eq!((take(&mut lines, &on_dots).len(), lines.len()), (1, 2), "there it is a shape");
+}
+
+#[test]
+fn points_of_a_series_are_drawn_all_or_none() {
+    let drawn = |xs: &[f32]| {
+        let mut lines = vec![axis(5.0, 95.0)];
+        lines.extend(xs.iter().map(|&x| disc(x, 60.0)));
+        let points = take(&mut lines, &PARAMS);
+        let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+        (drawn.beads.len(), drawn.lost)
+    };
+    assert_eq!(drawn(&[10.0, 25.0, 40.0, 55.0, 70.0]), (5, 0));
+    assert_eq!(drawn(&[10.0, 15.0, 20.0, 25.0, 30.0]), (0, 5), "every second one would be a special one");
+    assert_eq!(drawn(&[10.0, 15.0, 40.0]), (2, 1), "three are no series");
+}

@@ -1,0 +1,81 @@
+//! Subjects: what is found at a place, what is decided, and what is told.
+
+use super::*;
+use crate::edges::ChainKind;
+use crate::pipeline::label::Position;
+use crate::pipeline::request::{Fit, OverviewSize};
+use crate::profile::Profile;
+
+const SIZE: Size = Size { width: 400, height: 300 };
+
+/// Contours of a picture: rectangles (left, top, width, height) of a strength.
+fn rectangles(of: &[([f32; 4], f32)]) -> Edges {
+    let mut edges = Edges::none(SIZE);
+    for &([left, top, width, height], strength) in of {
+        push(&mut edges, [left, top, width, height], strength, ChainKind::default());
+    }
+    edges
+}
+
+fn push(edges: &mut Edges, [left, top, width, height]: [f32; 4], strength: f32, kind: ChainKind) {
+    let corners = [(left, top), (left + width, top), (left + width, top + height), (left, top + height)];
+    let edgel = |(x, y): (f32, f32)| Edgel { at: PxPoint::new(x, y), strength, contrast: [0.0; 3] };
+    edges.push_as(kind, corners.into_iter().map(edgel), true);
+}
+
+/// What is decided and told of these places, in percent of the picture.
+fn prepared(edges: &mut Edges, places: &[[f32; 2]], calm_background: bool) -> (Decisions, Vec<Note>) {
+    let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense");
+    let layout = Fit::default().layout(SIZE, &plan, OverviewSize::Own).expect("there is room");
+    let subjects = places.iter().map(|place| place.map(Position::Percent)).collect();
+    let given = Given { subjects, calm_background, ..Given::default() };
+    let mut decisions = Decisions::default();
+    let notes = prepare(&given, (edges, &mut decisions), SIZE, &layout, &plan);
+    (decisions, notes)
+}
+
+#[test]
+fn without_regions_the_smallest_ring_around_a_place_is_the_subject() {
+    let mut edges = rectangles(&[([40.0, 30.0, 320.0, 240.0], 40.0), ([160.0, 120.0, 80.0, 60.0], 40.0)]);
+    let before = edges.clone();
+    let (decisions, notes) = prepared(&mut edges, &[[50.0, 50.0], [15.0, 15.0], [2.0, 2.0]], false);
+    let [Note::Subject { mm: [inner, _], is_first: false, .. }, Note::Subject { mm: [outer, _], .. }, none] =
+        &notes[..]
+    else {
+        panic!("{notes:?}")
+    };
+    assert!((*outer as f32 / *inner as f32 - 4.0).abs() < 0.1, "{outer} mm around {inner} mm");
+    assert_eq!(*none, Note::NoSubject([2, 2]));
+    assert_eq!(decisions, Decisions::default(), "only regions have an outline that comes first");
+    assert_eq!(edges, before);
+}
+
+#[test]
+fn a_ring_too_small_for_a_finger_is_no_subject() {
+    let mut edges = rectangles(&[([193.0, 144.0, 6.0, 6.0], 40.0)]);
+    let (_, notes) = prepared(&mut edges, &[[49.0, 49.0]], false);
+    assert_eq!(notes, [Note::NoSubject([49, 49])]);
+}
+
+#[test]
+fn around_a_calm_subject_weak_lines_go_and_strong_and_added_ones_stay() {
+    let subject = ([160.0, 120.0, 80.0, 60.0], 12.0);
+    let (weak, strong) = (([20.0, 20.0, 60.0, 40.0], 12.0), ([300.0, 20.0, 60.0, 40.0], 90.0));
+    let mut edges = rectangles(&[subject, weak, strong]);
+    let added = [20.0, 220.0, 60.0, 40.0];
+    push(&mut edges, added, 12.0, ChainKind { added: true, ..ChainKind::default() });
+    let (decisions, notes) = prepared(&mut edges, &[[50.0, 50.0]], true);
+    let firsts: Vec<(f32, f32)> = edges.chains().map(|chain| chain.vertices[0].at.to_tuple()).collect();
+    assert_eq!(firsts, [(160.0, 120.0), (300.0, 20.0), (20.0, 220.0)]);
+    assert!(matches!(notes[..], [Note::Subject { .. }, Note::BackgroundCalmed(mm)] if mm > 0), "{notes:?}");
+    let around = decisions.calmed_around.expect("textures around it are left out too");
+    assert!(around.contains(PxPoint::new(200.0, 150.0)) && !around.contains(PxPoint::new(50.0, 40.0)));
+}
+
+#[test]
+fn places_beyond_the_most_are_told() {
+    let mut edges = rectangles(&[([40.0, 30.0, 320.0, 240.0], 40.0)]);
+    let (_, notes) = prepared(&mut edges, &[[50.0, 50.0]; MOST + 3], false);
+    assert_eq!(notes.len(), MOST + 1);
+    assert!(notes[0].to_string().contains("3 of the subjects, as 100 are the most"), "{}", notes[0]);
+}
