@@ -330,6 +330,7 @@ impl Options {
         notes.extend(pipeline::dots_left_out(&page));
         let (own, refused) = Profile::of_page(&page.origin)?;
         notes.extend(refused);
+        self.given.texts_of_page = page.braille.len();
         let lines = HandLines::of_figure(&page, &Plan::new(&own)?);
         notes.extend(lines.told_outside());
         self.add_notes(notes);

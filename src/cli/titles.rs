@@ -76,7 +76,7 @@ impl Titles {
     pub(super) fn without_row(&self, pictures: &[PathBuf]) -> Vec<(String, String)> {
         let without_row = pictures.iter().filter(|picture| self.of(picture).is_none());
         let without_row = without_row.map(|picture| {
-            let mut what = format!("{} has no row for it, so its page has no title", self.table);
+            let mut what = format!("{} has no row for it, so it gets no title from there", self.table);
             let name = picture.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
             let alike = |row: &&Row| row.file.to_string_lossy().to_lowercase() == name;
             if let Some(Row { line, file, .. }) = self.rows.iter().find(alike) {
@@ -305,7 +305,10 @@ mod tests {
         let notes = [titles.without_row(&pictures), titles.without_picture(&pictures)].concat();
         let note = |place: &str, what: &str| (place.to_owned(), what.to_owned());
         let expected = [
-            note("x/b.png", "t.csv has no row for it, so its page has no title; line 4 has B.png, in other capitals"),
+            note(
+                "x/b.png",
+                "t.csv has no row for it, so it gets no title from there; line 4 has B.png, in other capitals",
+            ),
             note("t.csv, line 3", "no picture that is given is called d/a.png"),
             note("t.csv, line 4", "no picture that is given is called B.png"),
         ];

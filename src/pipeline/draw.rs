@@ -97,7 +97,7 @@ pub(super) fn find(
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
     notes.extend(told);
-    notes.extend(told_short(given, &layout, plan));
+    notes.extend(told_short(given, &layout, plan).into_iter().chain(told_words(given, words)));
     if plan.profile().figure.lines && given.lines.is_none() {
         let draw = |edges: &Edges| draw_lines(edges, LinesOf::Picture(None), &layout, plan, &mut |_| ()).lines.lines;
         notes.extend(leaders::whole_or_none(&mut edges, &mut texts, become_labels(words), &layout, draw));
@@ -160,6 +160,20 @@ pub(super) fn draw(
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
     Ok(DrawnMarks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
+}
+
+/// What the maker is told of the words of a page of which only lines are taken, where none are given.
+fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
+    let texts = given.texts_of_page;
+    let (noun, they_are) = if texts == 1 { ("text", "it is") } else { ("texts", "they are") };
+    let is_given = words.title.is_some() || !words.labels.is_empty() || words.own_texts;
+    (texts > 0 && !is_given).then(|| {
+        let what_to_do = format!("give title and labels again, as {they_are} not taken from there");
+        Note::NotOnPage(
+            About::Braille,
+            format!("{texts} braille {noun} of the page that the lines are of; {what_to_do}"),
+        )
+    })
 }
 
 /// What the maker is told of lines that were given and are too short for this figure.

@@ -23,6 +23,8 @@ pub struct Given {
     pub areas: Option<Classes>,
     /// Who reads text in the pixels of the picture; without, nobody knows what it says.
     pub text_reader: Option<TextReader>,
+    /// How many braille texts the page has that the lines are of: they are not taken from it.
+    pub texts_of_page: usize,
     /// What the maker should know of these files.
     pub notes: Vec<Note>,
     /// Parts of the picture, as it is drawn, that stay blank.

@@ -14,7 +14,7 @@ use crate::regions::{Mask, RegionGrid};
 use crate::units::{MmRect, PageTransform, PxPoint, Size};
 use crate::{About, Note};
 
-/// Most places that are looked at: more is what a picture has, not what it is about.
+/// Most places that are looked at, each in all regions: the program takes fewer (`--subject`).
 const MOST: usize = 100;
 /// A ring around the subject has at least this area, mm2: smaller ones are dots for a finger.
 const LEAST_AREA: f32 = 15.0;

@@ -1,5 +1,7 @@
 //! The cells that a picture is divided into for its regions.
 
+use std::ops::Range;
+
 use crate::units::{PxPoint, Size};
 
 /// Most cells of a picture, for which the distances in this module were chosen (photographs of 481 x 321 pixels); a
@@ -35,6 +37,15 @@ impl RegionGrid {
         let across = self.picture.width as f32 / self.cells.width as f32;
         let down = self.picture.height as f32 / self.cells.height as f32;
         PxPoint::new(at.x * across, at.y * down)
+    }
+
+    /// The columns and the rows of the cells that may be nearer than `reach` to a place in cells; none beside the grid.
+    pub(super) fn around(self, at: PxPoint, reach: f32) -> [Range<usize>; 2] {
+        let range = |v: f32, end: u32| {
+            let end = end as usize;
+            ((v - reach).max(0.0) as usize).min(end)..((v + reach).max(0.0) as usize + 1).min(end)
+        };
+        [range(at.x, self.cells.width), range(at.y, self.cells.height)]
     }
 
     /// The number of the cell at a place in cells; none outside.

@@ -35,12 +35,11 @@ impl Heights {
     /// The greatest height of the borders that pass near a place of the picture, in units of strength; 0 if none does.
     pub fn near(&self, at: PxPoint) -> f32 {
         let at = self.grid.to_cells(at);
-        let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
-        let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
+        let width = self.grid.cells.width as usize;
+        let [columns, rows] = self.grid.around(at, REACH);
         let mut greatest = 0.0_f32;
-        for y in range(at.y, height) {
-            let columns = range(at.x, width);
-            for (x, &of_cell) in columns.clone().zip(&self.of_cell[y * width..][columns]) {
+        for y in rows {
+            for (x, &of_cell) in columns.clone().zip(&self.of_cell[y * width..][columns.clone()]) {
                 let centre = || PxPoint::new(x as f32 + 0.5, y as f32 + 0.5);
                 if of_cell > greatest && (centre() - at).square_length() <= REACH * REACH {
                     greatest = of_cell;
@@ -109,6 +108,8 @@ mod tests {
             (55, (5.5, 8.1), 0.0),
             (0, (-1.0, -1.0), 7.0),
             (0, (f32::NAN, 1e9), 0.0),
+            (9, (40.0, 0.5), 0.0), // right of the grid
+            (90, (0.5, 40.0), 0.0),
         ] {
             let near = with(cell).near(PxPoint::from(at));
             assert!((near - height).abs() < 1e-6, "{near} at {at:?}, not {height}");

@@ -93,10 +93,13 @@ impl TraceMap {
 
     /// Calls `visit` with all that passes within [`REACH`] of a place and the square of its distance.
     pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&TraceSample, f32)) {
-        let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
-        let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
-        let (columns, words) = (range(at.x, width), width.div_ceil(64));
-        for y in range(at.y, height) {
+        let width = self.grid.cells.width as usize;
+        let [columns, rows] = self.grid.around(at, REACH);
+        let words = width.div_ceil(64);
+        if columns.is_empty() {
+            return;
+        }
+        for y in rows {
             let row = &self.is_there[y * words..][..words];
             let first = columns.start / 64;
             let bits = row[first] >> (columns.start % 64);

@@ -197,3 +197,19 @@ fn areas_of_a_corrected_page_are_taken_without_what_render_tells() {
         assert!(!told.contains(of_render), "{told}");
     }
 }
+
+#[test]
+fn what_render_finds_wrong_and_what_lines_of_a_page_leave_behind_is_told() {
+    let place = with_chart(&["--title", "Rain", "--key", "never"]);
+    let told = done(&place, &["render", "page.svg", "-o", "whole.svg"]);
+    assert!(!told.contains("a check finds"), "{told}");
+    let near = "<path d=\"M40,30H90M40,31.5H90\" fill=\"none\" stroke=\"#000\" stroke-width=\"1\"/>";
+    with(&place, "page.svg", near, "near.svg");
+    let told = done(&place, &["render", "near.svg", "-o", "near.pdf"]);
+    assert!(told.contains("note: a check finds ") && told.contains("tactograph check tells where"), "{told}");
+    let again = ["convert", "chart.svg", "--lines", "page.svg", "--no-overview", "-o"];
+    let told = done(&place, &[&again[..], &["lines.svg"]].concat());
+    assert!(told.contains("1 braille text of the page that the lines are of; give title and labels again"), "{told}");
+    let told = done(&place, &[&again[..], &["titled.svg", "--title", "Rain"]].concat());
+    assert!(!told.contains("that the lines are of"), "{told}");
+}

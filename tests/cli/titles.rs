@@ -25,7 +25,7 @@ fn a_table_gives_each_picture_its_title() {
     let run = place.run(&["convert", "a.png", "sub/b.png", "d.png", "--titles", "titles.csv", "--out-dir", "p"]);
     let told: Vec<&str> = run.err.lines().filter(|line| line.contains("titles.csv")).collect();
     let expected = [
-        "tactograph: d.png: note: titles.csv has no row for it, so its page has no title",
+        "tactograph: d.png: note: titles.csv has no row for it, so it gets no title from there",
         "tactograph: titles.csv, line 4: note: no picture that is given is called c.png",
     ];
     assert_eq!((run.code, told), (0, expected.to_vec()), "{}", run.err);

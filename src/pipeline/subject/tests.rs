@@ -79,3 +79,31 @@ fn places_beyond_the_most_are_told() {
     assert_eq!(notes.len(), MOST + 1);
     assert!(notes[0].to_string().contains("3 of the subjects, as 100 are the most"), "{}", notes[0]);
 }
+
+#[test]
+fn a_subject_of_which_most_is_not_drawn_is_told() {
+    let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense");
+    let layout = Fit::default().layout(SIZE, &plan, OverviewSize::Own).expect("there is room");
+    // a square of 100 px, of which so many sides are drawn
+    let corners = [(100.0, 100.0), (200.0, 100.0), (200.0, 200.0), (100.0, 200.0), (100.0, 100.0)];
+    let corners = corners.map(|(x, y)| PxPoint::new(x, y));
+    let border = Mask::of_ring(RegionGrid::new(SIZE), &corners).border();
+    let decisions = Decisions { subjects: vec![7], borders: vec![border], ..Decisions::default() };
+    let lines = |sides: usize, place: MmRect| {
+        let at = PageTransform::new(SIZE, place);
+        let points = corners[..=sides].iter().map(|corner| at.to_mm(*corner)).collect();
+        vec![Line { strength: 50.0, runs: vec![crate::lines::Run::stroke(1.5, points)] }]
+    };
+    let told = |of_figure: usize, of_overview: Option<usize>| {
+        let small = MmRect::new(layout.figure.min, layout.figure.min + layout.figure.size().to_vector() * 0.5);
+        let overview = of_overview.map(|sides| (small, lines(sides, small)));
+        let figure = lines(of_figure, layout.figure);
+        let notes = told_lacking(&decisions, SIZE, &figure, overview.as_ref(), &layout, &plan);
+        notes.map(|note| note.to_string()).collect::<Vec<_>>()
+    };
+    assert!(told(4, Some(4)).is_empty() && told(2, None).is_empty());
+    let [of_overview] = &told(4, Some(1))[..] else { panic!("one note") };
+    assert!(of_overview.contains("the outline of the subject in the overview, as a whole or for the most part"));
+    let [of_figure] = &told(1, None)[..] else { panic!("one note") };
+    assert!(of_figure.contains("the outline of the subject in the figure"), "{of_figure}");
+}
