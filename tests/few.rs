@@ -98,7 +98,7 @@ fn lines_that_a_person_added_are_not_beyond_the_few() {
         let options = svg.map_or(Ok(options.clone()), |svg| options.add_lines(svg)).expect("they are lines");
         tactograph::convert(&samples::read(sample)[..], &options).expect("a page").page
     };
-    let [map, coffee] = [("800' height='600", "M20,30H120M680,30H780M20,570H120"), ("600' height='400", "M30,370H230")]
+    let [map, coffee] = [("800' height='600", "M30,30h200M560,30h200M30,570h200"), ("600' height='400", "M30,370H230")]
         .map(|(size, path)| {
             format!(
                 "<svg xmlns='http://www.w3.org/2000/svg' width='{size}'><g id='lines'><path d='{path}' fill='none' \
@@ -107,12 +107,11 @@ fn lines_that_a_person_added_are_not_beyond_the_few() {
         });
     let count = |svg: Option<&str>| of("map.svg", svg).figure.lines.len();
     assert_eq!(count(Some(&map)), count(None) + 3);
-    // also in the overview of a photograph: a level line near its lower edge
+    // a level line near the lower edge of a photograph
     let page = of("coffee.png", Some(&coffee));
-    let overview = page.overview.as_ref().expect("an overview");
-    let at = overview.place.min.y + 370.0 / 400.0 * overview.place.height();
+    let at = page.figure.place.min.y + 370.0 / 400.0 * page.figure.place.height();
     let is_level = |line: &tactograph::marks::Line| {
         line.length() > 20.0 && line.runs.iter().flat_map(|run| &run.points).all(|point| (point.y - at).abs() < 1.0)
     };
-    assert!(overview.lines.iter().any(is_level), "{} lines", overview.lines.len());
+    assert!(page.figure.lines.iter().any(is_level), "{} lines", page.figure.lines.len());
 }
