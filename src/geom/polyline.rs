@@ -102,6 +102,11 @@ impl<V: Located> Polyline<V> {
         self.view().length()
     }
 
+    /// See [`PolylineRef::chord`].
+    pub fn chord(&self) -> f32 {
+        self.view().chord()
+    }
+
     /// See [`PolylineRef::arc_lengths`].
     pub fn arc_lengths(&self) -> Vec<f32> {
         self.view().arc_lengths()
@@ -209,6 +214,14 @@ impl<'a, V: Located> PolylineRef<'a, V> {
     /// Length, of a ring all round.
     pub fn length(self) -> f32 {
         self.segments().map(|(a, b)| (b.at() - a.at()).length()).sum()
+    }
+
+    /// How far its ends lie apart; 0 of a ring.
+    pub fn chord(self) -> f32 {
+        match (self.vertices.first(), self.vertices.last(), self.closed) {
+            (Some(first), Some(last), false) => (last.at() - first.at()).length(),
+            _ => 0.0,
+        }
     }
 
     /// Length along the polyline from the first vertex to each; the first entry is 0. Of a ring there is one entry more

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
-use super::finding::{FoundBreach, FoundIn};
+use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
 use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
@@ -112,7 +112,7 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = FoundBreach>
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
         let what = "a picture of pixels lies on the page".into();
-        FoundBreach { rule: PICTURE, what, at, extent, measured: None, mended: None, found_in: row(node) }
+        FoundBreach { rule: PICTURE, what, at, extent, measured: None, mended: None, in_file: row(node) }
     })
 }
 
@@ -138,22 +138,14 @@ fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<FoundBreach> {
             }
             false => (LETTERS, format!("\"{text}\" is written in letters, which fingers do not read")),
         };
-        (!text.is_empty()).then_some(FoundBreach {
-            rule,
-            what,
-            at,
-            extent,
-            measured: None,
-            mended,
-            found_in: row(node),
-        })
+        (!text.is_empty()).then_some(FoundBreach { rule, what, at, extent, measured: None, mended, in_file: row(node) })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
 }
 
 /// The line of the file in which an element begins.
-fn row(node: Node<'_, '_>) -> FoundIn {
-    FoundIn::Row(node.document().text_pos_at(node.range().start).row)
+fn row(node: Node<'_, '_>) -> InFile {
+    InFile::Row(node.document().text_pos_at(node.range().start).row)
 }
 
 /// Where a text stands, where nothing around it moves it and the drawing is in mm.

@@ -39,12 +39,12 @@ pub(super) struct FoundBreach {
     /// What `render` makes of it, where that puts it right.
     pub(super) mended: Option<&'static str>,
     /// Where to look for it in the file.
-    pub(super) found_in: FoundIn,
+    pub(super) in_file: InFile,
 }
 
 /// Where something stands in the file of a page.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum FoundIn {
+pub(super) enum InFile {
     /// In the element of the object of this name.
     Object(String),
     /// In this line.
@@ -57,35 +57,27 @@ impl FoundBreach {
     /// A breach at one place.
     pub(super) fn at(rule: Rule, at: MmPoint, extent: MmRect, measured: f32, what: String) -> Self {
         let mended = rules::mended(&rule);
-        Self {
-            rule,
-            what,
-            at: Some(at),
-            extent: Some(extent),
-            measured: Some(measured),
-            mended,
-            found_in: FoundIn::Page,
-        }
+        Self { rule, what, at: Some(at), extent: Some(extent), measured: Some(measured), mended, in_file: InFile::Page }
     }
 
     /// A breach by the whole page.
     pub(super) fn of_page(rule: Rule, measured: Option<f32>, what: String) -> Self {
         let mended = rules::mended(&rule);
-        Self { rule, what, at: None, extent: None, measured, mended, found_in: FoundIn::Page }
+        Self { rule, what, at: None, extent: None, measured, mended, in_file: InFile::Page }
     }
 
     /// The same of the object of this name.
     pub(super) fn of(self, object: &str) -> Self {
-        Self { found_in: FoundIn::Object(object.to_owned()), ..self }
+        Self { in_file: InFile::Object(object.to_owned()), ..self }
     }
 
     /// `mends` says whether `render` would write the page otherwise; `rows` where objects stand in the file.
     pub(super) fn placed(self, page: &Page, mends: bool, rows: &BTreeMap<String, u32>) -> Finding {
-        let Self { rule, what, at, extent, measured, mended, found_in } = self;
-        let line = match found_in {
-            FoundIn::Object(name) => rows.get(&name).copied(),
-            FoundIn::Row(row) => Some(row),
-            FoundIn::Page => None,
+        let Self { rule, what, at, extent, measured, mended, in_file } = self;
+        let line = match in_file {
+            InFile::Object(name) => rows.get(&name).copied(),
+            InFile::Row(row) => Some(row),
+            InFile::Page => None,
         };
         let mended = mended.filter(|_| mends);
         let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));

@@ -52,10 +52,7 @@ impl Rank {
         // in the middle of a stroke there is no step
         let in_stroke = polyline.vertices.iter().filter(|v| v.contrast.iter().all(|c| c.abs() <= 0.0)).count();
         let is_stroke = in_stroke as f32 >= MOSTLY * polyline.vertices.len() as f32;
-        let chord = match (polyline.vertices.first(), polyline.vertices.last(), polyline.closed) {
-            (Some(first), Some(last), false) => (last.at - first.at).length(),
-            _ => 0.0,
-        };
+        let chord = polyline.chord();
         let is_straight = chord >= LONG && chord >= STRAIGHTNESS * polyline.length();
         if is_stroke && is_straight { Self::Stroke } else { Self::Ordinary }
     }

@@ -179,8 +179,7 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
 }
 
 fn is_straight(line: &Polyline<Vertex>) -> bool {
-    let chord = line.vertices.first().zip(line.vertices.last()).map_or(0.0, |(a, b)| (b.at - a.at).length());
-    !line.closed && chord >= STRAIGHT * line.length()
+    !line.closed && line.chord() >= STRAIGHT * line.length()
 }
 
 /// A tick that is longer by so much, mm, at its free ends, and stands on its line.

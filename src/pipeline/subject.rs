@@ -98,6 +98,9 @@ fn lacking(
     (layout, plan): (&Layout, &Plan),
     about: About,
 ) -> Option<Note> {
+    if decisions.borders.is_empty() {
+        return None;
+    }
     let reach = plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED;
     let runs = || lines.iter().flat_map(|line| &line.runs);
     let (at, mut index) = (PageTransform::new(picture, place), Nearby::new(place, reach));

@@ -214,10 +214,10 @@ impl<'a> WrittenWords<'a> {
         notes.extend(across(&wanted, &results));
         notes.extend(nearer_to_others(&wanted, &results));
         notes.extend(of_axes(&wanted, &results));
-        let texts: Vec<&str> =
+        let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
-        let under_labels = labels::make_room(figure, &placed, &params);
-        notes.extend(without_texture(&under_labels.into_iter().map(|label| texts[label]).collect::<Vec<_>>()));
+        let on_textures = labels::make_room(figure, &placed, &params);
+        notes.extend(without_texture(&on_textures.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>()));
         notes.extend(told(&wanted, &results));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))

@@ -32,8 +32,7 @@ pub(super) fn raised(
     let mut count = vec![0; lines.len()];
     on_bases.iter().for_each(|&(_, base)| count[base] += 1);
     for ((line, _), (own, count)) in lines.iter().zip(all.iter_mut().zip(count)) {
-        let chord = line.vertices.first().zip(line.vertices.last()).map_or(0.0, |(a, b)| (b.at - a.at).length());
-        if params.of_drawing && count >= AXIS && chord >= STRAIGHT * line.length() {
+        if params.of_drawing && count >= AXIS && line.chord() >= STRAIGHT * line.length() {
             *own = own.max(most);
         }
     }
