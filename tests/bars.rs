@@ -142,3 +142,32 @@ fn squared_paper_is_no_chart() {
         assert!(!told.contains("bar"), "{profile}: {told}");
     }
 }
+
+#[test]
+fn the_top_of_a_bar_on_a_gridline_is_its_own() {
+    let mut chart = chart(4, 40.0, 0.5, true);
+    // the second bar ends on a gridline, between higher ones
+    let [own, grid] = [BASE - 400.0, BASE - 360.0];
+    chart.svg =
+        chart.svg.replace(&format!("y='{own}'"), &format!("y='{grid}'")).replace("height='400'", "height='360'");
+    let drawing = converted(&chart, "swell-a4");
+    let place = drawing.page.figure.place;
+    let on_page =
+        |x: f32, y: f32| place.min + MmPoint::new(x / WIDTH * place.width(), y / HEIGHT * place.height()).to_vector();
+    let width_at = |at: MmPoint| {
+        let runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs);
+        let far = |run: &tactograph::marks::Run| {
+            run.points.windows(2).map(|pair| nearest_on_segment(at, pair[0], pair[1]).0).fold(f32::INFINITY, f32::min)
+        };
+        runs.filter(|run| far(run) <= NEAR).map(|run| run.width).fold(0.0, f32::max)
+    };
+    let (x, _) = chart.tops[1];
+    let (top, beside) = (width_at(on_page(x, grid)), width_at(on_page(x + 90.0, grid)));
+    assert!(top > 1.4, "the top is as broad as the sides of its bar: {top}");
+    assert!(beside > 0.0 && beside < 0.8, "the gridline beside it stays thin: {beside}");
+    let overview = drawing.page.overview.as_ref().expect("there is room");
+    let share = overview.place.width() / place.width();
+    let at = |at: MmPoint| overview.place.min + (at - place.min) * share;
+    assert!(far(at(on_page(800.0, BASE - 180.0)), &overview.lines, None) > NEAR, "it has no gridlines");
+    assert!(told(&drawing).contains("such as those of a grid"), "{}", told(&drawing));
+}

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::Tree;
+use tactograph::internals::legibility::check;
+use tactograph::internals::profile::Plan;
 use tactograph::marks::Line;
 use tactograph::{Drawing, MmPoint, Options, Profile, RenderOptions, SheetGrid};
 
@@ -214,4 +216,21 @@ fn corners_of_a_graph_and_stations_of_a_route_are_found() {
     let lines = &page_of(route).page.figure.lines;
     assert_eq!(lines.iter().filter(|line| line.runs[0].closed).count(), 2, "a ring for each");
     assert_eq!(lines.len(), 5, "and the route ends at them");
+}
+
+/// The points of a curve before gridlines, of which some lie beside them: the gridlines give way.
+#[test]
+fn points_of_a_curve_are_beads_before_gridlines() {
+    let mut drawn: String = (0..5).map(|k| format!("<path d='M90 {}H960' stroke='#ddd'/>", 60 + 90 * k)).collect();
+    let points = [(150, 300), (290, 230), (430, 140), (570, 195), (710, 70), (850, 105)];
+    let path: Vec<String> = points.iter().map(|(x, y)| format!("{x},{y}")).collect();
+    drawn += &format!("<polyline points='{}' fill='none' stroke='#c22' stroke-width='4'/>", path.join(" "));
+    drawn.extend(points.iter().map(|(x, y)| format!("<circle cx='{x}' cy='{y}' r='8' fill='#c22'/>")));
+    drawn += "<path d='M90 30V420H960' fill='none' stroke='#000' stroke-width='3'/>";
+    let page = page_of(&drawn);
+    assert_eq!(beads(&page.page.figure.lines, &page).len(), points.len(), "{:?}", page.notes);
+    let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense");
+    let errors: Vec<_> =
+        check(&page.page, &plan.limits(), None).findings.into_iter().filter(|found| found.is_error()).collect();
+    assert!(errors.is_empty(), "{errors:?}");
 }

@@ -69,7 +69,7 @@ pub(super) fn is_name(text: &str) -> bool {
 }
 
 /// The angles between the straight parts of lines.
-pub(super) fn of(lines: &[Line]) -> Vec<Angle> {
+pub(super) fn of<'a>(lines: impl IntoIterator<Item = &'a Line>) -> Vec<Angle> {
     let straight = straight_parts(lines);
     if straight.len() > MOST {
         return Vec::new();
@@ -91,8 +91,8 @@ pub(super) fn of(lines: &[Line]) -> Vec<Angle> {
 }
 
 /// The straight parts of lines that are long enough for a leg.
-fn straight_parts(lines: &[Line]) -> Vec<(MmPoint, MmPoint)> {
-    let runs = lines.iter().flat_map(|line| &line.runs);
+fn straight_parts<'a>(lines: impl IntoIterator<Item = &'a Line>) -> Vec<(MmPoint, MmPoint)> {
+    let runs = lines.into_iter().flat_map(|line| &line.runs);
     let parts = runs.flat_map(|run| {
         let tolerance = if run.pen == Pen::Stroke { STRAIGHT } else { STRAIGHT_OF_DOTS };
         let path: Vec<MmPoint> = run.polyline().path().copied().collect();

@@ -3,6 +3,7 @@
 use super::cost::{Attachment, cost};
 use super::forms::Form;
 use super::placed::{PlacedAs, Wanted};
+use super::room::Room;
 use super::surroundings::{AT_END, FURTHEST_OUTLINE, NEAR, Surroundings};
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::segment_distance;
@@ -219,7 +220,10 @@ fn candidate(
 fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
     let &Surroundings { room, params, beside, anchor, is_point, .. } = around;
     let nearest = anchor.clamp(place.min, place.max);
-    let is_open = || !room.is_parted(nearest, anchor, beside);
+    let is_open = || {
+        let parted = if is_point { Room::is_parted } else { Room::is_parted_from_text };
+        !parted(room, nearest, anchor, beside)
+    };
     let is_beside = match &around.angle {
         Some(angle) => around.is_in_angle(angle, nearest, place),
         None => {
@@ -259,7 +263,7 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
     let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
     let segments = starts
         .filter(|from| !room.is_parted(*from, tip, end))
-        .filter(|from| side.is_none_or(|side| !room.is_parted(*from, side, 0.0)))
+        .filter(|from| side.is_none_or(|side| !room.is_parted_from_text(*from, side, 0.0)))
         .filter_map(|from| leader_from(from, tip))
         .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER);
     segments

@@ -7,6 +7,7 @@
 //!  0.1 to 0.5  for each mm off the middle or the level of a point: sets the order of places that are as near
 //!  0.3         for each glyph of a texture that goes: a few are not missed, a patch of 30 is as bad as a leader line
 //!  3 to 5      the worse side of a point, or a second line or row: more than a step of a grid of dots (2 to 2.5 mm)
+//!  8           a gridline that is interrupted: a value above its bar stands there rather than with a leader line
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
 //!  1000        an abbreviation, which has to be looked up in the key (`forms`)
@@ -62,6 +63,8 @@ const FROM_PRINT: f32 = 2.0;
 /// For each mm of a leader line across others that runs along a line, of which it would be felt as a part: 15 mm of it
 /// are as bad as crossing as the drawing does ([`ACROSS_AS_DRAWN`]).
 const ALONG_A_LINE: f32 = 20.0;
+/// For lines of a grid that are interrupted: a title stands above them where there is room.
+const ON_A_GRID: f32 = 8.0;
 /// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
 const GLYPH: f32 = 0.3;
 
@@ -99,9 +102,10 @@ pub(super) fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment
             across + ALONG_A_LINE * room.along(from, to, end)
         }
     };
+    let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };
     // on the side where its text stood
     let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
-    of_form + distance + aside + elsewhere + GLYPH * glyphs + leader
+    of_form + distance + aside + elsewhere + GLYPH * glyphs + grid + leader
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.

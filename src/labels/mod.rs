@@ -8,8 +8,8 @@
 //! The steps up to the titles of axes ([`place_rows_first`]) are also those of `predicted`, which computes the room
 //! that rows and columns need beside a drawing before it is laid out.
 //!
-//! Labels are horizontal, as fingers read them, and 3 mm from lines; textures make room for them. One that has to lie
-//! further away than 12 mm has a leader line. What has no room in full is abbreviated.
+//! Labels are horizontal, as fingers read them, and 3 mm from lines; textures and lines of a grid make room for them.
+//! One that has to lie further away than 12 mm has a leader line. What has no room in full is abbreviated.
 
 mod abbreviate;
 mod angles;
@@ -19,6 +19,7 @@ mod columns;
 mod context;
 mod cost;
 mod forms;
+mod grid;
 mod groups;
 mod letters;
 mod named_points;
@@ -297,9 +298,10 @@ fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
 
-/// Takes the glyphs out of a figure that labels and their leader lines need blank. Gives, for each texture of which
-/// none is left, which of the labels lies nearest to its middle.
+/// Takes the glyphs out of a figure that labels and their leader lines need blank, and interrupts the lines of a grid.
+/// Gives, for each texture of which none is left, which of the labels lies nearest to its middle.
 pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Vec<usize> {
+    grid::interrupt(&mut figure.lines, placed, params);
     let mut gone = Vec::new();
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));

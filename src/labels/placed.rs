@@ -14,6 +14,8 @@ pub struct Params {
     pub tiles: Vec<MmRect>,
     /// Blank to lines.
     pub clearance: f32,
+    /// Blank between lines.
+    pub line_gap: f32,
     /// Blank to textures.
     pub texture_clearance: f32,
     /// Whether leader lines may cross others: among the few pins of a display they are lost.

@@ -3,10 +3,11 @@
 use std::f32::consts::TAU;
 
 use super::angles::{self, Angle};
+use super::grid;
 use super::named_points::{self, SmallRing};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::distance_to_box;
-use crate::page::{Line, Pen, Texture};
+use crate::page::{Line, Pen, Texture, which_are_faint};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Side of the squares that the figure is looked at in, mm. Chosen by us: a sixth of the distance that labels keep.
@@ -26,8 +27,6 @@ const SIDE_OF_TEXT: f32 = 4.0;
 const SAME_SIDE: f32 = 1.0;
 /// Dots of a line that are no further apart are side by side, mm: across the diagonal of a grid of 2.5 mm.
 const SIDE_BY_SIDE: f32 = 3.6;
-/// A line of less than this share of the strength of the strongest is faint: as gridlines are drawn.
-const FAINT: f32 = 0.1;
 /// Blank between a leader line and other lines, mm.
 const LEADER_CLEARANCE: f32 = 1.5;
 
@@ -45,6 +44,8 @@ pub(super) struct Room {
     squares: Squares,
     /// Squares nearer to a line than a label may lie.
     taken: Vec<u32>,
+    /// Sums of squares too near to lines of a grid, which give way to labels.
+    grid: Vec<u32>,
     /// Squares nearer to a line than a leader line may lie; no sums.
     for_leader: Vec<u32>,
     /// Squares that lines lie in; no sums.
@@ -65,8 +66,16 @@ impl Room {
     pub(super) fn new(area: MmRect, lines: &[Line], textures: &[Texture], clearance: f32) -> Self {
         let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
         let room = Self::of_segments(area, segments(lines.iter()), glyphs, clearance);
-        let (angles, rings, strong) = (angles::of(lines), named_points::rings(lines), room.strong(lines));
-        Self { angles, rings, strong, ..room }
+        let (of_grid, others): (Vec<_>, Vec<_>) =
+            lines.iter().zip(grid::giving_way(lines)).partition(|(_, gives_way)| *gives_way);
+        let near = |lines: Vec<(&Line, bool)>| {
+            let segments = segments(lines.into_iter().map(|(line, _)| line));
+            room.squares.sums(&room.squares.near(segments, CORNER + clearance))
+        };
+        let angles = angles::of(others.iter().map(|(line, _)| *line));
+        let (taken, grid) = (near(others), near(of_grid));
+        let (rings, strong) = (named_points::rings(lines), room.strong(lines));
+        Self { angles, rings, strong, taken, grid, ..room }
     }
 
     /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
@@ -104,7 +113,9 @@ impl Room {
             of_glyphs[index] += 1;
         }
         let (taken, glyphs) = (squares.sums(&taken), squares.sums(&of_glyphs));
-        Self { squares, taken, for_leader, ink, glyphs, bounds, strong: None, angles: Vec::new(), rings: Vec::new() }
+        let grid = squares.sums(&none());
+        let (angles, rings) = (Vec::new(), Vec::new());
+        Self { squares, taken, grid, for_leader, ink, glyphs, bounds, strong: None, angles, rings }
     }
 
     /// The box around the ink of all lines; none where there are none.
@@ -127,6 +138,11 @@ impl Room {
         self.squares.area.contains_box(&place) && self.squares.sum(&self.taken, place) == 0
     }
 
+    /// Whether lines of a grid have to be interrupted for a label in this box.
+    pub(super) fn interrupts_grid(&self, place: MmRect) -> bool {
+        self.squares.sum(&self.grid, place) > 0
+    }
+
     /// Whether a line lies at a point.
     pub(super) fn is_ink(&self, at: MmPoint) -> bool {
         self.squares.index(at).is_some_and(|index| self.ink[index] > 0)
@@ -134,15 +150,9 @@ impl Room {
 
     /// The squares of the lines that are not faint; none if all are like that.
     fn strong(&self, lines: &[Line]) -> Option<Vec<u32>> {
-        let least = FAINT * lines.iter().map(|line| line.strength).fold(0.0, f32::max);
-        if lines.iter().all(|line| line.strength >= least) {
-            return None;
-        }
-        let mut strong = vec![0; self.ink.len()];
-        for ([a, b], width) in segments(lines.iter().filter(|line| line.strength >= least)) {
-            self.squares.around(a, b, 0.5 * width + CORNER, |index| strong[index] = 1);
-        }
-        Some(strong)
+        let faint = which_are_faint(lines);
+        let strong = lines.iter().zip(&faint).filter(|(_, is_faint)| !**is_faint).map(|(line, _)| line);
+        faint.contains(&true).then(|| self.squares.near(segments(strong), CORNER))
     }
 
     /// The middle of the square of a line to which a text belongs that stands beside it: the nearest within `reach`, or
@@ -179,6 +189,11 @@ impl Room {
     /// Whether a line lies between two places; `end` mm before the second it does not count.
     pub(super) fn is_parted(&self, from: MmPoint, to: MmPoint, end: f32) -> bool {
         self.meets(&self.ink, from, to, end)
+    }
+
+    /// The same where a text stands at the second place: lines of a grid part it from nothing.
+    pub(super) fn is_parted_from_text(&self, from: MmPoint, text: MmPoint, end: f32) -> bool {
+        self.meets(self.strong.as_ref().unwrap_or(&self.ink), from, text, end)
     }
 
     /// How far from the first point the only line begins that lies between two, if it is no broader than this, mm; none
@@ -298,6 +313,15 @@ impl Squares {
     fn of(area: MmRect) -> Self {
         let count = |mm: f32| (mm / SQUARE).ceil().max(1.0) as usize;
         Self { area, columns: count(area.width()), rows: count(area.height()) }
+    }
+
+    /// The squares within `reach` of the ink of segments, each with its width.
+    fn near(&self, segments: impl Iterator<Item = ([MmPoint; 2], f32)>, reach: f32) -> Vec<u32> {
+        let mut near = vec![0; self.columns * self.rows];
+        for ([a, b], width) in segments {
+            self.around(a, b, 0.5 * width + reach, |index| near[index] = 1);
+        }
+        near
     }
 
     /// Calls `visit` with the squares whose middle is nearer than `reach` to a segment.

@@ -12,8 +12,9 @@ use crate::units::{MmPoint, MmVector};
 const REACH: f32 = 14.0;
 /// Shortest piece of a line across an axis that is a tick, mm: a piece as short as the line is wide has no direction.
 const SHORTEST: f32 = 2.0;
-/// Shortest tick of a drawing that will be drawn longer, mm, beyond its axis: what is shorter is not (`lines::ticks`).
-const SHORTEST_DRAWN: f32 = 0.5;
+/// Shortest tick of a drawing that will be drawn longer, mm, beyond its axis: two squares of the room, as a corner of
+/// axes may reach one beyond them (`lines::ticks` takes ticks from 0.5 mm on).
+const SHORTEST_DRAWN: f32 = 1.0;
 /// How far beside a tick there is nothing, as a share of the distance to the next number.
 const BESIDE: f32 = 0.25;
 /// Step in which a tick is looked for, mm: a square of the room.

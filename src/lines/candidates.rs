@@ -4,7 +4,6 @@
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::clearance::Cleared;
-use super::faint::FaintStrokes;
 use super::lost::{LossTally, Lost, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
@@ -13,7 +12,7 @@ use super::points::{self, Point};
 use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, join, junction, saliency, ticks, weight};
-use crate::edges::{ChainRange, Edges};
+use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
 
@@ -29,6 +28,8 @@ pub(super) struct LineCandidates {
     pub(super) saliencies: Vec<f32>,
     /// How many of them are contours.
     contours: usize,
+    /// How many lines of a grid an overview leaves out.
+    grid: usize,
     /// What is too short for a line.
     pub(super) short: LossTally,
     /// Points on lines.
@@ -48,20 +49,15 @@ impl LineCandidates {
         params: &Params,
     ) -> Self {
         let mut polylines = on_the_sheet(edges, transform, params);
+        // an overview is felt for its shapes
+        let is_overview = params.of_drawing && params.whole_rings;
+        let grid = if is_overview { faint::take_grid(&mut polylines) } else { 0 };
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
         let mut polylines = join::join(polylines, params.join_gap);
-        let mut scales = Vec::new();
-        // an overview is felt for its shapes
-        if params.of_drawing && !params.whole_rings {
-            // a page of few shapes has no marks
-            match (params.hands_marks_on, params.most_shapes) {
-                (true, None) => scales = ticks::take(&mut polylines, area, params),
-                _ => ticks::lengthen(&mut polylines, area, params),
-            }
-            crossbars::lengthen(&mut polylines, area, params);
-        }
+        let lengthens = params.of_drawing && !is_overview;
+        let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
         let mut short = LossTally::new(area);
         let is_crumb = |polyline: &Polyline<Vertex>| {
             polyline.weighted_length(params.full_strength) < NEGLIGIBLE * params.min_length
@@ -93,7 +89,16 @@ impl LineCandidates {
         };
         let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
         let saliencies = saliency::saliencies(&polylines, params);
-        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short, points, scales, heads }
+        Self {
+            lines: polylines.into_iter().zip(ranks).collect(),
+            saliencies,
+            contours,
+            grid,
+            short,
+            points,
+            scales,
+            heads,
+        }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
@@ -116,8 +121,20 @@ impl LineCandidates {
         // an overview is told as a whole, and a line that is too short for one by what it is
         let may_lack = params.of_drawing && !params.whole_rings && lost.lost >= params.min_length;
         let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
-        Lost { gone: if may_lack { gone() } else { Vec::new() }, ..lost }
+        Lost { gone: if may_lack { gone() } else { Vec::new() }, grid: self.grid, ..lost }
     }
+}
+
+/// Makes the marks on the lines of a drawing as long as fingers need them; gives the scales whose ticks are handed on.
+fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Vec<TickMark>> {
+    let mut scales = Vec::new();
+    // a page of few shapes has no marks
+    match (params.hands_marks_on, params.most_shapes) {
+        (true, None) => scales = ticks::take(polylines, area, params),
+        _ => ticks::lengthen(polylines, area, params),
+    }
+    crossbars::lengthen(polylines, area, params);
+    scales
 }
 
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found

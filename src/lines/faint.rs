@@ -1,58 +1,24 @@
-//! Strokes of a vector drawing that are much thinner and paler than its others, such as the grid behind a curve. How a
-//! stroke is painted says how much it matters: these are as thin as lines can be, and give way to all others.
+//! Lines of the faint strokes of a vector drawing: as thin as lines can be, they give way to all others.
 
 use super::clearance::Cleared;
+use super::line::Line;
 use super::outlines::Rank;
 use super::params::{Params, RING_FARTHEST};
 use super::vertex::{FoundIn, Vertex};
-use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;
 use crate::units::MmPoint;
 
-/// A stroke is faint if its width times its contrast is at most this share of that of the drawing's strong ones: one of
-/// a third of their width and three quarters of their contrast, but not a black hairline beside lines of three pixels.
-const FAINT: f32 = 0.25;
-/// The strong ones are this share of all strokes by length: the curve of a chart is short beside its grid.
-const STRONG: f32 = 0.1;
 /// What is left of a faint line between two cuts and is shorter than so many least lengths is left out: it says
 /// nothing, and is felt as something.
 const SCRAP: f32 = 1.5;
 
-/// Which strokes of a vector drawing are faint.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct FaintStrokes {
-    /// The weight of the strong ones; 0 if no stroke is.
-    strong: f32,
-}
+/// A finished line is faint from less than this share of the strength of the strongest on.
+const FAINT: f32 = 0.1;
 
-impl FaintStrokes {
-    pub(super) fn of(edges: &Edges) -> Self {
-        let mut all: Vec<(f32, f32)> = Vec::new();
-        for range in &edges.chains {
-            all.extend(weight(edges, range).map(|weight| (weight, edges.chain(range).length())));
-        }
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let whole: f32 = all.iter().map(|(_, length)| length).sum();
-        let mut sum = 0.0;
-        let strong = all.iter().find(|(_, length)| {
-            sum += length;
-            sum >= STRONG * whole
-        });
-        Self { strong: strong.map_or(0.0, |(weight, _)| *weight) }
-    }
-
-    /// Whether a contour is one.
-    pub(super) fn holds(self, edges: &Edges, range: &ChainRange) -> bool {
-        weight(edges, range).is_some_and(|weight| weight <= FAINT * self.strong)
-    }
-}
-
-/// Width times contrast of a stroke of a vector drawing.
-fn weight(edges: &Edges, range: &ChainRange) -> Option<f32> {
-    let width = range.kind.stroke.filter(|_| range.kind.exact)?;
-    let edgels = &edges.edgels[range.edgels.clone()];
-    let strength = edgels.iter().map(|edgel| edgel.strength).sum::<f32>() / edgels.len().max(1) as f32;
-    Some(width * strength)
+/// Which lines of a figure are faint.
+pub fn which_are_faint(lines: &[Line]) -> Vec<bool> {
+    let least = FAINT * lines.iter().map(|line| line.strength).fold(0.0, f32::max);
+    lines.iter().map(|line| line.strength < least).collect()
 }
 
 /// Makes a line faint.
@@ -70,6 +36,17 @@ pub(super) fn is_faint(line: &Polyline<Vertex>) -> bool {
     2 * faint > line.vertices.len()
 }
 
+/// Least straightness of a line of a grid, chord to length: drawn by hand, too.
+const STRAIGHTNESS: f32 = 0.99;
+
+/// Takes the lines of a grid out, faint straight ones, and says how many these are. In an overview nobody could tell
+/// them from the shapes before them, as its lines are of one width.
+pub(super) fn take_grid(lines: &mut Vec<Polyline<Vertex>>) -> usize {
+    let before = lines.len();
+    lines.retain(|line| line.closed || !is_faint(line) || line.chord() < STRAIGHTNESS * line.length());
+    before - lines.len()
+}
+
 /// Leaves out short pieces of faint lines that were cut.
 pub(super) fn without_scraps(cleared: &mut Vec<Cleared>, lines: &[(Polyline<Vertex>, Rank)], params: &Params) {
     let faint = lines.iter().filter(|(line, rank)| *rank == Rank::Faint && !line.closed);
@@ -85,7 +62,7 @@ pub(super) fn without_scraps(cleared: &mut Vec<Cleared>, lines: &[(Polyline<Vert
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::edges::{ChainKind, Edgel};
+    use crate::edges::{ChainKind, Edgel, Edges};
     use crate::lines::{Lines, draw};
     use crate::units::{MmRect, PageTransform, PxPoint, Size};
 

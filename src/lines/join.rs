@@ -1,5 +1,6 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
+use super::faint::is_faint;
 use super::vertex::{Vertex, dot};
 use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Polyline;
@@ -25,7 +26,11 @@ const BEND: f32 = 4.0;
 /// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet.
 pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32) -> Vec<Polyline<Vertex>> {
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
-    let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| cost(a, b, &lengths, gap));
+    // a line of a grid is no part of the axis at whose end it begins
+    let faint: Vec<bool> = polylines.iter().map(is_faint).collect();
+    let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
+        cost(a, b, &lengths, gap).filter(|_| faint[a.polyline] == faint[b.polyline])
+    });
     let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
     threads.into_iter().filter_map(|thread| concatenate(&thread, &mut left)).collect()
 }

@@ -26,7 +26,7 @@ pub struct Lost {
     pub scales: Vec<LostScale>,
     /// Lines of a drawing of which nothing is drawn.
     pub gone: Vec<LostLine>,
-    /// How many lines a squared grid has that is left out as a whole.
+    /// How many lines a grid has that is left out as a whole: a squared one that is torn on dots, and any in overviews.
     pub grid: usize,
 }
 

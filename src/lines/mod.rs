@@ -44,6 +44,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use vertex::Vertex;
 
 pub use arrowheads::{Arrow, arrows, is_triangle};
+pub use faint::which_are_faint;
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
 pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};

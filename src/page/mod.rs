@@ -23,3 +23,5 @@ pub use medium::{DotMedium, Medium, MediumParams, Print};
 pub use names::{Names, area_name, line_name, overview_line_name, text_name};
 pub use origin::{InSet, LeftOut};
 pub use parts::*;
+
+pub(crate) use crate::lines::which_are_faint;

@@ -1,7 +1,7 @@
 //! Bars of a chart among the contours of a drawing: where they stand, and whether the lines on a page have them whole.
 
 use super::areas::index_of;
-use crate::edges::{ChainRange, Edges};
+use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::Line;
@@ -93,7 +93,10 @@ impl Chart {
         if !edges.of_drawing() || edges.chains.iter().any(|chain| chain.kind.added) {
             return None;
         }
-        let pieces: Vec<(PxPoint, PxPoint)> = edges.chains.iter().flat_map(|chain| straight(edges, chain)).collect();
+        // a gridline between two bars at the height of the lower one is no bar
+        let faint = FaintStrokes::of(edges);
+        let chains = edges.chains.iter().filter(|chain| !faint.holds(edges, chain));
+        let pieces: Vec<(PxPoint, PxPoint)> = chains.flat_map(|chain| straight(edges, chain)).collect();
         if pieces.len() > MOST {
             return None;
         }

@@ -8,13 +8,13 @@ use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
 use super::request::{OverviewSize, scale_of_photograph};
-use crate::Note;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmRect, PageTransform};
+use crate::{About, Note};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
@@ -207,7 +207,16 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
         false => Note::NoRoomForOverview,
     });
     let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
-    shapes.into_iter().chain(marks).chain(lines)
+    let grid = if is_drawn { told_grid(lost.grid) } else { None };
+    shapes.into_iter().chain(marks).chain(grid).chain(lines)
+}
+
+/// What the maker is told of the lines of a grid that an overview has not.
+fn told_grid(lines: usize) -> Option<Note> {
+    // how many says little: bars part them
+    let told = "thin, pale, straight lines, such as those of a grid, are in the figure only, as they would hide the \
+                shapes of the overview";
+    (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))
 }
 
 #[cfg(test)]

@@ -380,7 +380,8 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
     };
-    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, may_cross, step, leader_off }
+    let (tiles, line_gap) = (tiles.to_vec(), plan.lines().min_gap);
+    Params { area, tiles, clearance: CLEARANCE, line_gap, texture_clearance, may_cross, step, leader_off }
 }
 
 /// A leader line: as thin as lines can be.

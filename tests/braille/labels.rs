@@ -253,6 +253,32 @@ fn labels_lie_beside_what_they_name() {
     }
 }
 
+/// Lines of a grid part a text from nothing, and where a label has no other room it interrupts them.
+#[test]
+fn labels_stand_on_lines_of_a_grid_and_interrupt_them() {
+    let mut svg = String::from(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 600' font-size='20'><rect width='800' height='600' \
+         fill='#fff'/>",
+    );
+    for level in 0..9 {
+        let y = 520 - 50 * level;
+        svg += &format!("<path d='M90 {y}H760' stroke='#ccc'/>");
+    }
+    for (bar, value) in [7, 4, 3, 5, 6].into_iter().enumerate() {
+        let (x, y) = (120 + 130 * bar, 520 - 50 * value);
+        svg += &format!("<rect x='{x}' y='{y}' width='80' height='{}' fill='#d33'/>", 50 * value);
+        svg += &format!("<text x='{}' y='{}' text-anchor='middle'>{value}</text>", x + 40, y - 10);
+    }
+    svg += "<path d='M90 120V520H760' fill='none' stroke='#000' stroke-width='2.5'/></svg>";
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = convert(svg.as_bytes(), &options(profile).label_texts(true)).expect("a page");
+        let found = labels_of(&drawing);
+        assert_eq!(found.len(), 5, "{profile}: {:?}", drawing.notes);
+        assert!(found.iter().all(|label| label.leader.is_none()), "{profile}: {:?}", drawing.notes);
+        check(&drawing, profile);
+    }
+}
+
 /// A text that is longer than anything on a page is left out and told, without working on it for long: with a key of all
 /// of it, this took two minutes.
 #[test]

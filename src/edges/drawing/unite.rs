@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 
 use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
+use crate::edges::faint::{self, FaintStrokes};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::units::{PxPoint, PxVector, Size};
@@ -20,12 +21,16 @@ const CELL: f32 = 8.0;
 /// A bend of this many degrees between segments is a corner.
 const CORNER: f32 = 25.0;
 
-/// The contours without those parts that coincide with one before them. Strokes come before outlines, then those with
-/// the longest side between two corners: so a side that goes on beyond the other's corners is whole, and the other ends
-/// on it.
+/// The contours without those parts that coincide with one before them. Strokes come before outlines and these before
+/// faint strokes, as a line of a grid on the top of a bar; then those with the longest side between two corners: so a
+/// side that goes on beyond the other's corners is whole, and the other ends on it.
 pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
+    let weight = |contour: &Confirmed| Some(faint::weight(contour.stroke?, &contour.line.vertices));
+    let weights = confirmed.iter().filter_map(|contour| Some((weight(contour)?, contour.line.length())));
+    let faint = FaintStrokes::among(weights.collect());
+    let rank = |contour: &Confirmed| weight(contour).map_or(1, |weight| 2 * u8::from(faint.holds_weight(weight)));
     // in whole pixels: rounding decides nothing
-    confirmed.sort_by_key(|contour| (contour.stroke.is_none(), Reverse(longest_side(&contour.line).round() as u32)));
+    confirmed.sort_by_cached_key(|contour| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);
     let mut kept = Vec::with_capacity(confirmed.len());
     for contour in confirmed {

@@ -10,6 +10,7 @@ const POINT: MmPoint = MmPoint::new(100.0, 100.0);
 
 fn params() -> Params {
     Params {
+        line_gap: 3.2,
         area: MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)),
         tiles: Vec::new(),
         clearance: 3.0,

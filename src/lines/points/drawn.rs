@@ -5,6 +5,7 @@ use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
+use crate::lines::faint::is_faint;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::series::without_scraps;
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
@@ -19,6 +20,10 @@ pub(in crate::lines) struct DrawnPoints {
     pub(super) beads: Vec<(usize, MmPoint)>,
     /// Where lines end at hollow ones, and how far from their middles, mm.
     pub(super) holes: Vec<(MmPoint, f32)>,
+    /// All of them, with their radii, mm.
+    pub(super) discs: Vec<(MmPoint, f32)>,
+    /// The lines among which they are.
+    pub(super) lines: Option<AmongLines>,
     /// The rings of those.
     pub(in crate::lines) rings: Vec<Polyline<Vertex>>,
     /// How many have no room.
@@ -36,24 +41,37 @@ pub(in crate::lines) fn draw(
         return DrawnPoints::default();
     }
     let segments = nearby(lines.iter().copied(), area, params);
-    let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &segments, params);
+    let faint: Vec<bool> = lines.iter().map(|line| is_faint(line)).collect();
+    let lines = AmongLines { segments, faint };
+    let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
     let whole = without_scraps(&series, &has_room);
-    if whole == has_room { drawn } else { draw_those(points, &whole, &segments, params).0 }
+    let drawn = if whole == has_room { drawn } else { draw_those(points, &whole, &lines, params).0 };
+    DrawnPoints { lines: Some(lines), ..drawn }
+}
+
+/// The lines among which points are drawn.
+#[derive(Debug)]
+pub(super) struct AmongLines {
+    segments: Nearby,
+    /// Which are faint: they give way.
+    faint: Vec<bool>,
 }
 
 /// Draws those of the points that are wanted and have room; says which.
-fn draw_those(points: &[Point], wanted: &[bool], segments: &Nearby, params: &Params) -> (DrawnPoints, Vec<bool>) {
+fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Params) -> (DrawnPoints, Vec<bool>) {
+    let AmongLines { segments, faint } = lines;
     let mut drawn = DrawnPoints::default();
     // on the line that goes through it, wherever that was moved
     let place = |point: &Point| {
         let reach = RING_FARTHEST + MIDDLE * point.radius;
-        let on_line = segments.nearest(point.at, reach, |_| true).filter(|_| !point.is_alone);
+        let nearest =
+            |of_faint: bool| segments.nearest(point.at, reach, |segment| faint[segment.line as usize] == of_faint);
+        let on_line = nearest(false).or_else(|| nearest(true)).filter(|_| !point.is_alone);
         let place = on_line.map(|(_, at, segment)| (at, Some(segment.line), radius(point, params)));
         place.or_else(|| point.is_alone.then(|| (point.at, None, radius(point, params))))
     };
     let half = 0.5 * params.width_max;
-    let mut taken: Vec<(MmPoint, f32)> = Vec::new();
     let mut has_room = vec![false; points.len()];
     for (number, point) in points.iter().enumerate().filter(|(number, _)| wanted[*number]) {
         let Some((at, line, radius)) = place(point) else { continue };
@@ -61,16 +79,16 @@ fn draw_those(points: &[Point], wanted: &[bool], segments: &Nearby, params: &Par
         let beside = radius + params.min_gap + half;
         let mut near: Vec<u32> = Vec::new();
         segments.around_point(at, beside, |segment| {
-            if nearest_on_segment(at, segment.a, segment.b).0 < beside {
+            if !faint[segment.line as usize] && nearest_on_segment(at, segment.a, segment.b).0 < beside {
                 near.push(segment.line);
             }
         });
         let passes = |line: u32| !point.is_alone && segments.nearest_of_line(at, radius, line).is_some();
-        if taken.iter().any(is_near) || !near.into_iter().all(passes) {
+        if drawn.discs.iter().any(is_near) || !near.into_iter().all(passes) {
             continue;
         }
         has_room[number] = true;
-        taken.push((at, radius));
+        drawn.discs.push((at, radius));
         match line.filter(|_| point.is_filled) {
             Some(line) => drawn.beads.push((line as usize, at)),
             None => {
@@ -111,8 +129,12 @@ impl DrawnPoints {
         anchored: &[bool],
         params: &Params,
     ) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+        let is_own = |(of, _): &&(usize, MmPoint)| *of == number;
+        if is_faint(line) && !self.beads.iter().any(|bead| is_own(&bead)) {
+            return self.interrupted(line, anchored, params);
+        }
         let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
-        for (_, at) in self.beads.iter().filter(|(of, _)| *of == number) {
+        for (_, at) in self.beads.iter().filter(is_own) {
             add_bead(&mut line, &mut anchored, *at, BEAD * params.width_max);
         }
         match self.holes[..] {
@@ -120,6 +142,53 @@ impl DrawnPoints {
             // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
             ref holes => outside(&line, &anchored, holes, params.min_gap),
         }
+    }
+}
+
+impl DrawnPoints {
+    /// The parts of a faint line beside points, whose other lines they keep clear of too.
+    fn interrupted(
+        &self,
+        line: &Polyline<Vertex>,
+        anchored: &[bool],
+        params: &Params,
+    ) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+        // the two ends at a point are as far apart as any, even where the line would only touch the hole
+        let (clearance, half) = (params.clearance(0.5 * params.width_min), 0.5 * params.clearance(params.width_min));
+        let hole = |&(at, radius): &(MmPoint, f32)| {
+            let distances = line.segments().map(|(a, b)| nearest_on_segment(at, a.at, b.at).0);
+            let distance = distances.fold(f32::INFINITY, f32::min);
+            (distance < radius + clearance).then(|| (at, (radius + clearance).max(distance.hypot(half))))
+        };
+        let holes: Vec<(MmPoint, f32)> = self.discs.iter().filter_map(hole).collect();
+        let is_cut = |vertex: &Vertex| {
+            holes.iter().any(|(at, radius)| ((vertex.at - *at).length() - radius).abs() <= params.tolerance)
+        };
+        let is_near = |vertex: &Vertex| {
+            let reach = params.clearance(0.5 * (vertex.width + params.width_max));
+            let lines = self.lines.as_ref();
+            lines.is_some_and(|AmongLines { segments, faint }| {
+                segments.nearest(vertex.at, reach, |segment| !faint[segment.line as usize]).is_some()
+            })
+        };
+        let clear = |(part, mut anchored): (Polyline<Vertex>, Vec<bool>)| {
+            let mut vertices = part.vertices;
+            if vertices.last().is_some_and(is_cut) {
+                while vertices.pop_if(|vertex| is_near(vertex)).is_some() {}
+                anchored.truncate(vertices.len());
+            }
+            if vertices.first().is_some_and(is_cut) {
+                let near = vertices.iter().take_while(|vertex| is_near(vertex)).count();
+                vertices.drain(..near);
+                anchored.drain(..near);
+            }
+            let part = Polyline::open(vertices);
+            (part.length() >= params.min_length).then_some((part, anchored))
+        };
+        outside(line, anchored, &holes, 0.0)
+            .into_iter()
+            .filter_map(|part| if part.0.closed { Some(part) } else { clear(part) })
+            .collect()
     }
 }
 

@@ -1,0 +1,135 @@
+//! Lines of a grid, as behind the bars of a chart or under a curve: faint straight ones. Labels may stand on them, and
+//! they are interrupted there, as in print.
+
+use super::placed::{Params, Placed};
+use crate::geom::polygon::distance_to_box;
+use crate::page::{Line, Pen, Run, which_are_faint};
+use crate::units::{MmPoint, MmRect};
+
+/// Least straightness of a line of a grid, chord to length: one of 100 mm bends by half a mm.
+const STRAIGHTNESS: f32 = 0.9999;
+/// What is left of such a line between labels, or beside one, and is shorter than this, mm, goes too: it would be felt
+/// as a tick. The least length of lines on grids of 2.5 mm.
+const SCRAP: f32 = 12.0;
+/// Step in which a stroke is interrupted, mm.
+const STEP: f32 = 0.25;
+/// Two lines that end beside one another are nearer than this, mm, or they meet.
+const MEETS: f32 = 0.5;
+
+/// Which lines of a figure give way to labels.
+pub(super) fn giving_way(lines: &[Line]) -> Vec<bool> {
+    let is_straight = |line: &Line| match &line.runs[..] {
+        [run] => run.points.len() > 1 && run.polyline().chord() >= STRAIGHTNESS * run.length(),
+        _ => false,
+    };
+    which_are_faint(lines).into_iter().zip(lines).map(|(is_faint, line)| is_faint && is_straight(line)).collect()
+}
+
+/// Interrupts the lines of a grid at the labels that stand on them.
+pub(super) fn interrupt(lines: &mut Vec<Line>, placed: &[&Placed], params: &Params) {
+    let blank: Vec<MmRect> =
+        placed.iter().map(|label| label.place.inflate(params.clearance, params.clearance)).collect();
+    let giving_way = giving_way(lines);
+    let mut ends = Vec::new();
+    let parts = |(line, gives_way)| if gives_way { outside(line, &blank, &mut ends, params) } else { vec![line] };
+    *lines = std::mem::take(lines).into_iter().zip(giving_way).flat_map(parts).collect();
+}
+
+/// The parts of a straight line whose ink lies outside of some boxes. Where they end beside one of the `ends` of others
+/// they are shorter: lines of a grid that cross under the corner of a label.
+fn outside(line: Line, blank: &[MmRect], ends: &mut Vec<MmPoint>, params: &Params) -> Vec<Line> {
+    let run = &line.runs[0];
+    let is_outside = |at: &MmPoint| blank.iter().all(|place| distance_to_box(*at, *place) >= 0.5 * run.width);
+    let points = match run.pen {
+        Pen::Dots(_) => run.points.clone(),
+        Pen::Stroke => steps(run),
+    };
+    if points.iter().all(is_outside) {
+        return vec![line];
+    }
+    let mut parts = Vec::new();
+    let mut at = 0;
+    for part in points.chunk_by(|a, b| is_outside(a) == is_outside(b)) {
+        let (is_first, is_last) = (at == 0, at + part.len() == points.len());
+        at += part.len();
+        let is_beside = |end: &MmPoint| {
+            let apart = ends.iter().map(|other| (*other - *end).length());
+            apart.into_iter().any(|apart| apart > MEETS && apart < params.line_gap + run.width)
+        };
+        let mut part = if is_outside(&part[0]) { part } else { &[] };
+        while let [end, rest @ ..] = part
+            && !is_first
+            && is_beside(end)
+        {
+            part = rest;
+        }
+        while let [rest @ .., end] = part
+            && !is_last
+            && is_beside(end)
+        {
+            part = rest;
+        }
+        let (Some(&first), Some(&last)) = (part.first(), part.last()) else { continue };
+        if (last - first).length() >= SCRAP {
+            let points = if run.pen == Pen::Stroke { vec![first, last] } else { part.to_vec() };
+            parts.push(Line { strength: line.strength, runs: vec![Run { points, ..run.clone() }] });
+            ends.extend([(!is_first).then_some(first), (!is_last).then_some(last)].into_iter().flatten());
+        }
+    }
+    parts
+}
+
+/// The ends of a straight stroke and what lies between them.
+fn steps(run: &Run) -> Vec<MmPoint> {
+    let (first, last) = (run.points[0], run.points[run.points.len() - 1]);
+    let count = ((last - first).length() / STEP).ceil().max(1.0) as u32;
+    (0..=count).map(|step| first.lerp(last, step as f32 / count as f32)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::labels::PlacedAs;
+
+    fn line(strength: f32, points: &[(f32, f32)]) -> Line {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength, runs: vec![Run { width: 1.0, points, closed: false, pen: Pen::Stroke }] }
+    }
+
+    #[test]
+    fn only_lines_of_a_grid_give_way_to_labels() {
+        let lines = [
+            line(90.0, &[(0.0, 0.0), (0.0, 90.0)]),
+            line(7.0, &[(0.0, 50.0), (100.0, 50.0)]),
+            line(7.0, &[(0.0, 70.0), (50.0, 75.0), (100.0, 70.0)]),
+            line(40.0, &[(0.0, 80.0), (100.0, 80.0)]),
+        ];
+        assert_eq!(giving_way(&lines), [false, true, false, false], "an axis, a gridline, a faint curve, a line");
+        let place = MmRect::new(MmPoint::new(40.0, 46.0), MmPoint::new(50.0, 52.0));
+        let label = Placed {
+            place,
+            lines: Vec::new(),
+            lacking: Vec::new(),
+            abbreviation: None,
+            leader: None,
+            crosses: false,
+            stands: PlacedAs::Alone,
+            is_bare: false,
+        };
+        let params = Params {
+            area: place,
+            tiles: Vec::new(),
+            clearance: 3.0,
+            texture_clearance: 3.0,
+            may_cross: true,
+            step: 0.5,
+            leader_off: 0.0,
+            line_gap: 3.2,
+        };
+        let mut left = lines.to_vec();
+        interrupt(&mut left, &[&label], &params);
+        let ends: Vec<f32> = left[1..3].iter().flat_map(|line| line.runs[0].points.iter().map(|at| at.x)).collect();
+        assert_eq!(left.len(), 5);
+        assert!(ends.iter().zip([0.0, 36.5, 53.5, 100.0]).all(|(x, of)| (x - of).abs() <= STEP), "{ends:?}");
+    }
+}
