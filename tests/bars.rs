@@ -169,5 +169,5 @@ fn the_top_of_a_bar_on_a_gridline_is_its_own() {
     let share = overview.place.width() / place.width();
     let at = |at: MmPoint| overview.place.min + (at - place.min) * share;
     assert!(far(at(on_page(800.0, BASE - 180.0)), &overview.lines, None) > NEAR, "it has no gridlines");
-    assert!(told(&drawing).contains("such as those of a grid"), "{}", told(&drawing));
+    assert!(told(&drawing).contains("lines of a grid are in the figure only"), "{}", told(&drawing));
 }

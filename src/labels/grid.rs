@@ -3,7 +3,7 @@
 
 use super::placed::{Params, Placed};
 use crate::geom::polygon::distance_to_box;
-use crate::page::{Line, Pen, Run, which_are_faint};
+use crate::page::{Line, Pen, Run, of_grid, which_are_faint};
 use crate::units::{MmPoint, MmRect};
 
 /// Least straightness of a line of a grid, chord to length: one of 100 mm bends by half a mm.
@@ -18,11 +18,13 @@ const MEETS: f32 = 0.5;
 
 /// Which lines of a figure give way to labels.
 pub(super) fn giving_way(lines: &[Line]) -> Vec<bool> {
-    let is_straight = |line: &Line| match &line.runs[..] {
-        [run] => run.points.len() > 1 && run.polyline().chord() >= STRAIGHTNESS * run.length(),
-        _ => false,
+    let ends = |(line, is_faint): (&Line, bool)| match &line.runs[..] {
+        [run] if is_faint && run.points.len() > 1 && run.polyline().chord() >= STRAIGHTNESS * run.length() => {
+            Some([run.points[0], run.points[run.points.len() - 1]])
+        }
+        _ => None,
     };
-    which_are_faint(lines).into_iter().zip(lines).map(|(is_faint, line)| is_faint && is_straight(line)).collect()
+    of_grid(&lines.iter().zip(which_are_faint(lines)).map(ends).collect::<Vec<_>>())
 }
 
 /// Interrupts the lines of a grid at the labels that stand on them.
@@ -103,8 +105,11 @@ mod tests {
             line(7.0, &[(0.0, 50.0), (100.0, 50.0)]),
             line(7.0, &[(0.0, 70.0), (50.0, 75.0), (100.0, 70.0)]),
             line(40.0, &[(0.0, 80.0), (100.0, 80.0)]),
+            line(7.0, &[(0.0, 20.0), (100.0, 20.0)]),
+            line(7.0, &[(0.0, 35.0), (100.0, 35.0)]),
         ];
-        assert_eq!(giving_way(&lines), [false, true, false, false], "an axis, a gridline, a faint curve, a line");
+        // an axis, a gridline, a faint curve, a line, two more gridlines
+        assert_eq!(giving_way(&lines), [false, true, false, false, true, true]);
         let place = MmRect::new(MmPoint::new(40.0, 46.0), MmPoint::new(50.0, 52.0));
         let label = Placed {
             place,
@@ -129,7 +134,7 @@ mod tests {
         let mut left = lines.to_vec();
         interrupt(&mut left, &[&label], &params);
         let ends: Vec<f32> = left[1..3].iter().flat_map(|line| line.runs[0].points.iter().map(|at| at.x)).collect();
-        assert_eq!(left.len(), 5);
+        assert_eq!(left.len(), 7);
         assert!(ends.iter().zip([0.0, 36.5, 53.5, 100.0]).all(|(x, of)| (x - of).abs() <= STEP), "{ends:?}");
     }
 }

@@ -1,6 +1,7 @@
 //! Lines of the faint strokes of a vector drawing: as thin as lines can be, they give way to all others.
 
 use super::clearance::Cleared;
+use super::grid::of_grid;
 use super::line::Line;
 use super::outlines::Rank;
 use super::params::{Params, RING_FARTHEST};
@@ -42,8 +43,14 @@ const STRAIGHTNESS: f32 = 0.99;
 /// Takes the lines of a grid out, faint straight ones, and says how many these are. In an overview nobody could tell
 /// them from the shapes before them, as its lines are of one width.
 pub(super) fn take_grid(lines: &mut Vec<Polyline<Vertex>>) -> usize {
+    let ends = |line: &Polyline<Vertex>| {
+        let is_straight = !line.closed && is_faint(line) && line.chord() >= STRAIGHTNESS * line.length();
+        let ends = line.vertices.first().zip(line.vertices.last()).filter(|_| is_straight);
+        ends.map(|(first, last)| [first.at, last.at])
+    };
+    let mut of_grid = of_grid(&lines.iter().map(ends).collect::<Vec<_>>()).into_iter();
     let before = lines.len();
-    lines.retain(|line| line.closed || !is_faint(line) || line.chord() < STRAIGHTNESS * line.length());
+    lines.retain(|_| !of_grid.next().unwrap_or(false));
     before - lines.len()
 }
 

@@ -214,8 +214,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
 /// What the maker is told of the lines of a grid that an overview has not.
 fn told_grid(lines: usize) -> Option<Note> {
     // how many says little: bars part them
-    let told = "thin, pale, straight lines, such as those of a grid, are in the figure only, as they would hide the \
-                shapes of the overview";
+    let told = "the thin, pale lines of a grid are in the figure only, as they would hide the shapes of the overview";
     (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))
 }
 
