@@ -19,6 +19,7 @@ mod kept_lines;
 mod key;
 mod label;
 mod leaders;
+mod legend;
 mod lost_marks;
 mod lost_signs;
 mod margins;
@@ -162,7 +163,9 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
+    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
+    let legend = if words.own_texts { legend } else { Vec::new() };
+    let words = &Words { legend: &legend, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

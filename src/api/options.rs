@@ -394,7 +394,7 @@ impl Options {
             key: self.key,
             number: self.page_number,
             translate: self.translate.as_deref(),
-            before: None,
+            ..Words::default()
         }
     }
 }

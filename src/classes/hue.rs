@@ -19,6 +19,7 @@
 //! into pieces.
 
 use super::class::{Class, Params};
+use crate::raster::{Planes, Raster};
 
 /// Where the sector of a class begins and between which hues the class is typical, degrees of corrected hue; the rest
 /// of the sector is a fringe towards the neighbour on that side.
@@ -159,6 +160,14 @@ fn sector_of(hue: f32) -> usize {
 /// The class of a colour given as sRGB values 0..=1; `None` is white. The blurred picture's cells are sorted by it.
 pub fn class_of(rgb: [f32; 3], params: &Params) -> Option<Class> {
     membership(rgb, params).label()
+}
+
+/// The class of one pixel of a picture, by its number; `None` is white.
+pub fn class_at(raster: &Raster, at: usize, params: &Params) -> Option<Class> {
+    match raster.planes() {
+        Planes::Colour(planes) => class_of(planes.each_ref().map(|plane| encoded(plane[at])), params),
+        Planes::Grey(plane) => class_of([encoded(plane[at]); 3], params),
+    }
 }
 
 /// The neighbour on the colour wheel that a colour of class `class` leans to, if it is not typical of its class.

@@ -23,7 +23,7 @@ use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
 pub use class::{Class, Classes, Params, Region};
-pub use hue::{class_of, leaning};
+pub use hue::{class_at, class_of, leaning};
 pub use unify::unify_areas;
 
 /// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary

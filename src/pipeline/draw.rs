@@ -7,6 +7,7 @@ use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::leaders;
+use super::legend::{self, LegendEntry};
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
@@ -44,6 +45,8 @@ pub(super) struct DrawnMarks {
     pub(super) left_out: LeftOut,
     /// Small closed shapes of a drawing that are not on the page, or not whole.
     pub(super) lost_signs: Vec<LostSign>,
+    /// What colours mean by the drawing's legend, if it has one.
+    pub(super) legend: Vec<LegendEntry>,
     /// Texts that are not drawn.
     pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
@@ -149,6 +152,8 @@ pub(super) fn draw(
     notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
+    notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
+    let legend = legend::of(&edges, &texts, &picture.raster, &layout, plan);
     let of_drawing = edges.of_drawing();
     drop((picture.raster, edges));
     let classes = areas_of_colours.map(|areas| areas.classes);
@@ -159,7 +164,7 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
-    Ok(DrawnMarks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
+    Ok(DrawnMarks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, legend, texts, notes })
 }
 
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.

@@ -75,6 +75,8 @@ pub(super) struct Entries<'a> {
     /// The title of the page.
     pub(super) title: Option<&'a str>,
     pub(super) classes: Vec<Class>,
+    /// What colours mean by the legend of the drawing.
+    pub(super) meanings: Vec<(Class, String)>,
     /// Abbreviations and what they stand for.
     pub(super) abbreviations: Vec<(String, String)>,
     /// The page number of its first sheet.
@@ -223,7 +225,11 @@ fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> (Vec<Item>
         |text: &str, width: usize| wrap(&or_told(text, translator.translate(text)), width, Divide::Words).lines;
     let mut items = vec![Item { patch: None, lines: lines(&heading, width), text: heading }];
     items.extend(entries.classes.iter().map(|&class| {
-        let text = word(class.name());
+        let meanings = entries.meanings.iter().filter(|(of, _)| *of == class).map(|(_, text)| text.as_str());
+        let text = match meanings.collect::<Vec<_>>().join(", ") {
+            none if none.is_empty() => word(class.name()),
+            meanings => format!("{}: {meanings}", word(class.name())),
+        };
         Item { patch: Some(class), lines: lines(&text, beside_patch), text }
     }));
     items.extend(entries.abbreviations.iter().map(|(short, text)| {

@@ -36,6 +36,9 @@ const OFF_CORNER: f32 = 0.08;
 const RIGHT: f32 = 0.35;
 /// The legs of an angle differ in their direction by at least 10 degrees: the sine.
 const LEG: f32 = 0.17;
+/// The ends of an arc of an angle and its middle are as far from where the legs meet, but for this share: a drawing is
+/// not exact, and lines are moved.
+const ROUND: f32 = 0.7;
 /// A tick crosses its line at 60 degrees at least: the sine.
 const ACROSS: f32 = 0.87;
 /// A tick stands on a line if its ends are at distances from it that differ by this share of its length.
@@ -148,7 +151,20 @@ fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], 
         }
         _ => false,
     };
-    Some(if is_right { MarkKind::Corner } else { MarkKind::Arc })
+    if is_right {
+        return Some(MarkKind::Corner);
+    }
+    is_around_vertex(points, [one, other]).then_some(MarkKind::Arc)
+}
+
+/// Whether an arc lies around the place where the lines of these directions meet on which it ends, as that of an angle
+/// does: a petal of a flower does not.
+fn is_around_vertex(points: &[MmPoint], [one, other]: [MmVector; 2]) -> bool {
+    let (first, last, middle) = (points[0], points[points.len() - 1], points[points.len() / 2]);
+    let vertex = first + one * ((last - first).cross(other) / one.cross(other));
+    let radii = [first, middle, last].map(|at| (at - vertex).length());
+    let (least, most) = (radii.into_iter().fold(f32::INFINITY, f32::min), radii.into_iter().fold(0.0, f32::max));
+    least >= ROUND * most
 }
 
 /// What the maker is told of them.
@@ -245,8 +261,14 @@ mod tests {
         assert_eq!(is(&straight, [Some((0.2, upright)), Some((0.2, upright))]), None, "a piece of a gridline");
         assert_eq!(is(&straight, legs), None, "a piece of a slanting line");
         assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(MarkKind::Corner));
-        assert_eq!(is(&arc(60.0), legs), Some(MarkKind::Arc));
-        assert_eq!(is(&arc(120.0), legs), Some(MarkKind::Arc));
+        let leg = |degrees: f32| {
+            let (y, x) = degrees.to_radians().sin_cos();
+            Some((0.2, MmVector::new(x, y)))
+        };
+        assert_eq!(is(&arc(60.0), [leg(0.0), leg(60.0)]), Some(MarkKind::Arc));
+        assert_eq!(is(&arc(120.0), [leg(0.0), leg(120.0)]), Some(MarkKind::Arc));
+        assert_eq!(is(&arc(60.0), [leg(10.0), leg(50.0)]), Some(MarkKind::Arc), "not quite exact");
+        assert_eq!(is(&arc(120.0), [leg(150.0), leg(30.0)]), None, "a petal on the ring of its flower");
         assert_eq!(is(&arc(60.0), [legs[0], None]), None, "a hook");
         let bent = line(&[(0.0, 0.0), (2.0, 0.0), (2.4, 0.4)]);
         assert_eq!(is(&bent, [Some((2.4, upright)), Some((0.0, upright))]), Some(MarkKind::Tick), "bent at its axis");

@@ -120,8 +120,7 @@ pub(super) fn marks(
         keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend(told_of_overview(&overview));
-    notes.extend(dots_left_out(page));
+    notes.extend(told_of_overview(&overview).chain(dots_left_out(page)));
     let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     // the ground of a page that has none already is another area
     let has_ground = own.profile().figure.ground;
@@ -138,6 +137,7 @@ pub(super) fn marks(
         is_flat: false,
         left_out,
         lost_signs: drawn.lost.signs,
+        legend: Vec::new(),
         texts: Vec::new(),
         notes,
     })

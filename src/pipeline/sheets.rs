@@ -66,7 +66,9 @@ pub fn convert<'p>(
     let layout_of = |size: Size, _| Ok(together(&lay(size)?));
     let found = find(picture.into(), (given, words), request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
-    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
+    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
+    let legend = if words.own_texts { legend } else { Vec::new() };
+    let words = &Words { legend: &legend, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

@@ -4,6 +4,7 @@ use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::key::{self, Entries, KeySheets};
 use super::label::{CLEARANCE, Label};
+use super::legend::{self, LegendEntry};
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
@@ -40,6 +41,8 @@ pub struct Words<'a> {
     pub number: Option<u32>,
     /// What writes the words, if not the table of their code.
     pub translate: Option<&'a Translate>,
+    /// What colours mean by the legend of a drawing, whose words are labels.
+    pub legend: &'a [LegendEntry],
     /// Of a page that is drawn anew, the figure that it had.
     pub before: Option<&'a Figure>,
 }
@@ -254,6 +257,7 @@ impl<'a> WrittenWords<'a> {
             Some(entries) => key::sheets(&entries, layout, figure.source, request)?,
             None => (Vec::new(), Vec::new()),
         };
+        notes.extend(legend::told(words.legend, figure, !sheets.is_empty()));
         if words.key == KeySheets::Always && sheets.is_empty() {
             notes.push(Note::NoKey(match &self.translator {
                 _ if !request.plan.profile().braille.on => OFF,
@@ -280,17 +284,18 @@ impl<'a> WrittenWords<'a> {
                 abbreviations.push((short.clone(), text.text.clone()));
             }
         }
+        let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
         let is_wanted = match words.key {
-            KeySheets::Auto => !abbreviations.is_empty(),
+            KeySheets::Auto => !abbreviations.is_empty() || words.legend.iter().any(|entry| occurs(&entry.class)),
             KeySheets::Always => true,
             KeySheets::Never => false,
         };
         let translator = self.translator.as_ref().filter(|_| is_wanted)?;
-        let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
         let classes = Class::ALL.into_iter().filter(occurs).collect();
+        let meanings = words.legend.iter().map(|entry| (entry.class, entry.text.clone())).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
         let number = self.number.map(|number| number.saturating_add(sheets_before));
-        Some(Entries { translator, language: &self.language, title, classes, abbreviations, number })
+        Some(Entries { translator, language: &self.language, title, classes, meanings, abbreviations, number })
     }
 
     fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {

@@ -8,3 +8,4 @@ mod outputs;
 mod reading;
 mod rows;
 mod title;
+mod worksheets;

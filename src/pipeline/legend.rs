@@ -1,0 +1,195 @@
+//! What the colours of a drawing mean where that is not told by areas: a legend, small patches of colour with words
+//! beside them, and lines that only their colours tell apart. A patch has no room for a texture, and a line has none.
+
+use super::texts::Text;
+use super::unwritten::named;
+use crate::classes::{Class, class_at};
+use crate::edges::{ChainRange, Edges};
+use crate::listing::list;
+use crate::page::Figure;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::raster::Raster;
+use crate::raster::lab::pixel;
+use crate::units::{MmRect, PageTransform, PxPoint};
+use crate::{About, Note};
+
+/// Sides of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
+const PATCH: std::ops::RangeInclusive<f32> = 1.5..=12.0;
+/// Farthest that the word of a patch lies from it, mm: print stands up to half of its own width beside it.
+const BESIDE: f32 = 8.0;
+/// Colours nearer than this are one (perceptual; 2 can just be told apart side by side).
+const SAME: f32 = 4.0;
+/// A patch stands for areas elsewhere that are at least so many times as large: the others would be marks.
+const LARGER: usize = 3;
+/// Every so many-th pixel of a row or column is looked at for them.
+const STEP: usize = 2;
+/// Most patches of a legend: print tells no more colours apart.
+const MOST: usize = 24;
+/// Places of a line at which its colour is looked at.
+const PLACES: usize = 9;
+/// Beside a line, its ground is looked at so far from its edge, px.
+const OFF: f32 = 2.0;
+/// Lines of one colour are so long together at least, mm: longer than a sample in a legend.
+const LEAST: f32 = 30.0;
+
+/// So much of the strokes of a colour are lines and no outlines of areas, as a share, where that is told.
+const MOSTLY: f32 = 0.7;
+
+/// An entry of a legend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LegendEntry {
+    pub(super) text: String,
+    pub(super) class: Class,
+}
+
+/// The legend of a drawing: patches of different colours, two and more, each with a
+/// word at its side, whose colours larger areas have.
+pub(super) fn of(edges: &Edges, texts: &[Text], raster: &Raster, layout: &Layout, plan: &Plan) -> Vec<LegendEntry> {
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let params = plan.classes(transform.px_per_mm());
+    let mut patches: Vec<(&Text, MmRect, usize)> = Vec::new();
+    for chain in edges.chains.iter().filter(|chain| chain.closed && chain.kind.of_drawing) {
+        let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
+        let place = MmRect::from_points(points);
+        let text = texts.iter().find(|text| text.is_read() && is_beside(place, text.place));
+        let is_patch = PATCH.contains(&place.width()) && PATCH.contains(&place.height());
+        let known = |(other, of, _): &(&Text, MmRect, usize)| {
+            text.is_some_and(|text| std::ptr::eq(*other, text)) || of.contains(place.center())
+        };
+        let middle = index(raster, transform.to_px(place.center()));
+        if let (Some(text), Some(middle), true) = (text, middle, is_patch && patches.len() < MOST)
+            && !patches.iter().any(known)
+        {
+            patches.push((text, place, middle));
+        }
+    }
+    let colours: Vec<[f32; 3]> = patches.iter().map(|(_, _, at)| pixel(raster, *at)).collect();
+    let is_same = |a: [f32; 3], b: [f32; 3]| distance(a, b) < SAME;
+    let is_one = |number: usize| colours.iter().filter(|other| is_same(**other, colours[number])).count() == 1;
+    if patches.len() < 2 || !(0..patches.len()).all(is_one) {
+        return Vec::new();
+    }
+    let elsewhere = pixels_elsewhere(raster, &colours, &patches, &transform);
+    let px2 = |place: MmRect| place.area() * transform.px_per_mm().powi(2);
+    let least = |place: MmRect| (LARGER as f32 * px2(place)) as usize / (STEP * STEP);
+    let entry = |(number, (text, place, at)): (usize, &(&Text, MmRect, usize))| {
+        let class = class_at(raster, *at, &params).filter(|_| elsewhere[number] >= least(*place))?;
+        Some(LegendEntry { text: text.string.clone(), class })
+    };
+    let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
+    if entries.len() < 2 { Vec::new() } else { entries }
+}
+
+/// Whether a text stands at the side of a patch, at its height.
+fn is_beside(patch: MmRect, text: MmRect) -> bool {
+    let level = (patch.center().y - text.center().y).abs() <= 0.5 * patch.height().max(text.height());
+    let gap = (text.min.x - patch.max.x).max(patch.min.x - text.max.x);
+    level && (0.0..=BESIDE).contains(&gap)
+}
+
+/// How many pixels have each colour outside of the patches.
+fn pixels_elsewhere(
+    raster: &Raster,
+    colours: &[[f32; 3]],
+    patches: &[(&Text, MmRect, usize)],
+    transform: &PageTransform,
+) -> Vec<usize> {
+    let size = raster.size();
+    let (width, height) = (size.width as usize, size.height as usize);
+    let mut counts = vec![0; colours.len()];
+    for (x, y) in (0..height).step_by(STEP).flat_map(|y| (0..width).step_by(STEP).map(move |x| (x, y))) {
+        let at = transform.to_mm(PxPoint::new(x as f32 + 0.5, y as f32 + 0.5));
+        let colour = pixel(raster, y * width + x);
+        let own = colours.iter().position(|other| distance(*other, colour) < SAME);
+        if let Some(own) = own.filter(|own| !patches[*own].1.contains(at)) {
+            counts[own] += 1;
+        }
+    }
+    counts
+}
+
+/// The number of the pixel at a place; none outside.
+fn index(raster: &Raster, at: PxPoint) -> Option<usize> {
+    let size = raster.size();
+    let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < size.width as f32 && at.y < size.height as f32;
+    is_inside.then(|| at.y as usize * size.width as usize + at.x as usize)
+}
+
+fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f32>().sqrt()
+}
+
+/// What is told of a legend whose words become labels: of which of them no texture tells on the page, and which share
+/// one; and of all of them where there is no key.
+pub(super) fn told(entries: &[LegendEntry], figure: &Figure, has_key: bool) -> Vec<Note> {
+    let occurs = |class: Class| figure.textures.iter().any(|texture| texture.class == class);
+    let texts = |is: &dyn Fn(&LegendEntry) -> bool| -> Vec<&str> {
+        entries.iter().filter(|entry| is(entry)).map(|entry| entry.text.as_str()).collect()
+    };
+    let note = |texts: &[&str], why: &str| {
+        (!texts.is_empty()).then(|| {
+            let told = format!("what the colours of the legend mean ({}), as {why}", named(texts));
+            Note::NotOnPage(About::Areas, format!("{told}; write each word with a label at its own area"))
+        })
+    };
+    if !has_key {
+        return note(&texts(&|_| true), "there is no key that tells it").into_iter().collect();
+    }
+    let shares = |entry: &LegendEntry| entries.iter().filter(|other| other.class == entry.class).count() > 1;
+    let lost = note(&texts(&|entry| !occurs(entry.class)), "no texture of such a colour is on the page");
+    let shared = note(&texts(&|entry| occurs(entry.class) && shares(entry)), "these colours have one texture");
+    lost.into_iter().chain(shared).collect()
+}
+
+/// What is told of lines of a drawing that only their colours tell apart, such as the routes of a map: on the page all
+/// lines are alike. Outlines of areas are none of them, and grey and black lines are no colour.
+pub(super) fn told_lines(edges: &Edges, raster: &Raster, layout: &Layout, plan: &Plan) -> Option<Note> {
+    if raster.is_grey() || !plan.profile().figure.lines {
+        return None;
+    }
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let params = plan.classes(transform.px_per_mm());
+    // of each colour, how long its strokes are and how much of that are lines
+    let mut lengths = [[0.0_f32; 2]; Class::ALL.len()];
+    for chain in &edges.chains {
+        let places = chain.kind.stroke.map(|width| places_along(edges, chain, width, raster)).unwrap_or_default();
+        let step = transform.mm_per_px() * edges.chain(chain).length() / PLACES as f32;
+        for (at, is_line) in places {
+            let class = class_at(raster, at, &params);
+            if let Some(number) = Class::ALL.iter().position(|of| Some(*of) == class) {
+                lengths[number][0] += step;
+                lengths[number][1] += if is_line { step } else { 0.0 };
+            }
+        }
+    }
+    let is_told = |(class, [all, of_lines]): &(Class, [f32; 2])| {
+        *class != Class::Grey && *of_lines >= LEAST && *of_lines >= MOSTLY * all
+    };
+    let told = Class::ALL.into_iter().zip(lengths).filter(is_told).map(|(class, _)| class.name());
+    let names: Vec<&str> = told.collect();
+    (names.len() > 1).then(|| {
+        let told = format!(
+            "lines of {} colours ({}) are alike on the page, as fingers feel no colour of a line; say with labels \
+             which is which",
+            names.len(),
+            list(&names, "and")
+        );
+        Note::TakenAs(About::Lines, told)
+    })
+}
+
+/// The pixels in the middle of a stroke at some places along it, and whether both of its sides have one colour there.
+fn places_along(edges: &Edges, chain: &ChainRange, width: f32, raster: &Raster) -> Vec<(usize, bool)> {
+    let edgels = &edges.edgels[chain.edgels.clone()];
+    let at = |place: usize| {
+        let number = (place * (edgels.len() - 1)) / PLACES.max(1) + (edgels.len() - 1) / (2 * PLACES);
+        let (before, own) = (edgels[number.saturating_sub(1)].at, edgels[number].at);
+        let after = edgels[(number + 1).min(edgels.len() - 1)].at;
+        let along = (after - before).try_normalize()?;
+        let aside = PxPoint::new(-along.y, along.x).to_vector() * (0.5 * width + OFF);
+        let [left, right] = [own - aside, own + aside].map(|side| index(raster, side).map(|at| pixel(raster, at)));
+        Some((index(raster, own)?, left.zip(right).is_some_and(|(left, right)| distance(left, right) < SAME)))
+    };
+    if edgels.len() < 2 { Vec::new() } else { (0..PLACES).filter_map(at).collect() }
+}
