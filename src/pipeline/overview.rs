@@ -2,19 +2,20 @@
 
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
+use super::drawn_lines::DrawnLines;
 use super::hand_lines::{near_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
 use super::request::{OverviewSize, scale_of_photograph};
-use crate::Note;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmRect, PageTransform};
+use crate::{About, Note};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
@@ -73,6 +74,9 @@ pub(super) struct DrawnOverview {
     /// How the bars of a chart are drawn that have no room as they are.
     pub(super) instead: Option<BarStyle>,
 }
+
+/// A line of the figure is in the overview if this share of it is.
+const HALF: f32 = 0.5;
 
 /// An overview in one place.
 struct PlacedOverview {
@@ -208,6 +212,21 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     });
     let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
     shapes.into_iter().chain(marks).chain(lines)
+}
+
+/// What the maker of a photograph's page of few shapes is told of lines of the figure that the overview lacks: there it
+/// should have all of them.
+pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &Layout, plan: &Plan) -> Option<Note> {
+    plan.lines().most_shapes?;
+    let (place, lines) = overview.marks.as_ref()?;
+    let drawn = DrawnLines::of(lines, *place, layout, plan);
+    let is_lacking = |line: &&Line| drawn.share_of_line(line, [layout.figure, *place]) < HALF;
+    let count = figure.iter().filter(is_lacking).count();
+    let (noun, it_has) = if count == 1 { ("line", "it has") } else { ("lines", "they have") };
+    let why =
+        format!("{it_has} no room there, or would be too short; ask for fewer shapes, or do without the overview");
+    (count > 0)
+        .then(|| Note::NotOnPage(About::Overview, format!("{count} {noun} of the figure in the overview: {why}")))
 }
 
 #[cfg(test)]
