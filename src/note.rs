@@ -89,6 +89,10 @@ pub enum Note {
         /// The light of its darkest part, in percent of that of its lightest.
         darkest: u32,
     },
+    /// The dark or white rim of a scanned photograph is left out: along which sides, each with its width, in percent
+    /// of the picture.
+    #[error("the rim of the scan is left out, {}; keep the ground to draw it", sides(.0))]
+    RimLeftOut(Vec<(&'static str, u32)>),
     /// Text in the pixels of the picture is not read, though it should have been: why, in the words of the reader.
     #[error("the texts in the pixels are not read: {0}")]
     TextsNotRead(String),
@@ -335,6 +339,7 @@ impl Note {
             Self::TextsLeftOut(..) => ("texts-left-out", None),
             Self::LetteringLeftOut { .. } => ("lettering-left-out", None),
             Self::GroundAsPaper { .. } => ("ground-as-paper", None),
+            Self::RimLeftOut(..) => ("rim-left-out", None),
             Self::TextsNotRead(..) => ("texts-not-read", None),
             Self::NoBrailleCode(..) => ("no-braille-code", None),
             Self::NotInBraille { .. } => ("not-in-braille", None),
@@ -430,6 +435,12 @@ fn shade(darkest: u32) -> String {
         return String::new();
     }
     format!(", as if light were even: its darkest part has {darkest} percent of the light of its lightest")
+}
+
+fn sides(of: &[(&str, u32)]) -> String {
+    let each: Vec<String> =
+        of.iter().map(|(side, percent)| format!("{percent} percent along the {side} side")).collect();
+    list(&each, "and")
 }
 
 fn it_or_them(count: usize) -> &'static str {

@@ -1,6 +1,7 @@
 //! Pages of few shapes, and textures that agree with outlines.
 
-use tactograph::{MmPoint, Note, Options, Profile};
+use tactograph::marks::Line;
+use tactograph::{MmPoint, MmRect, Note, Options, Profile};
 
 use crate::common::samples;
 
@@ -19,7 +20,7 @@ fn told(drawing: &tactograph::Drawing) -> Option<(usize, usize)> {
     })
 }
 
-fn length(lines: &[tactograph::marks::Line]) -> f32 {
+fn length(lines: &[Line]) -> f32 {
     lines.iter().map(|line| line.length()).sum()
 }
 
@@ -69,6 +70,76 @@ fn the_overview_of_few_shapes_is_mostly_made_of_those_of_the_figure() {
     }
 }
 
+/// How many lines of one part of a page have less than half of them within `near` mm of those of another part.
+fn lacking([lines, others]: [&[Line]; 2], [from, to]: [MmRect; 2], near: f32) -> usize {
+    let (scale, others) = (to.width() / from.width(), places(others));
+    let is_there = |at: &MmPoint| {
+        let laid = to.min + (*at - from.min) * scale;
+        others.iter().any(|other| (laid - *other).length() < near)
+    };
+    let is_lacking = |line: &&Line| {
+        let own = places(std::slice::from_ref(*line));
+        2 * own.iter().filter(|at| is_there(at)).count() < own.len()
+    };
+    lines.iter().filter(is_lacking).count()
+}
+
+/// Places along lines, at most a millimetre apart.
+fn places(lines: &[Line]) -> Vec<MmPoint> {
+    let mut places = Vec::new();
+    for run in lines.iter().flat_map(|line| &line.runs) {
+        let path: Vec<MmPoint> = run.path().collect();
+        for pair in path.windows(2) {
+            let steps = (pair[1] - pair[0]).length().ceil().max(1.0);
+            places.extend((0..=steps as u32).map(|step| pair[0].lerp(pair[1], step as f32 / steps)));
+        }
+    }
+    places
+}
+
+#[test]
+fn the_overview_of_few_shapes_has_no_line_that_its_figure_lacks_and_what_it_lacks_is_told() {
+    for (sample, most) in
+        [("coffee.png", 1), ("coffee.png", 4), ("astronaut.png", 2), ("astronaut.png", 5), ("chelsea.png", 2)]
+    {
+        let drawing = with(sample, most);
+        let (figure, overview) = (&drawing.page.figure, drawing.page.overview.as_ref().expect("an overview"));
+        let only_in_overview = lacking([&overview.lines, &figure.lines], [overview.place, figure.place], 6.0);
+        assert_eq!(only_in_overview, 0, "{sample}, {most}");
+        let only_in_figure = lacking([&figure.lines, &overview.lines], [figure.place, overview.place], 5.5);
+        let is_told = drawing.notes.iter().any(|note| note.to_string().contains("of the figure in the overview"));
+        assert!(is_told || only_in_figure == 0, "{sample}, {most}: {only_in_figure} lines");
+    }
+    let is_told = |sample: &str, most: usize| {
+        with(sample, most).notes.iter().any(|note| note.to_string().contains("of the figure in the overview"))
+    };
+    assert!(is_told("astronaut.png", 3) && !is_told("coffee.png", 1) && !is_told("astronaut.png", 0));
+}
+
+#[test]
+fn a_place_names_the_same_thing_on_all_papers_and_devices() {
+    for sample in ["chelsea.png", "coffee.png"] {
+        let share = |profile: &str| {
+            let half = || tactograph::Position::Percent(50.0);
+            let options = Options::new(Profile::named(profile).expect("it is built in")).subject(half(), half());
+            let drawing = tactograph::convert(&samples::read(sample)[..], &options).expect("a page");
+            let place = drawing.page.figure.place;
+            let mm = drawing.notes.iter().find_map(|note| match note {
+                Note::Subject { mm, is_first: true, .. } => Some(mm.map(|mm| mm as f32)),
+                _ => None,
+            });
+            let [width, height] = mm.expect("something is there");
+            [width / place.width(), height / place.height()]
+        };
+        let first = share("swell-a4");
+        for profile in ["swell-letter", "index-basic-d", "graphiti"] {
+            let other = share(profile);
+            let far = [0, 1].map(|axis: usize| (other[axis] - first[axis]).abs());
+            assert!(far.iter().all(|far| *far < 0.02), "{sample}, {profile}: {other:?} and {first:?}");
+        }
+    }
+}
+
 #[test]
 fn of_a_drawing_what_hangs_together_is_drawn_whole_or_not_at_all() {
     // five countries that share borders are one shape; the capital is another
@@ -110,8 +181,15 @@ fn lines_that_a_person_added_are_not_beyond_the_few() {
     // a level line near the lower edge of a photograph
     let page = of("coffee.png", Some(&coffee));
     let at = page.figure.place.min.y + 370.0 / 400.0 * page.figure.place.height();
-    let is_level = |line: &tactograph::marks::Line| {
+    let is_level = |line: &Line| {
         line.length() > 20.0 && line.runs.iter().flat_map(|run| &run.points).all(|point| (point.y - at).abs() < 1.0)
     };
     assert!(page.figure.lines.iter().any(is_level), "{} lines", page.figure.lines.len());
+    // and so in the overview, where it is half as long
+    let overview = page.overview.as_ref().expect("an overview");
+    let at = overview.place.min.y + 370.0 / 400.0 * overview.place.height();
+    let is_level = |line: &Line| {
+        line.length() > 10.0 && line.runs.iter().flat_map(|run| &run.points).all(|point| (point.y - at).abs() < 1.0)
+    };
+    assert!(overview.lines.iter().any(is_level), "{} lines", overview.lines.len());
 }

@@ -212,7 +212,7 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
             let (transform, _) = sheet(raster.size());
             let tree = edges::find_with_regions(raster, &edge_params()).regions;
             let outlines = tree.map(|tree| {
-                let chosen = tree.chosen(transform.mm_per_px(), &params, &[], regions::OfFigure::Unknown);
+                let chosen = tree.chosen(transform.mm_per_px(), &params, &[], &[]);
                 tree.outlines(transform.mm_per_px(), &params, &chosen).0
             });
             let points = |outline: &regions::RegionOutline| {

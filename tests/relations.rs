@@ -71,6 +71,16 @@ impl Bitmap {
         })
     }
 
+    /// The page, with the ground of a scan as it is or not, and whether it is told that a rim is left out.
+    fn page(&self, keep_ground: bool) -> (tactograph::Page, bool) {
+        let options = Options::new(Profile::named("swell-a4").expect("it is built in")).keep_ground(keep_ground);
+        let picture =
+            Picture::rgba8(self.size[0] as u32, self.size[1] as u32, self.rgba.as_flattened()).expect("so many");
+        let drawing = tactograph::convert(picture, &options).expect("a page");
+        let is_told = drawing.notes.iter().any(|note| matches!(note, tactograph::Note::RimLeftOut(_)));
+        (drawing.page, is_told)
+    }
+
     /// Its figure, so many mm wide; all that is found is drawn.
     fn figure(&self, width_mm: f32) -> Figure {
         let mut profile = Profile::named("swell-a4").expect("it is built in");
@@ -379,4 +389,33 @@ fn shapes_that_reach_a_billion_pixels_away_make_a_page() {
     let far = "<g transform='scale(1e7)'><rect x='1e-6' y='2e-6' width='3e-6' height='400' fill='#c22'/></g>";
     let figure = drawn(&format!("{SHAPES}{far}"), 1.0);
     assert!(figure.lines.len() >= drawn(SHAPES, 1.0).lines.len());
+}
+
+/// How much of the lines of a figure runs along its frame, within 4 mm, mm.
+fn along_the_frame(figure: &Figure) -> f32 {
+    let place = figure.place;
+    let is_near = |at: &tactograph::MmPoint| {
+        let sides = [at.x - place.min.x, place.max.x - at.x, at.y - place.min.y, place.max.y - at.y];
+        sides.into_iter().fold(f32::MAX, f32::min) < 4.0
+    };
+    let runs = figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.path().collect::<Vec<_>>());
+    let near = |path: Vec<tactograph::MmPoint>| -> f32 {
+        path.windows(2).filter(|pair| pair.iter().all(is_near)).map(|pair| (pair[1] - pair[0]).length()).sum()
+    };
+    runs.map(near).sum()
+}
+
+/// A finger would take the line along the rim of a scan for the frame of something.
+#[test]
+fn the_rim_of_a_scanned_photograph_is_no_line() {
+    let plain = bitmap("coffee.png");
+    assert!(!plain.page(false).1);
+    for colour in [[12, 10, 11], [252, 252, 252]] {
+        let rimmed = plain.bordered(6, colour);
+        let ((without, is_told), (with, is_told_if_kept)) = (rimmed.page(false), rimmed.page(true));
+        assert!(is_told && !is_told_if_kept, "{colour:?}");
+        // one side of the dark one stays: the table beside it is as dark
+        let [without, with] = [&without, &with].map(|page| along_the_frame(&page.figure));
+        assert!(with > without + 200.0, "{colour:?}: {without} mm, and {with} if it is kept");
+    }
 }

@@ -198,7 +198,8 @@ impl Options {
     }
 
     /// Draws the ground of a scan or photograph of a drawing in its colour, as a poster's; otherwise, where it can be
-    /// paper in uneven light or tinted paper, it is blank, and told. Default: false.
+    /// paper in uneven light or tinted paper, it is blank, and told. The same of the dark or white rim of a scanned
+    /// photograph, which otherwise is left out. Default: false.
     pub fn keep_ground(mut self, keep: bool) -> Self {
         self.fit.keep_ground = keep;
         self

@@ -25,7 +25,7 @@ pub(super) fn of_note(note: &Note) -> String {
             format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
-        Note::GroundAsPaper { .. } => format!("{note} (--keep-ground)"),
+        Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
         Note::TooDense { .. } => format!("{note} (--sheets 2x2, --crop)"),
         Note::NoRoomForOverview => format!("{note} (--sheets 2x2)"),
         Note::LinesNotInOverview { .. } => format!("{note} (--no-overview, --sheets 2x2)"),

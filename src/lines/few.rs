@@ -45,7 +45,7 @@ pub(super) fn keep(drawn: &mut Vec<&Cleared>, of_outlines: usize, area: MmRect, 
 }
 
 /// Whether a line is one that a person drew into the picture: none of these is beyond what there is to be.
-fn is_of_person(line: &Cleared) -> bool {
+pub(super) fn is_of_person(line: &Cleared) -> bool {
     let vertices = &line.polyline.vertices;
     2 * vertices.iter().filter(|vertex| vertex.source == FoundIn::Person).count() > vertices.len()
 }

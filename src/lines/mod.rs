@@ -91,9 +91,10 @@ pub fn draw_with(
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     few::keep_beside_outlines(&mut cleared, outlines);
     faint::without_scraps(&mut cleared, &candidates.lines, &params);
-    // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about stays.
+    // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about, and what a
+    // person drew, stays.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
-    let stays = |line: &&Cleared| line.saliency >= least || line.rank == Rank::Subject;
+    let stays = |line: &&Cleared| line.saliency >= least || line.rank == Rank::Subject || few::is_of_person(line);
     let mut drawn: Vec<_> = cleared.iter().filter(stays).collect();
     let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.

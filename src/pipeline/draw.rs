@@ -3,6 +3,7 @@
 use super::areas_of_colours::AreasOfColours;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
+use super::find_edges::{edges_of, find_edges};
 use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
@@ -11,8 +12,9 @@ use super::legend::{self, LegendEntry};
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
+use super::named::NamedThings;
 use super::outlines::{outlines_of_figure, regions_of_figure};
-use super::overview::{draw_overview, seen_in_figure, told_of_overview};
+use super::overview::{draw_overview, seen_in_figure, told_of_few, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request};
@@ -21,14 +23,14 @@ use super::texts::{self, Text, placed};
 use super::textures::{draw_textures, told_bare};
 use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified, told_whole};
 use super::words::{Words, become_labels};
-use crate::edges::{self, Edges, Ridges};
+use crate::edges::Edges;
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
-use crate::regions::{Chosen, Detail, OutlineAreas};
+use crate::regions::{Chosen, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
@@ -81,7 +83,8 @@ pub(super) fn find(
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Header| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
-    let Read { picture, content } = read(picture, &options, given.text_reader.as_ref(), watch)?;
+    let file = picture;
+    let Read { picture, content } = read(file, &options, given.text_reader.as_ref(), watch)?;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
     let overview = overview_of(&picture, &content, given, plan);
@@ -105,7 +108,8 @@ pub(super) fn find(
         let draw = |edges: &Edges| draw_lines(edges, LinesOf::Picture(None), &layout, plan, &mut |_| ()).lines.lines;
         notes.extend(leaders::whole_or_none(&mut edges, &mut texts, become_labels(words), &layout, draw));
     }
-    notes.extend(subject::prepare(given, (&mut edges, &mut decisions), source, &layout, plan));
+    let things = NamedThings::of(given, file, request);
+    notes.extend(subject::prepare((given, things.as_ref()), (&mut edges, &mut decisions), source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
     Ok(Found { picture, is_flat, layout, texts, edges, decisions, overview, notes })
@@ -121,15 +125,15 @@ pub(super) fn draw(
     let plan = request.plan;
     let Found { picture, is_flat, layout, texts, edges, decisions, overview: size_of_overview, mut notes } = found;
     let has_lines = plan.profile().figure.lines && !edges.is_empty();
+    let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
+    let follows_figure = has_lines && regions.is_some() && plan.lines().most_shapes.is_some();
     let (drawn, (overview, mut areas_of_colours)) = {
         let (edges, layout) = (&edges, &layout);
-        let regions = regions_of_figure(edges, &decisions, layout, plan, watch);
         let lines_of = lines_of(given, regions.as_ref(), &decisions);
         let lines = |watch: &mut Watch<'_>| draw_lines(edges, lines_of, layout, plan, watch);
         let overview = |edges: &Edges, watch: &mut Watch<'_>| {
             draw_overview(edges, lines_of, size_of_overview, layout, plan, watch)
         };
-        let follows_figure = has_lines && regions.is_some() && plan.lines().most_shapes.is_some();
         let (drawn, (own, areas)) = in_parallel(has_lines, watch, lines, |watch| {
             let own = (!follows_figure).then(|| overview(edges, watch));
             (own, AreasOfColours::of(given, &picture.raster, edges, layout, plan, watch))
@@ -149,6 +153,7 @@ pub(super) fn draw(
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     notes.extend(told_of_overview(&overview));
+    notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
@@ -313,49 +318,6 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
         return Err(Error::TooSmall { size, why });
     }
     Ok(())
-}
-
-/// The contours of a picture: those of a vector drawing from its own geometry.
-pub(super) fn edges_of(
-    picture: &decode::Decoded,
-    content: &Content,
-    params: &edges::Params,
-    regions: Option<Detail>,
-    watch: &mut Watch<'_>,
-) -> Edges {
-    let raster = &picture.raster;
-    if let Some(drawing) = &picture.drawing {
-        return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
-    }
-    // only pixels of one colour are of no kind
-    let Some(kind) = content.kind() else { return Edges::none(raster.size()) };
-    let Some(detail) = regions.filter(|_| !kind.is_drawing) else {
-        return run(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
-    };
-    let ridges = run(watch, Stage::Edges, || Ridges::of(raster, kind, params));
-    let Some(ridges) = ridges else { return Edges::none(raster.size()) };
-    let grouped = run(watch, Stage::Regions, || ridges.grouped(detail));
-    run(watch, Stage::Edges, || ridges.contours(grouped))
-}
-
-/// The contours of a picture; none where the page needs none.
-pub(super) fn find_edges(
-    picture: &decode::Decoded,
-    content: &Content,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> Edges {
-    let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
-        "neither the figure nor an overview has lines"
-    } else if content.is_uniform() {
-        "the picture is of one colour"
-    } else {
-        let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return edges_of(picture, content, &plan.edges(px_per_mm), plan.region_detail(), watch);
-    };
-    watch(Event::Skip(Stage::Edges, reason));
-    Edges::none(picture.raster.size())
 }
 
 /// What becomes of the lines of a figure.

@@ -5,9 +5,10 @@ use super::given::with_room;
 use super::progress::{Stage, Watch, run};
 use crate::edges::Edges;
 use crate::lines::Outlines;
+use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::regions::{self, Chosen, OfFigure, OutlineAreas, RegionOutline};
+use crate::regions::{self, Chosen, OutlineAreas, RegionOutline};
 use crate::units::PageTransform;
 
 /// How many lines an overview has beside outlines, and the least length of each, mm.
@@ -25,7 +26,15 @@ pub(super) fn regions_of_figure(
     let tree = edges.regions.as_ref()?;
     let transform = PageTransform::new(edges.size, layout.figure);
     let params = params_of(decisions, plan, false);
-    let choose = || tree.chosen(transform.mm_per_px(), &params, &decisions.subjects, OfFigure::Unknown);
+    let mm_per_px = transform.mm_per_px();
+    let choose = || {
+        let is_named = !decisions.subjects.is_empty() || decisions.calmed_around.is_some();
+        // On a grid of dots a thin thing, such as a rocket, is no region, and the ground beside it would be the thing.
+        let may_be = !is_named && matches!(layout.medium, Medium::Print(_));
+        let main_thing = if may_be { tree.main_thing(mm_per_px, &params) } else { None };
+        let first: Vec<u32> = decisions.subjects.iter().copied().chain(main_thing).collect();
+        tree.chosen(mm_per_px, &params, &first, &[])
+    };
     Some(run(watch, Stage::Regions, choose))
 }
 
@@ -53,14 +62,15 @@ pub(super) fn outlines_of_overview(
     let Some((tree, regions)) = edges.regions.as_ref().zip(regions) else { return Outlines::default() };
     let OutlinedRegions { of_figure, decisions } = regions;
     let params = params_of(decisions, plan, true);
-    let of_figure = match params.drawn {
-        Some(_) => OfFigure::Only(&of_figure.regions),
-        None => OfFigure::Preferred(&of_figure.regions),
+    let chosen = match params.drawn {
+        Some(_) => of_figure.clone(),
+        None => {
+            let first = &of_figure.regions[..of_figure.first];
+            tree.chosen(transform.mm_per_px(), &params, first, &of_figure.regions)
+        }
     };
-    let chosen = tree.chosen(transform.mm_per_px(), &params, &decisions.subjects, of_figure);
     let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params, &chosen);
-    let others = (params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH);
-    outlines_with_room(outlines, &areas, Some(others), (edges, decisions))
+    outlines_with_room(outlines, &areas, Some((OTHERS, OTHERS_LENGTH)), (edges, decisions))
 }
 
 fn params_of(decisions: &Decisions, plan: &Plan, of_overview: bool) -> regions::Params {

@@ -2,6 +2,7 @@
 
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
+use super::drawn_lines::DrawnLines;
 use super::hand_lines::{near_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::lost_marks;
@@ -73,6 +74,9 @@ pub(super) struct DrawnOverview {
     /// How the bars of a chart are drawn that have no room as they are.
     pub(super) instead: Option<BarStyle>,
 }
+
+/// A line of the figure is in the overview if this share of it is.
+const HALF: f32 = 0.5;
 
 /// An overview in one place.
 struct PlacedOverview {
@@ -216,6 +220,21 @@ fn told_grid(lines: usize) -> Option<Note> {
     // how many says little: bars part them
     let told = "the thin, pale lines of a grid are in the figure only, as they would hide the shapes of the overview";
     (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))
+}
+
+/// What the maker of a photograph's page of few shapes is told of lines of the figure that the overview lacks: there it
+/// should have all of them.
+pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &Layout, plan: &Plan) -> Option<Note> {
+    plan.lines().most_shapes?;
+    let (place, lines) = overview.marks.as_ref()?;
+    let drawn = DrawnLines::of(lines, *place, layout, plan);
+    let is_lacking = |line: &&Line| drawn.share_of_line(line, [layout.figure, *place]) < HALF;
+    let count = figure.iter().filter(is_lacking).count();
+    let (noun, it_has) = if count == 1 { ("line", "it has") } else { ("lines", "they have") };
+    let why =
+        format!("{it_has} no room there, or would be too short; ask for fewer shapes, or do without the overview");
+    (count > 0)
+        .then(|| Note::NotOnPage(About::Overview, format!("{count} {noun} of the figure in the overview: {why}")))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::paper::{Capture, Paper};
 use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, DecodeOptions, Header};
+use crate::raster::rim::Rim;
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 use crate::{About, Error, Note};
@@ -94,6 +95,9 @@ fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Opt
 /// What kind of picture it is, and its paper divided out where it may be on paper.
 fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option<Paper>) {
     let kind = PictureKind::of(&picture.raster, picture.lossy);
+    if !kind.is_drawing && may_be_paper {
+        return (Read { picture: without_rim(picture), content: Content::OfKind(kind) }, None);
+    }
     let paper = if kind.is_drawing && may_be_paper {
         let capture = Capture { noise: kind.noise_of_lightness(), lossy: picture.lossy.is_some() };
         Paper::of(&picture.raster, capture)
@@ -107,6 +111,24 @@ fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option
     notes.push(Note::GroundAsPaper { colour, darkest });
     let content = Content::of(&raster, Some(kind.again_of(&raster)));
     (Read { picture: decode::Decoded { raster, notes, ..picture }, content }, paper)
+}
+
+/// A photograph without the rim that a scanner gave it: it would be lines along the frame, and sides of all that
+/// touches it.
+fn without_rim(picture: decode::Decoded) -> decode::Decoded {
+    let Some(rim) = Rim::of(&picture.raster) else { return picture };
+    let size = picture.raster.size();
+    let percent = |width: usize, across: u32| (100 * width).div_ceil(across as usize) as u32;
+    let Rim([left, top, right, bottom]) = rim;
+    let sides = [
+        ("left", percent(left, size.width)),
+        ("upper", percent(top, size.height)),
+        ("right", percent(right, size.width)),
+        ("lower", percent(bottom, size.height)),
+    ];
+    let mut notes = picture.notes;
+    notes.push(Note::RimLeftOut(sides.into_iter().filter(|(_, percent)| *percent > 0).collect()));
+    decode::Decoded { raster: rim.filled(&picture.raster), notes, ..picture }
 }
 
 fn without_text(

@@ -1,11 +1,12 @@
 //! What the picture is about, as its maker says by places on it.
 
 use super::decisions::Decisions;
+use super::drawn_lines::DrawnLines;
 use super::given::{Given, blank_where};
 use super::hand_lines::without;
+use super::named::NamedThings;
 use crate::classes::Classes;
 use crate::edges::{Edgel, Edges};
-use crate::geom::nearby::Nearby;
 use crate::geom::polyline::Located;
 use crate::lines::Line;
 use crate::page::layout::Layout;
@@ -23,13 +24,10 @@ const MARGIN: f32 = 3.0;
 /// An outline is there if lines run along this share of the border of its region: they cut its thin arms off and go
 /// around no holes.
 const DRAWN: f32 = 0.4;
-/// Lines are smoothed, mm, beyond what they give way.
-const SMOOTHED: f32 = 1.0;
-
 /// Finds the subjects among regions, or within closed contours, and writes them into the decisions; where a calm
 /// background is asked for, takes what is not of them out of the contours.
 pub(super) fn prepare(
-    given: &Given,
+    (given, things): (&Given, Option<&NamedThings>),
     (edges, decisions): (&mut Edges, &mut Decisions),
     source: Size,
     layout: &Layout,
@@ -37,8 +35,6 @@ pub(super) fn prepare(
 ) -> Vec<Note> {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
-    let tree = edges.regions.as_ref().filter(|_| !given.subjects.is_empty());
-    let most_telling = tree.map_or_else(Vec::new, |tree| tree.most_telling(mm_per_px, &plan.regions(false)));
     let beyond = given.subjects.len().saturating_sub(MOST);
     if beyond > 0 {
         let told = format!("{beyond} of the subjects, as {MOST} are the most");
@@ -47,7 +43,7 @@ pub(super) fn prepare(
     for [x, y] in given.subjects.iter().take(MOST) {
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
-        let found = subject_at(edges, share, mm_per_px, &most_telling).and_then(|(mask, region)| {
+        let found = subject_at(edges, share, mm_per_px, things).and_then(|(mask, region)| {
             let [least, greatest] = mask.extent()?;
             let side = (greatest - least) * mm_per_px;
             Some((mask, [side.x, side.y].map(|side| side.round() as u32), region))
@@ -101,16 +97,8 @@ fn lacking(
     if decisions.borders.is_empty() {
         return None;
     }
-    let reach = plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED;
-    let runs = || lines.iter().flat_map(|line| &line.runs);
-    let (at, mut index) = (PageTransform::new(picture, place), Nearby::new(place, reach));
-    for (number, run) in (0..).zip(runs()) {
-        index.insert_line(number, run.polyline(), 0.0);
-    }
-    let is_drawn = |border: &&Vec<PxPoint>| {
-        let near = border.iter().filter(|point| index.nearest(at.to_mm(**point), reach, |_| true).is_some()).count();
-        near as f32 >= DRAWN * border.len() as f32
-    };
+    let (at, drawn) = (PageTransform::new(picture, place), DrawnLines::of(lines, place, layout, plan));
+    let is_drawn = |border: &&Vec<PxPoint>| drawn.share(border.iter().map(|point| at.to_mm(*point))) >= DRAWN;
     let lacking = decisions.borders.iter().filter(|border| !is_drawn(border)).count();
     let (part, what_to_do) = match about {
         About::Overview => ("overview", "crop the picture around it"),
@@ -128,13 +116,19 @@ fn lacking(
 }
 
 /// The cells of the subject at a place, in shares of the picture, and which region it is, if it is one, whose outline
-/// is drawn first.
-fn subject_at(edges: &Edges, [x, y]: [f32; 2], mm_per_px: f32, most_telling: &[u32]) -> Option<(Mask, Option<u32>)> {
-    let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
-    let found = edges.regions.as_ref().and_then(|tree| {
-        let region = tree.subject_at(at, mm_per_px, most_telling)?;
-        Some((tree.mask(&[region]), Some(region)))
+/// is drawn first: that most like the thing that the place names.
+fn subject_at(
+    edges: &Edges,
+    [x, y]: [f32; 2],
+    mm_per_px: f32,
+    things: Option<&NamedThings>,
+) -> Option<(Mask, Option<u32>)> {
+    let found = edges.regions.as_ref().zip(things).and_then(|(tree, things)| {
+        let thing = things.at([x, y])?.on(RegionGrid::new(edges.size));
+        let region = tree.most_like(&thing)?;
+        Some((thing, Some(region)))
     });
+    let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     found.or_else(|| Some((ring_around(edges, at, mm_per_px)?, None)))
 }
 

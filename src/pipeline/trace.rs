@@ -1,8 +1,7 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{
-    Contours, FigureLines, contours_of, draw_lines, edges_of, enough_pixels, lines_of, overview_of, working_size,
-};
+use super::draw::{Contours, FigureLines, contours_of, draw_lines, enough_pixels, lines_of, overview_of, working_size};
+use super::find_edges::edges_of;
 use super::given::Given;
 use super::joined_bars;
 use super::outlines::regions_of_figure;

@@ -6,6 +6,7 @@ pub mod lab;
 pub mod plane;
 mod planes;
 pub mod residue;
+pub mod rim;
 pub mod shrink;
 pub mod vector;
 

@@ -31,22 +31,13 @@ pub struct Params {
     pub smoothing: f32,
 }
 
-/// What the regions of the figure mean for another picture of them, such as the overview.
-#[derive(Debug, Clone, Copy)]
-pub enum OfFigure<'a> {
-    /// Nothing: it is the figure that is drawn.
-    Unknown,
-    /// They come before others that tell as much, so that a finger finds in the figure what it felt in the overview.
-    Preferred(&'a [u32]),
-    /// There are no others.
-    Only(&'a [u32]),
-}
-
 /// Regions that get an outline.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Chosen {
     /// Their numbers, the first first.
     pub regions: Vec<u32>,
+    /// How many of them come first whatever they tell: the subjects, or the main thing.
+    pub first: usize,
     /// How many tell enough for an outline beside these, and are beyond the most that are drawn.
     pub beyond: usize,
 }
@@ -105,26 +96,29 @@ impl RankedRegion {
     }
 }
 
-/// The numbers of the most telling regions, the first first, after those of `subjects`, which come first whatever they
-/// tell; if they are among the most telling ones, the others stay the same. `mm` is the side of a cell on the sheet.
-pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of_figure: OfFigure<'_>) -> Vec<u32> {
-    if !subjects.is_empty() {
-        let plain = choose(tree, mm, params, &[], of_figure);
-        if subjects.iter().all(|subject| plain.contains(subject)) {
-            let others = plain.into_iter().filter(|node| !subjects.contains(node));
-            return subjects.iter().copied().chain(others).collect();
+/// The numbers of the most telling regions, the first first, after those of `leading`, which come first whatever they
+/// tell; if they are among the most telling ones, the others stay the same. Those of `preferred` come before others
+/// that tell as much, so that a finger finds in the figure what it felt in the overview. `mm` is the side of a cell
+/// on the sheet.
+pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, leading: &[u32], preferred: &[u32]) -> Vec<u32> {
+    if !leading.is_empty() {
+        let plain = choose(tree, mm, params, &[], preferred);
+        if leading.iter().all(|node| plain.contains(node)) {
+            let others = plain.into_iter().filter(|node| !leading.contains(node));
+            return leading.iter().copied().chain(others).collect();
         }
     }
     let members = Members::of(tree);
-    let score = |node: u32| of_figure.factor(node) * score(&tree.nodes[node as usize], tree.basin.len(), mm);
+    let factor = |node: u32| if preferred.contains(&node) { PREFERRED } else { 1.0 };
+    let score = |node: u32| factor(node) * score(&tree.nodes[node as usize], tree.basin.len(), mm);
     let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(node), of.area));
     let mut heap: BinaryHeap<Ranked<GainOrder, RankedRegion>> = scores
         .filter(|(_, gain, _)| *gain > 0.0)
         .map(|(node, gain, area)| RankedRegion { gain, area, node, round: 0 }.ranked())
         .collect();
-    let (mut chosen, mut first) = (subjects.to_vec(), None);
+    let (mut chosen, mut first) = (leading.to_vec(), None);
     let mut near = Nearness::new(tree, mm, params);
-    subjects.iter().for_each(|&subject| near.add(&members.outline(tree, subject), tree));
+    leading.iter().for_each(|&node| near.add(&members.outline(tree, node), tree));
     while let Some(Ranked { item: candidate, .. }) = heap.pop() {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
@@ -150,23 +144,6 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of
         near.add(&members.outline(tree, candidate.node), tree);
     }
     chosen
-}
-
-impl OfFigure<'_> {
-    /// By how much the score of a region is multiplied.
-    fn factor(self, node: u32) -> f64 {
-        match self {
-            Self::Unknown => 1.0,
-            Self::Preferred(regions) => {
-                if regions.contains(&node) {
-                    PREFERRED
-                } else {
-                    1.0
-                }
-            }
-            Self::Only(regions) => f64::from(u8::from(regions.contains(&node))),
-        }
-    }
 }
 
 /// How near a cell of the halved grid is to an outline.

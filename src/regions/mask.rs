@@ -32,6 +32,17 @@ impl Mask {
         Self { grid, is_in }
     }
 
+    /// The same part of a picture in other cells, of the picture in another size.
+    #[must_use]
+    pub fn on(&self, grid: RegionGrid) -> Self {
+        let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
+        let across = self.grid.picture.width as f32 / width as f32;
+        let down = self.grid.picture.height as f32 / height as f32;
+        let middle = |x: usize, y: usize| PxPoint::new((x as f32 + 0.5) * across, (y as f32 + 0.5) * down);
+        let cells = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        Self { grid, is_in: cells.map(|(x, y)| self.contains(middle(x, y))).collect() }
+    }
+
     /// The cells of both, which are of the same picture.
     #[must_use]
     pub fn with(mut self, other: &Self) -> Self {
@@ -79,6 +90,11 @@ impl Mask {
         let (top, bottom) = (cells().next()? / width, cells().next_back()? / width + 1);
         let corner = |x: usize, y: usize| self.grid.to_picture(PxPoint::new(x as f32, y as f32));
         Some([corner(left, top), corner(right, bottom)])
+    }
+
+    /// Whether each cell is in it.
+    pub(super) fn is_in(&self) -> &[bool] {
+        &self.is_in
     }
 
     /// How many cells it has.

@@ -21,6 +21,7 @@ mod disc;
 mod grid;
 mod heights;
 mod label_map;
+mod main_thing;
 mod mask;
 mod merge;
 mod outline;
@@ -30,7 +31,7 @@ mod traces;
 mod tree;
 mod watershed;
 
-pub use choose::{Chosen, OfFigure, Params};
+pub use choose::{Chosen, Params};
 pub use grid::RegionGrid;
 pub use heights::Heights;
 pub use mask::Mask;

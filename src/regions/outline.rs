@@ -1,8 +1,9 @@
 //! Outlines of the most telling regions.
 
 use super::border::{Border, borders, corner_at};
-use super::choose::{Chosen, OfFigure, Params, choose};
+use super::choose::{Chosen, Params, choose};
 use super::label_map::label_map;
+use super::main_thing::main_thing;
 use super::trace::{OutlineAreas, RegionOutline, TracePoint, TracedContour};
 use super::tree::Tree;
 
@@ -24,7 +25,7 @@ impl Tree {
     /// outlines surround.
     pub fn outlines(&self, mm_per_px: f32, params: &Params, chosen: &Chosen) -> (Vec<RegionOutline>, OutlineAreas) {
         let mm = self.mm_of_cell(mm_per_px);
-        let Chosen { regions, beyond } = chosen;
+        let Chosen { regions, beyond, .. } = chosen;
         let labels = label_map(self, regions, mm, params.narrowest);
         let mut placed = vec![None; (self.grid.cells.width as usize + 1) * (self.grid.cells.height as usize + 1)];
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
@@ -39,12 +40,18 @@ impl Tree {
     }
 
     /// The regions that get an outline, for a sheet with so many millimetres for a pixel of the picture: those of
-    /// `subjects`, then those that tell most.
-    pub fn chosen(&self, mm_per_px: f32, params: &Params, subjects: &[u32], of_figure: OfFigure<'_>) -> Chosen {
-        let mut regions = choose(self, self.mm_of_cell(mm_per_px), params, subjects, of_figure);
+    /// `first`, then those that tell most; of those that tell as much, `preferred` ones.
+    pub fn chosen(&self, mm_per_px: f32, params: &Params, first: &[u32], preferred: &[u32]) -> Chosen {
+        let mut regions = choose(self, self.mm_of_cell(mm_per_px), params, first, preferred);
         let count = regions.len();
-        regions.truncate(params.drawn.map_or(count, |most| most.max(subjects.len())));
-        Chosen { beyond: count - regions.len(), regions }
+        regions.truncate(params.drawn.map_or(count, |most| most.max(first.len())));
+        Chosen { beyond: count - regions.len(), regions, first: first.len() }
+    }
+
+    /// The region that is the main thing of the picture, for a sheet with so many millimetres for a pixel, if there is
+    /// one among those that tell enough for an outline.
+    pub fn main_thing(&self, mm_per_px: f32, params: &Params) -> Option<u32> {
+        main_thing(self, self.mm_of_cell(mm_per_px), params.least_gain)
     }
 
     /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.

@@ -1,6 +1,6 @@
 //! The region that a place of the picture is meant to name.
 
-use super::choose::{OfFigure, Params, choose, score, survives_opening};
+use super::choose::{Params, choose, score, survives_opening};
 use super::mask::Mask;
 use super::tree::{Members, Tree};
 use crate::units::PxPoint;
@@ -16,7 +16,7 @@ impl Tree {
     /// All regions that tell enough for an outline, on a sheet with so many millimetres for a pixel, the most telling
     /// first.
     pub fn most_telling(&self, mm_per_px: f32, params: &Params) -> Vec<u32> {
-        choose(self, self.mm_of_cell(mm_per_px), params, &[], OfFigure::Unknown)
+        choose(self, self.mm_of_cell(mm_per_px), params, &[], &[])
     }
 
     /// The region that a place of the picture names: the smallest around it of the [most telling](Tree::most_telling)
@@ -38,6 +38,25 @@ impl Tree {
             let best = around.iter().map(|(_, score)| *score).fold(0.0, f64::max);
             around.iter().find(|(_, score)| *score >= SALIENT * best).map(|(node, _)| *node)
         })
+    }
+
+    /// The region that is most like a part of the picture: both have the greatest share of all their cells in common.
+    pub fn most_like(&self, part: &Mask) -> Option<u32> {
+        let part = part.on(self.grid);
+        let mut common = vec![0.0_f64; self.nodes.len()];
+        for (&basin, &is_in) in self.basin.iter().zip(part.is_in()) {
+            common[basin as usize] += f64::from(u8::from(is_in));
+        }
+        // what a region is merged of has lower numbers
+        for node in 0..common.len() {
+            if let Some([a, b]) = self.nodes[node].children {
+                common[node] = common[a as usize] + common[b as usize];
+            }
+        }
+        let all = part.cells() as f64;
+        let share = |node: u32| common[node as usize] / (all + self.nodes[node as usize].area - common[node as usize]);
+        let best = (0..self.nodes.len() as u32).max_by(|&a, &b| share(a).total_cmp(&share(b)));
+        best.filter(|&best| share(best) > 0.0)
     }
 
     /// The cells of some regions.
@@ -121,6 +140,25 @@ mod tests {
         let (large, _) = large.expect("the large disc");
         let cells = |chosen: &[u32]| cells_at(&tree, (50.0, 45.0), chosen).expect("one of them");
         assert!(is_disc(cells(&[]), 12.0) && is_disc(cells(&[large]), 32.0), "{} {}", cells(&[]), cells(&[large]));
+    }
+
+    #[test]
+    fn a_part_of_the_picture_in_another_size_is_like_the_region_that_it_is() {
+        let tree = tree(&[(60.0, 45.0, 32.0, 60.0), (50.0, 45.0, 12.0, 95.0)]);
+        let of_disc = |(x, y): (f32, f32), radius: f32| {
+            let at = |i: u16| (f32::from(i) * 0.1).sin_cos();
+            let ring: Vec<PxPoint> = (0..63)
+                .map(at)
+                .map(|(sin, cos)| PxPoint::new(3.0 * (x + radius * cos), 3.0 * (y + radius * sin)))
+                .collect();
+            // three times as large
+            Mask::of_ring(RegionGrid::new(Size::new(360, 270)), &ring)
+        };
+        for (middle, radius) in [((60.0, 45.0), 32.0), ((50.0, 45.0), 12.0)] {
+            let like = tree.most_like(&of_disc(middle, radius)).expect("a disc");
+            assert!(is_disc(tree.mask(&[like]).cells(), radius), "{radius}: {} cells", tree.mask(&[like]).cells());
+        }
+        assert_eq!(tree.most_like(&of_disc((500.0, 500.0), 10.0)), None, "beside the picture");
     }
 
     #[test]

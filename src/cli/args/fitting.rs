@@ -76,7 +76,8 @@ pub(in crate::cli) struct Fitting {
     /// Draws the ground of scans in its colour
     ///
     /// Of a scan or photograph of a drawing the ground is taken for paper, and is blank, even where the paper is cream
-    /// or grey, or lies in a shadow. With this it has the texture of its colour, as that of a poster should.
+    /// or grey, or lies in a shadow. With this it has the texture of its colour, as that of a poster should. So has the
+    /// dark or white rim of a scanned photograph, which otherwise is left out.
     #[arg(long, hide_short_help = true)]
     keep_ground: bool,
 }

@@ -23,17 +23,12 @@ fn outlines(traces: &[TracedContour], lightness: impl Fn(f32, f32) -> f32) -> Ve
     let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
     let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
     let tree = Tree::new(traces, &[Plane { size, values }], RegionGrid::new(size), Detail::OUTLINES);
-    contours(outlined(&tree, &PARAMS, &[], OfFigure::Unknown).0)
+    contours(outlined(&tree, &PARAMS, &[], &[]).0)
 }
 
 /// The outlines of the regions that a tree chooses, half a millimetre for a pixel.
-fn outlined(
-    tree: &Tree,
-    params: &Params,
-    subjects: &[u32],
-    of_figure: OfFigure<'_>,
-) -> (Vec<RegionOutline>, OutlineAreas) {
-    tree.outlines(0.5, params, &tree.chosen(0.5, params, subjects, of_figure))
+fn outlined(tree: &Tree, params: &Params, subjects: &[u32], preferred: &[u32]) -> (Vec<RegionOutline>, OutlineAreas) {
+    tree.outlines(0.5, params, &tree.chosen(0.5, params, subjects, preferred))
 }
 
 fn contours(outlines: Vec<RegionOutline>) -> Vec<TracedContour> {
@@ -121,8 +116,8 @@ fn a_subject_is_the_smallest_salient_region_and_comes_first() {
     assert!(area > 4500.0, "{area}");
     assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &most_telling), None, "beyond the picture");
     let area_of = |outlines: Vec<TracedContour>| outlines.iter().map(Polyline::length).sum::<f32>();
-    assert!(area_of(contours(outlined(&tree, &one, &[], OfFigure::Unknown).0)) > 250.0, "the large one tells most");
-    let (outlines, _) = outlined(&tree, &one, &[inner], OfFigure::Unknown);
+    assert!(area_of(contours(outlined(&tree, &one, &[], &[]).0)) > 250.0, "the large one tells most");
+    let (outlines, _) = outlined(&tree, &one, &[inner], &[]);
     assert!((60.0..90.0).contains(&area_of(contours(outlines))), "the subject comes first");
 }
 
@@ -138,19 +133,17 @@ fn of_two_discs_the_larger_is_drawn_where_there_is_to_be_one() {
     let tree =
         Tree::new(&discs.map(|(x, y, radius)| circle(x, y, radius)), &[plane], RegionGrid::new(size), Detail::OUTLINES);
     let places = [(35.0, 45.0), (90.0, 45.0), (5.0, 5.0)].map(|(x, y)| PxPoint::new(x, y));
-    let (two, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Unknown);
+    let (two, areas) = outlined(&tree, &PARAMS, &[], &[]);
     assert_eq!((two.len(), areas.count(), areas.beyond()), (2, 2, 0));
     assert_eq!(places.map(|at| areas.at(at)), [1, 2, 0]);
-    let (one, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[], OfFigure::Unknown);
+    let (one, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[], &[]);
     assert_eq!((one.len(), areas.count(), areas.beyond()), (1, 1, 1));
     assert_eq!(places.map(|at| areas.at(at)), [1, 0, 0]);
     let small = tree.subject_at(places[1], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
     let large = tree.subject_at(places[0], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
-    let (both, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[small, large], OfFigure::Unknown);
+    let (both, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[small, large], &[]);
     assert_eq!((both.len(), areas.beyond()), (2, 0), "no subject is beyond the most");
-    let (one, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Only(&[small]));
-    assert_eq!((one.len(), places.map(|at| areas.at(at))), (1, [0, 1, 0]), "no other than those it may be");
-    let (two, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Preferred(&[small]));
+    let (two, areas) = outlined(&tree, &PARAMS, &[], &[small]);
     assert_eq!((two.len(), places.map(|at| areas.at(at))), (2, [2, 1, 0]), "what the figure has comes first");
     assert_eq!(two.iter().map(|outline| outline.region).collect::<Vec<_>>(), [0, 1]);
 }

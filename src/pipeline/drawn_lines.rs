@@ -1,0 +1,55 @@
+//! Where lines are on a page, to know of a curve whether it is drawn.
+
+use crate::geom::nearby::Nearby;
+use crate::lines::Line;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::units::{MmPoint, MmRect};
+
+/// Lines are smoothed, mm, beyond what they give way.
+const SMOOTHED: f32 = 1.0;
+
+/// A line is looked at in steps of this, mm.
+const STEP: f32 = 2.0;
+
+/// The lines of a figure or of an overview.
+pub(super) struct DrawnLines {
+    index: Nearby,
+    reach: f32,
+}
+
+impl DrawnLines {
+    /// Those of a part of the page that lies at `place`.
+    pub(super) fn of(lines: &[Line], place: MmRect, layout: &Layout, plan: &Plan) -> Self {
+        let reach = plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED;
+        let mut index = Nearby::new(place, reach);
+        for (number, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
+            index.insert_line(number, run.polyline(), 0.0);
+        }
+        Self { index, reach }
+    }
+
+    /// The share of a line of the figure at which there is one in this part of the page.
+    pub(super) fn share_of_line(&self, line: &Line, [from, to]: [MmRect; 2]) -> f32 {
+        let scale = to.width() / from.width();
+        let segments = line.runs.iter().flat_map(|run| {
+            let path: Vec<MmPoint> = run.path().collect();
+            path.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>()
+        });
+        let places = segments.flat_map(|[a, b]| {
+            let steps = ((b - a).length() / STEP).ceil().max(1.0) as u32;
+            (0..=steps).map(move |step| to.min + (a.lerp(b, step as f32 / steps as f32) - from.min) * scale)
+        });
+        self.share(places)
+    }
+
+    /// Share of some places at which there is a line; 0 of none.
+    pub(super) fn share(&self, places: impl Iterator<Item = MmPoint>) -> f32 {
+        let (mut all, mut near) = (0_u32, 0_u32);
+        for at in places {
+            all += 1;
+            near += u32::from(self.index.nearest(at, self.reach, |_| true).is_some());
+        }
+        near as f32 / all.max(1) as f32
+    }
+}

@@ -1,0 +1,53 @@
+//! The contours of a picture that was read.
+
+use super::progress::{Event, Stage, Watch, run};
+use super::read::Content;
+use crate::edges::{self, Edges, Ridges};
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::raster::decode;
+use crate::regions::Detail;
+use crate::units::PageTransform;
+
+/// The contours of a picture: those of a vector drawing from its own geometry.
+pub(super) fn edges_of(
+    picture: &decode::Decoded,
+    content: &Content,
+    params: &edges::Params,
+    regions: Option<Detail>,
+    watch: &mut Watch<'_>,
+) -> Edges {
+    let raster = &picture.raster;
+    if let Some(drawing) = &picture.drawing {
+        return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
+    }
+    // only pixels of one colour are of no kind
+    let Some(kind) = content.kind() else { return Edges::none(raster.size()) };
+    let Some(detail) = regions.filter(|_| !kind.is_drawing) else {
+        return run(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
+    };
+    let ridges = run(watch, Stage::Edges, || Ridges::of(raster, kind, params));
+    let Some(ridges) = ridges else { return Edges::none(raster.size()) };
+    let grouped = run(watch, Stage::Regions, || ridges.grouped(detail));
+    run(watch, Stage::Edges, || ridges.contours(grouped))
+}
+
+/// The contours of a picture; none where the page needs none.
+pub(super) fn find_edges(
+    picture: &decode::Decoded,
+    content: &Content,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Edges {
+    let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
+        "neither the figure nor an overview has lines"
+    } else if content.is_uniform() {
+        "the picture is of one colour"
+    } else {
+        let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
+        return edges_of(picture, content, &plan.edges(px_per_mm), plan.region_detail(), watch);
+    };
+    watch(Event::Skip(Stage::Edges, reason));
+    Edges::none(picture.raster.size())
+}

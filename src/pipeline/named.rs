@@ -1,0 +1,59 @@
+//! What a place on a photograph names. It is looked for in a picture of one size, by the rules of one profile, so
+//! that a place names the same thing on all papers and devices.
+
+use super::find_edges::edges_of;
+use super::given::Given;
+use super::read::{Read, read};
+use super::request::Request;
+use crate::picture::Picture;
+use crate::profile::{Plan, Profile};
+use crate::raster::decode::Header;
+use crate::regions::{Mask, Tree};
+use crate::units::{PxPoint, Size};
+
+/// The longer side of the picture in which things are looked for, px; a smaller one stays as it is. The tree of regions
+/// has no more cells (`regions::grid`).
+const SIDE: u32 = 540;
+/// How long that side is on the sheet for which they are looked for, mm: on A4.
+const LENGTH: f32 = 174.0;
+
+/// The things that places on a photograph may name.
+pub(super) struct NamedThings {
+    tree: Tree,
+    size: Size,
+    mm_per_px: f32,
+    most_telling: Vec<u32>,
+}
+
+impl NamedThings {
+    /// Those of a picture; none where no subject is asked for, or where outlines are not those of regions.
+    pub(super) fn of(given: &Given, picture: Picture<'_>, request: &Request<'_>) -> Option<Self> {
+        let detail = request.plan.region_detail()?;
+        if given.subjects.is_empty() || given.lines.is_some() {
+            return None;
+        }
+        let plan = Plan::new(&Profile::named("swell-a4").ok()?).ok()?;
+        let working_size = |Header { size, .. }: Header| {
+            let scale = (SIDE as f32 / size.width.max(size.height) as f32).min(1.0);
+            let side = |side: u32| ((side as f32 * scale).round() as u32).max(1);
+            Ok(Size::new(side(size.width), side(size.height)))
+        };
+        let Read { picture, content } = read(picture, &request.decoding(&working_size), None, &mut |_| ()).ok()?;
+        if picture.drawing.is_some() || content.kind().is_none_or(|kind| kind.is_drawing) {
+            return None;
+        }
+        let size = picture.raster.size();
+        let mm_per_px = LENGTH / size.width.max(size.height) as f32;
+        let edges = edges_of(&picture, &content, &plan.edges(1.0 / mm_per_px), Some(detail), &mut |_| ());
+        let tree = edges.regions?;
+        let most_telling = tree.most_telling(mm_per_px, &plan.regions(false));
+        Some(Self { tree, size, mm_per_px, most_telling })
+    }
+
+    /// The thing at a place, in shares of the picture.
+    pub(super) fn at(&self, [x, y]: [f32; 2]) -> Option<Mask> {
+        let at = PxPoint::new(x * self.size.width as f32, y * self.size.height as f32);
+        let region = self.tree.subject_at(at, self.mm_per_px, &self.most_telling)?;
+        Some(self.tree.mask(&[region]))
+    }
+}

@@ -1,0 +1,60 @@
+//! The main thing of a picture: what stands out in its middle and does not touch its frame.
+
+use super::choose::{score, survives_opening};
+use super::merge::Node;
+use super::tree::{Members, Tree};
+
+/// A region counts less by the factor e at this distance of its centre from that of the picture, in shares of its
+/// sides. In 284 photographs of BSDS500 (train and val) two people or more outlined the same thing away from the frame.
+/// By these numbers it is the region that is chosen (more than half of both in common) in 37 percent of each; the
+/// region that tells most, wherever it lies, is that thing in 19. At .2 and .3 it is about the same.
+const MIDDLE: f64 = 0.25;
+/// Exponent of the area, beside what it counts for all regions. At 1 and without regard to how clear the outline is,
+/// the sky between a rocket and its tower would be the thing.
+const LARGE: f64 = 0.7;
+/// Most of an outline that lies on the frame of the picture: a thing that is cut off there is seldom the main one.
+const ON_FRAME: f64 = 0.1;
+
+/// The number of the region that is the main thing, if one of those that tell at least a share of what the most telling
+/// one does can be it. `mm` is the side of a cell on the sheet.
+pub(super) fn main_thing(tree: &Tree, mm: f32, least_share: f32) -> Option<u32> {
+    let cells = tree.basin.len();
+    let scores: Vec<f64> = tree.nodes.iter().map(|node| score(node, cells, mm)).collect();
+    let least = f64::from(least_share) * scores.iter().copied().fold(0.0, f64::max);
+    let stands_out = |((node, score), centre): ((&Node, &f64), [f64; 2])| {
+        let on_frame = node.frame / (node.outline.length + node.frame).max(1.0);
+        let from_middle = centre.iter().map(|at| (at - 0.5).powi(2)).sum::<f64>();
+        let may_be = *score > 0.0 && *score >= least && on_frame <= ON_FRAME;
+        may_be.then(|| {
+            score * node.outline.clearness() * node.area.powf(LARGE) * (-from_middle / (MIDDLE * MIDDLE)).exp()
+        })
+    };
+    let all = tree.nodes.iter().zip(&scores).zip(centres(tree)).map(stands_out);
+    let mut ranked: Vec<(u32, f64)> = (0..).zip(all).filter_map(|(node, by)| Some((node, by?))).collect();
+    ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let members = Members::of(tree);
+    ranked.into_iter().map(|(node, _)| node).find(|&node| survives_opening(tree, &members, node, mm))
+}
+
+/// Where the centre of each region is, in shares of the picture.
+fn centres(tree: &Tree) -> Vec<[f64; 2]> {
+    let (width, height) = (tree.grid.cells.width as usize, tree.grid.cells.height as usize);
+    let mut sums = vec![[0.0; 2]; tree.nodes.len()];
+    for (y, row) in tree.basin.chunks_exact(width).enumerate() {
+        for (x, &basin) in row.iter().enumerate() {
+            let [across, down] = &mut sums[basin as usize];
+            *across += (x as f64 + 0.5) / width as f64;
+            *down += (y as f64 + 0.5) / height as f64;
+        }
+    }
+    // what a region is merged of has lower numbers
+    for node in 0..sums.len() {
+        if let Some(children) = tree.nodes[node].children {
+            sums[node] = [0, 1].map(|axis| children.iter().map(|&child| sums[child as usize][axis]).sum());
+        }
+    }
+    sums.iter().zip(&tree.nodes).map(|(sum, node)| sum.map(|sum| sum / node.area)).collect()
+}
+
+#[cfg(test)]
+mod tests;
