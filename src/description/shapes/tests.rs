@@ -1,0 +1,67 @@
+//! Tests of `shapes`.
+
+use super::*;
+use crate::page::Run;
+use std::f32::consts::PI;
+
+fn line(points: Vec<MmPoint>) -> Line {
+    Line { strength: 20.0, runs: vec![Run::stroke(1.0, points)] }
+}
+
+fn circle(x: f32, y: f32, radius: f32) -> Line {
+    let at = |k: usize| {
+        let (sin, cos) = (k as f32 * PI / 20.0).sin_cos();
+        MmPoint::new(x + radius * cos, y + radius * sin)
+    };
+    let first = at(0);
+    line((0..40).map(at).chain([first]).collect())
+}
+
+#[test]
+fn lines_have_their_form_place_and_size() {
+    let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let level = line(vec![MmPoint::new(10.0, 130.0), MmPoint::new(140.0, 131.0)]);
+    let bent = line(vec![MmPoint::new(10.0, 10.0), MmPoint::new(20.0, 10.0), MmPoint::new(20.0, 30.0)]);
+    let told = told(&[bent, circle(75.0, 25.0, 6.0), level, circle(75.0, 30.0, 30.0)], figure, 9, Wording::english());
+    assert_eq!(
+        told,
+        [
+            "A closed round outline in the upper middle, 60 mm across; it contains a smaller one.",
+            "A straight level line in the lower middle, 130 mm long, across most of the figure.",
+            "A closed round outline in the upper middle, 12 mm across.",
+            "A bent line in the upper left, 30 mm long.",
+        ]
+    );
+}
+
+#[test]
+fn an_arrow_is_told_with_its_way_and_its_head_is_no_line() {
+    let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let at = MmPoint::new;
+    let shaft = line(vec![at(60.0, 60.0), at(60.0, 10.0)]);
+    let head = |y: f32, back: f32| line(vec![at(56.0, y + back), at(60.0, y), at(64.0, y + back)]);
+    let told = |lines: &[Line]| (told(lines, figure, 9, Wording::english()).concat(), count(lines));
+    let one = told(&[head(10.0, 5.7), shaft.clone()]);
+    assert_eq!(one, ("An arrow in the upper middle, 50 mm long, whose head points up.".to_owned(), 1));
+    let both = told(&[shaft.clone(), head(10.0, 5.7), head(60.0, -5.7)]);
+    assert_eq!(both, ("A line in the upper middle, 50 mm long, with an arrowhead at each end.".to_owned(), 1));
+    assert_eq!(told(&[shaft.clone(), head(10.0, -5.7)]).1, 2, "it points back");
+    assert_eq!(told(&[shaft, head(7.0, 5.7)]).1, 2, "it is not at the end of the line");
+}
+
+#[test]
+fn a_bar_on_an_axis_is_an_open_rectangle_and_a_second_row_of_dots_no_length() {
+    let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let at = MmPoint::new;
+    let bar = line(vec![at(20.0, 140.0), at(20.0, 100.0), at(40.0, 100.4), at(40.0, 140.0)]);
+    let told_of = |line: Line| told(&[line], figure, 9, Wording::english()).concat();
+    let axis = line(vec![at(10.0, 140.0), at(140.0, 140.0)]);
+    let with_axis = told(&[bar.clone(), axis], figure, 9, Wording::english()).concat();
+    assert!(with_axis.contains("in the lower left that a line closes at the bottom, 20 mm wide"), "{with_axis}");
+    assert_eq!(told_of(bar), "A rectangle in the lower left, open at the bottom, 20 mm wide and 40 mm high.");
+    let zigzag = line(vec![at(20.0, 140.0), at(20.0, 100.0), at(30.0, 120.0), at(40.0, 100.0), at(40.0, 140.0)]);
+    assert!(told_of(zigzag).starts_with("A bent line"));
+    let row = |y: f32| Run::dots(1.5, (0..41).map(|k| at(20.0 + 2.5 * k as f32, y)).collect(), Default::default());
+    let heavy = Line { strength: 90.0, runs: vec![row(70.0), row(72.5)] };
+    assert!(told_of(heavy).contains("100 mm long"));
+}

@@ -1,0 +1,87 @@
+//! Tests of `dashes`.
+
+use super::super::contour::testing::polyline;
+use super::*;
+
+const SIGMA: f32 = 1.8;
+const LEAST: f32 = 7.0;
+
+fn stroke(from: (f32, f32), to: (f32, f32)) -> FoundContour {
+    FoundContour { stroke: Some(2.0), ..FoundContour::edge(polyline(&[from, to])) }
+}
+
+/// The ring around a dash from 0 to 10 px, as an edge detector finds it.
+fn ring(x: f32, y: f32) -> FoundContour {
+    let corners = [(x, y - 2.0), (x + 10.0, y - 2.0), (x + 10.0, y + 2.0), (x, y + 2.0), (x, y - 2.0)];
+    let mut contour = polyline(&corners);
+    contour.vertices.pop();
+    contour.closed = true;
+    FoundContour::edge(contour)
+}
+
+#[test]
+fn dashes_in_a_row_become_one_line_from_the_first_to_the_last() {
+    let rings: Vec<FoundContour> = (0..8).map(|k| ring(20.0 + 16.0 * k as f32, 50.0)).collect();
+    let (merged, rows) = merged_dashes(rings, SIGMA, LEAST);
+    assert_eq!((merged.len(), rows), (1, 1));
+    let line = &merged[0].contour;
+    let (first, last) = (line.vertices[0].at, line.vertices[line.vertices.len() - 1].at);
+    assert!((first.x.min(last.x) - 20.0).abs() < 0.5 && (first.x.max(last.x) - 142.0).abs() < 0.5);
+    assert!(line.vertices.iter().all(|vertex| (vertex.at.y - 50.0).abs() < 0.2));
+    assert!(merged[0].stroke.is_some_and(|width| (1.0..3.0).contains(&width)));
+}
+
+#[test]
+fn a_dashed_circle_is_closed() {
+    let at = |degrees: f32| {
+        let (y, x) = degrees.to_radians().sin_cos();
+        (100.0 + 60.0 * x, 100.0 + 60.0 * y)
+    };
+    let dashes: Vec<FoundContour> = (0..24).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
+    let (merged, rows) = merged_dashes(dashes, SIGMA, LEAST);
+    assert_eq!((merged.len(), rows), (1, 1));
+    let circle = &merged[0].contour;
+    assert!(circle.closed && (circle.length() - 377.0).abs() < 4.0, "{}", circle.length());
+}
+
+#[test]
+fn pieces_of_a_grid_line_between_bars_and_lines_in_a_row_are_no_dashes() {
+    let pieces = |length: f32, gap: f32| -> Vec<FoundContour> {
+        let piece = |k: i32| {
+            let x = 20.0 + k as f32 * (length + gap);
+            stroke((x, 50.0), (x + length, 50.0))
+        };
+        (0..5).map(piece).collect()
+    };
+    assert_eq!(merged_dashes(pieces(20.0, 14.0), SIGMA, LEAST).1, 1, "with nothing between them they are dashes");
+    let bars = (0..5).flat_map(|k| {
+        let x = 41.0 + k as f32 * 34.0;
+        [stroke((x, 20.0), (x, 120.0)), stroke((x + 12.0, 20.0), (x + 12.0, 120.0))]
+    });
+    let (all, rows) = merged_dashes(pieces(20.0, 14.0).into_iter().chain(bars).collect(), SIGMA, LEAST);
+    assert_eq!((all.len(), rows), (15, 0));
+    assert_eq!(merged_dashes(pieces(60.0, 20.0), SIGMA, LEAST).1, 0, "too long");
+    assert_eq!(merged_dashes(pieces(10.0, 30.0), SIGMA, LEAST).1, 0, "too far apart");
+}
+
+#[test]
+fn a_dashed_line_ends_on_what_its_last_dash_touches() {
+    let base = stroke((10.0, 20.0), (10.0, 80.0));
+    let rings = (0..5).map(|k| ring(24.0 + 16.0 * k as f32, 50.0)).chain([base]).collect();
+    let (merged, rows) = merged_dashes(rings, SIGMA, LEAST);
+    assert_eq!((merged.len(), rows), (2, 1));
+    let reach = |pick: fn(f32, f32) -> f32, from: f32| {
+        merged[1].contour.vertices.iter().map(|vertex| vertex.at.x).fold(from, pick)
+    };
+    assert!((reach(f32::min, 200.0) - 10.0).abs() < 0.1, "it meets the base, 14 px before the first dash");
+    assert!((reach(f32::max, 0.0) - 98.0).abs() < 0.5, "and ends where nothing is");
+}
+
+#[test]
+fn dots_and_uneven_pieces_are_no_dashes() {
+    let uneven = [(20.0, 30.0), (36.0, 60.0), (66.0, 76.0), (82.0, 118.0), (124.0, 134.0)];
+    let pieces = uneven.iter().map(|&(from, to)| stroke((from, 50.0), (to, 50.0))).collect();
+    assert_eq!(merged_dashes(pieces, SIGMA, LEAST).1, 0);
+    let aside = (0..6).map(|k| ring(20.0, 20.0 + 14.0 * k as f32)).collect();
+    assert_eq!(merged_dashes(aside, SIGMA, LEAST).1, 0, "beside one another, as steps of a ladder");
+}

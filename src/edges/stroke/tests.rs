@@ -1,0 +1,66 @@
+//! Tests of `stroke`.
+
+use super::*;
+use crate::edges::contour::testing::polyline;
+
+const SIGMA: f32 = 1.8;
+
+fn stroke(points: &[(f32, f32)], closed: bool) -> Stroke {
+    let mut contour = polyline(points);
+    contour.closed = closed;
+    Stroke { width: 2.0, whole: contour.length(), contour }
+}
+
+#[test]
+fn a_bar_on_an_axis_leaves_its_base_to_the_axis_and_a_crossing_line_stays_whole() {
+    let mut taken = StrokeCover::new(Size::new(200, 100));
+    taken.add(&stroke(&[(5.0, 80.0), (195.0, 80.0)], false), SIGMA);
+    let bar = stroke(&[(60.0, 80.0), (60.0, 20.0), (100.0, 20.0), (100.0, 80.0), (61.0, 80.0)], true);
+    let parts = taken.beside(bar, false);
+    let [open] = &parts[..] else { panic!("{} parts", parts.len()) };
+    assert!(!open.contour.closed && (open.contour.length() - 160.0).abs() < 6.0, "{}", open.contour.length());
+    let crossing = stroke(&[(150.0, 10.0), (150.0, 98.0)], false);
+    assert!(matches!(&taken.beside(crossing, false)[..], [one] if (one.contour.length() - 88.0).abs() < 0.1));
+}
+
+#[test]
+fn what_is_left_of_a_ring_does_not_depend_on_where_it_begins() {
+    let mut taken = StrokeCover::new(Size::new(200, 100));
+    // its base, over 40 px, is another's; a line crosses both its sides, over 7 px each
+    taken.add(&stroke(&[(5.0, 80.0), (195.0, 80.0)], false), SIGMA);
+    taken.add(&stroke(&[(5.0, 50.0), (195.0, 50.0)], false), SIGMA);
+    let bar = stroke(&[(60.0, 80.0), (60.0, 20.0), (100.0, 20.0), (100.0, 80.0), (61.0, 80.0)], true);
+    let lengths = |mut parts: Vec<Stroke>| {
+        parts.sort_by(|a, b| a.contour.length().total_cmp(&b.contour.length()));
+        parts.iter().map(|part| part.contour.length().round()).collect::<Vec<f32>>()
+    };
+    let (beside, rest) = (lengths(taken.beside(bar.clone(), false)), lengths(taken.rest_of(&bar)));
+    assert!(beside == [156.0] && rest == [21.0, 21.0, 90.0], "{beside:?} {rest:?}");
+    for turn in 0..bar.contour.vertices.len() {
+        let mut turned = bar.clone();
+        turned.contour.vertices.rotate_left(turn);
+        assert_eq!(
+            (lengths(taken.beside(turned.clone(), false)), lengths(taken.rest_of(&turned))),
+            (beside.clone(), rest.clone()),
+            "from vertex {turn}"
+        );
+    }
+}
+#[test]
+fn a_short_stroke_counts_where_the_ground_is_the_same_on_both_sides() {
+    let params =
+        Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 19.0, ..Params::default() };
+    // 18 px long and 2 px wide
+    let of = |below: f32| {
+        let size = Size::new(80, 40);
+        let value = |cell: usize| match (cell % 80, cell / 80) {
+            (30..48, 20..22) => 40.0,
+            (_, y) if y <= 20 => 100.0,
+            _ => below,
+        };
+        let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+        find(&planes, 0.0, &params).iter().map(|stroke| stroke.contour.length().round()).collect::<Vec<f32>>()
+    };
+    assert!(matches!(of(100.0)[..], [one] if (one - 18.0).abs() <= 2.0), "{:?}", of(100.0));
+    assert_eq!(of(70.0), [0.0; 0], "it is part of an edge");
+}

@@ -1,0 +1,77 @@
+//! Tests of `room`.
+
+use super::*;
+use crate::page::Run;
+
+fn room(points: &[(f32, f32)], closed: bool) -> Room {
+    let points: Vec<MmPoint> = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+    let line = Line { strength: 1.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
+    Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), &[line], &[], 3.0)
+}
+
+#[test]
+fn a_point_is_shut_in_by_a_ring_and_not_by_an_arc() {
+    let ring = |count: u32| {
+        let at = |i: u32| {
+            let (sin, cos) = (TAU * i as f32 / 24.0).sin_cos();
+            (50.0 + 5.0 * cos, 50.0 + 5.0 * sin)
+        };
+        (0..count).map(at).collect::<Vec<_>>()
+    };
+    let (whole, arc) = (room(&ring(24), true), room(&ring(18), false));
+    let reach = whole.shut_in(MmPoint::new(50.0, 50.0), 12.0).expect("a ring is around it");
+    assert!((reach - 4.2).abs() < 0.6, "{reach}");
+    assert_eq!(whole.shut_in(MmPoint::new(50.0, 50.0), 3.0), None);
+    assert_eq!(arc.shut_in(MmPoint::new(50.0, 50.0), 12.0), None);
+}
+
+#[test]
+fn the_only_line_on_a_way_is_found() {
+    let one = room(&[(50.0, 10.0), (50.0, 90.0)], false);
+    let (from, to) = (MmPoint::new(20.0, 50.0), MmPoint::new(70.0, 50.0));
+    let begin = one.only_line(from, to, 3.0).expect("it is between them");
+    assert!((begin - 29.3).abs() < 0.6, "{begin}");
+    assert_eq!(one.only_line(from, MmPoint::new(40.0, 50.0), 3.0), None);
+    assert_eq!(room(&[(40.0, 10.0), (40.0, 90.0), (60.0, 90.0), (60.0, 10.0)], false).only_line(from, to, 3.0), None);
+    assert_eq!(one.only_line(MmPoint::new(50.0, 20.0), MmPoint::new(50.0, 80.0), 3.0), None, "along it");
+}
+
+#[test]
+fn a_line_comes_up_to_one_side_of_a_text() {
+    let text = MmRect::new(MmPoint::new(40.0, 48.0), MmPoint::new(60.0, 52.0));
+    let of = |points: &[(f32, f32)]| room(points, false).comes_up_to(text, 5.0);
+    assert_eq!(of(&[(10.0, 50.0), (37.0, 51.0)]), Some(-1.0));
+    assert_eq!(of(&[(62.0, 10.0), (62.0, 90.0)]), Some(1.0));
+    assert_eq!(of(&[(10.0, 50.0), (30.0, 50.0)]), None, "too far");
+    assert_eq!(of(&[(10.0, 55.0), (90.0, 55.0)]), None, "below");
+    assert_eq!(of(&[(37.0, 50.0), (37.0, 70.0), (63.0, 70.0), (63.0, 50.0)]), None, "on both sides");
+}
+
+#[test]
+fn a_text_on_a_grid_belongs_to_the_curve_beside_it() {
+    let line = |y: f32, strength: f32| {
+        let points = vec![MmPoint::new(10.0, y), MmPoint::new(90.0, y)];
+        Line { strength, runs: vec![Run::stroke(1.0, points)] }
+    };
+    let text = MmRect::new(MmPoint::new(40.0, 38.0), MmPoint::new(60.0, 42.0));
+    let beside = |lines: &[Line]| {
+        let room = Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), lines, &[], 3.0);
+        room.line_beside(text, 6.0, 12.0).map(|at| (at.y / 5.0).round() * 5.0)
+    };
+    let (grid, curve) = (line(45.0, 3.0), line(50.0, 100.0));
+    assert_eq!(beside(&[grid.clone(), curve]), Some(50.0));
+    assert_eq!(beside(&[grid.clone(), line(50.0, 80.0), line(45.0, 100.0)]), Some(45.0));
+    assert_eq!(beside(&[grid.clone(), line(70.0, 100.0)]), Some(45.0), "no curve is near");
+    assert_eq!(beside(&[line(50.0, 3.0)]), None, "too far for a text that stands on no grid");
+}
+
+#[test]
+fn the_lower_side_of_a_shape_has_nothing_below_it() {
+    let bar = room(&[(40.0, 20.0), (60.0, 20.0), (60.0, 70.0), (40.0, 70.0)], true);
+    let is_low = |x: f32, y: f32| bar.is_at_lower_side(MmPoint::new(x, y), 6.0, 12.0);
+    assert!(is_low(50.0, 70.0) && is_low(50.0, 73.0) && is_low(45.0, 71.0));
+    assert!(!is_low(50.0, 20.0), "its inside is below it");
+    assert!(!is_low(50.0, 64.0), "inside, with the lower side below");
+    assert!(!is_low(50.0, 80.0), "too far below");
+    assert!(!is_low(60.0, 40.0) && !is_low(30.0, 70.0), "at a side");
+}

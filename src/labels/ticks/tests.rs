@@ -1,0 +1,72 @@
+//! Tests of `ticks`.
+
+use super::*;
+use crate::page::{Line, Run};
+use crate::units::MmRect;
+
+/// Every how many-th number is tried from 0 to 10 at steps of 10 mm under an axis with ticks at some of them.
+fn counts(ticks: &[usize]) -> Vec<i64> {
+    counts_of(ticks, (16.0, 24.0))
+}
+
+/// The same with ticks from one height to another.
+fn counts_of(ticks: &[usize], (from, to): (f32, f32)) -> Vec<i64> {
+    let line = |from: (f32, f32), to: (f32, f32)| Line {
+        strength: 50.0,
+        runs: vec![Run::stroke(1.0, vec![MmPoint::from(from), MmPoint::from(to)])],
+    };
+    let at = |i: usize| 10.0 + 10.0 * i as f32;
+    let of_ticks = ticks.iter().map(|&i| line((at(i), from), (at(i), to)));
+    let lines: Vec<Line> = std::iter::once(line((5.0, 20.0), (118.0, 20.0))).chain(of_ticks).collect();
+    let room = Room::new(MmRect::new(MmPoint::new(0.0, -30.0), MmPoint::new(130.0, 60.0)), &lines, &[], 3.0);
+    let wanted: Vec<Wanted> = (0..=10)
+        .map(|i| Wanted {
+            text: i.to_string(),
+            anchor: MmRect::new(MmPoint::new(at(i) - 2.0, 27.0), MmPoint::new(at(i) + 2.0, 31.0)),
+            led_from: None,
+        })
+        .collect();
+    let groups = super::super::groups::of(&wanted, |_| true, |_| false);
+    assert_eq!(groups.len(), 1);
+    selections(&groups[0], &wanted, &room).iter().map(|numbers| numbers.count).collect()
+}
+
+#[test]
+fn numbers_that_have_a_tick_are_tried_first() {
+    let all: Vec<usize> = (0..=10).collect();
+    assert_eq!(counts(&all), [1, 2, 5, 10]);
+    assert_eq!(counts(&[]), [1, 2, 5, 10]);
+    assert_eq!(counts(&[0, 5, 10]), [1, 5, 10, 2]);
+    assert_eq!(counts(&[0, 3, 6, 9]), [1, 3, 2, 5, 10]);
+    assert_eq!(counts(&[0, 10]), [1, 10, 2, 5]);
+}
+
+#[test]
+fn lines_of_a_grid_are_no_ticks() {
+    assert_eq!(counts_of(&[0, 5, 10], (-20.0, 20.0)), [1, 2, 5, 10]);
+}
+
+#[test]
+fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
+    let line = |from: (f32, f32), to: (f32, f32)| Line {
+        strength: 50.0,
+        runs: vec![Run::stroke(1.0, vec![MmPoint::from(from), MmPoint::from(to)])],
+    };
+    let at = |i: usize| 10.0 + 20.0 * i as f32;
+    let longest = |tick: f32| {
+        let ticks = (0..4).map(|i| line((40.0 - tick, at(i)), (40.0, at(i))));
+        let lines: Vec<Line> = std::iter::once(line((40.0, 5.0), (40.0, 80.0))).chain(ticks).collect();
+        let room = Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0)), &lines, &[], 3.0);
+        let number = |i: usize| Wanted {
+            text: format!("{i} \u{20ac}"),
+            anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),
+            led_from: None,
+        };
+        let wanted: Vec<Wanted> = (0..4).map(number).collect();
+        let groups = super::super::groups::of(&wanted, |_| true, |_| false);
+        longer(&groups, &wanted, &room, 8.0).iter().map(|at| at.x).fold(f32::INFINITY, f32::min)
+    };
+    assert!(longest(2.5) < 33.5, "{}", longest(2.5));
+    assert!(longest(1.5) < 33.5, "{}", longest(1.5));
+    assert!(longest(0.0).is_infinite(), "an axis is no tick");
+}

@@ -1,0 +1,76 @@
+//! Tests of `lost_marks`.
+
+use super::*;
+
+#[test]
+fn marks_are_told_apart() {
+    let arc = |degrees: f32| -> Vec<MmPoint> {
+        let at = |i: u32| (degrees * i as f32 / 20.0).to_radians().sin_cos();
+        (0..=20).map(at).map(|(y, x)| MmPoint::new(4.0 * x, 4.0 * y)).collect()
+    };
+    let line = |corners: &[(f32, f32)]| -> Vec<MmPoint> {
+        let at = |i: usize| MmPoint::from(corners[i]);
+        (1..corners.len()).flat_map(|i| (0..=8).map(move |k| at(i - 1).lerp(at(i), k as f32 / 8.0))).collect()
+    };
+    let is = |points: &[MmPoint], ends: [Option<OnLine>; 2]| {
+        kind(points, PolylineRef { vertices: points, closed: false }.length(), (ends, None))
+    };
+    let (level, upright) = (MmVector::new(1.0, 0.0), MmVector::new(0.0, 1.0));
+    let legs = [Some((0.2, level)), Some((0.2, upright))];
+    let straight = line(&[(0.0, 0.0), (4.0, 0.0)]);
+    assert_eq!(is(&straight, [Some((0.2, upright)), None]), Some(MarkKind::Tick));
+    assert_eq!(is(&straight, [None, None]), None, "a dash");
+    let crossed = |by: MmVector| kind(&straight, 4.0, ([None, None], Some((0.1, by))));
+    assert_eq!((crossed(upright), crossed(level)), (Some(MarkKind::Tick), None), "across an axis, and along one");
+    assert_eq!(is(&straight, [Some((0.2, upright)), Some((0.2, upright))]), None, "a piece of a gridline");
+    assert_eq!(is(&straight, legs), None, "a piece of a slanting line");
+    assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(MarkKind::Corner));
+    let leg = |degrees: f32| {
+        let (y, x) = degrees.to_radians().sin_cos();
+        Some((0.2, MmVector::new(x, y)))
+    };
+    assert_eq!(is(&arc(60.0), [leg(0.0), leg(60.0)]), Some(MarkKind::Arc));
+    assert_eq!(is(&arc(120.0), [leg(0.0), leg(120.0)]), Some(MarkKind::Arc));
+    assert_eq!(is(&arc(60.0), [leg(10.0), leg(50.0)]), Some(MarkKind::Arc), "not quite exact");
+    assert_eq!(is(&arc(120.0), [leg(150.0), leg(30.0)]), None, "a petal on the ring of its flower");
+    assert_eq!(is(&arc(60.0), [legs[0], None]), None, "a hook");
+    let bent = line(&[(0.0, 0.0), (2.0, 0.0), (2.4, 0.4)]);
+    assert_eq!(is(&bent, [Some((2.4, upright)), Some((0.0, upright))]), Some(MarkKind::Tick), "bent at its axis");
+    assert_eq!(is(&arc(60.0), [Some((1.0, level)), Some((0.8, level))]), None, "a crumb beside a line");
+}
+
+#[test]
+fn an_axis_is_not_the_tick_that_crosses_it() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let axis = crate::lines::Line {
+        strength: 1.0,
+        runs: vec![crate::lines::Run::stroke(1.0, vec![MmPoint::new(10.0, 50.0), MmPoint::new(90.0, 50.0)])],
+    };
+    let index = index_of(&[axis], area, ENDS_ON);
+    let tick = [MmPoint::new(40.0, 49.0), MmPoint::new(40.0, 50.0), MmPoint::new(40.0, 51.0)];
+    assert!((0..3).all(|i| !is_along(&index, tick[i], direction_at(&tick, i))));
+    let piece = [MmPoint::new(40.0, 50.5), MmPoint::new(41.0, 50.5)];
+    assert!((0..2).all(|i| is_along(&index, piece[i], direction_at(&piece, i))));
+}
+
+#[test]
+fn what_is_lost_is_counted() {
+    let plan = Plan::new(&crate::profile::Profile::named("swell-a4").expect("it is built in")).expect("a plan");
+    let marks = LostMarks { ticks: 60, arcs: 0, corners: 1, length: 200.0, first: Some(MmPoint::new(20.0, 30.2)) };
+    let told = told_of_marks(&marks, &plan).expect("a note").to_string();
+    let wanted = "left out of the page: 60 short ticks and 1 mark of a right angle (the first at 20, 30 mm): marks \
+                      shorter than 8 mm";
+    assert!(told.starts_with(wanted), "{told}");
+    assert_eq!(super::told(&Lost::default(), &plan), []);
+    let in_overview = told_of_overview(&marks).expect("a note").to_string();
+    let wanted = "1 mark of a right angle is in the figure only, as it is too short for fingers in the overview";
+    assert_eq!(in_overview, wanted);
+    assert_eq!(told_of_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
+    let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
+    let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
+    assert!(
+        told(48, 5).contains("48 of the 60 ticks of a scale (the first at 20, 30 mm)")
+            && told(48, 5).contains("every 5th")
+    );
+    assert!(told(60, 1).contains("all 60 ticks") && told(2, 1).contains("beside other lines"));
+}

@@ -1,0 +1,80 @@
+//! Tests of `overview`.
+
+use super::*;
+use crate::edges::{ChainKind, Edgel};
+use crate::pipeline::request::Fit;
+use crate::profile::Profile;
+use crate::units::{PxPoint, Size};
+
+/// A drawing with a frame and a small square in it of this side, px. On an A4 sheet it has 1.6 px for a millimetre.
+fn drawing(side: f32) -> Edges {
+    let mut edges = Edges::none(Size::new(300, 200));
+    let kind = ChainKind { of_drawing: true, exact: true, ..ChainKind::default() };
+    for (at, [width, height]) in [((20.0, 20.0), [260.0, 160.0]), ((150.0, 100.0), [side; 2])] {
+        let (left, top) = at;
+        let corners = [(left, top), (left + width, top), (left + width, top + height), (left, top + height)];
+        let edgel = |(x, y): (f32, f32)| Edgel { at: PxPoint::new(x, y), strength: 90.0, contrast: [90.0, 0.0, 0.0] };
+        edges.push_as(kind, corners.into_iter().map(edgel), true);
+    }
+    edges
+}
+
+/// Its overview, and how wide it is laid out, mm.
+fn overview(edges: &Edges, settings: &[(&str, &str)], size: OverviewSize) -> (DrawnOverview, f32, Vec<String>) {
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    settings.iter().for_each(|(key, value)| profile.set(key, value).expect("a key and its value"));
+    let plan = Plan::new(&profile).expect("it makes sense");
+    let layout = Fit::default().layout(edges.size, &plan, OverviewSize::Own).expect("there is room");
+    let mut skipped = Vec::new();
+    let mut watch = |event: Event| {
+        if let Event::Skip(_, why) = event {
+            skipped.push(why.to_owned());
+        }
+    };
+    let drawn = draw_overview(edges, LinesOf::Picture(None), size, &layout, &plan, &mut watch);
+    (drawn, layout.overview.map_or(0.0, |place| place.width()), skipped)
+}
+
+fn width(drawn: &DrawnOverview) -> f32 {
+    drawn.marks.as_ref().expect("it has lines").0.width()
+}
+
+#[test]
+fn an_overview_that_has_all_of_a_drawing_stays_as_small_as_the_profile_asks_for() {
+    let (drawn, own, _) = overview(&drawing(60.0), &[], OverviewSize::Own);
+    assert_eq!((width(&drawn), drawn.lost.rings), (own, 0));
+}
+
+#[test]
+fn an_overview_that_lacks_a_ring_is_larger_and_has_it() {
+    let (drawn, own, _) = overview(&drawing(8.0), &[], OverviewSize::Own);
+    assert!(width(&drawn) > 1.1 * own, "{} mm, laid out {own} mm", width(&drawn));
+    assert_eq!(drawn.lost.rings, 0);
+    assert_eq!(told_of_overview(&drawn).count(), 0);
+}
+
+#[test]
+fn a_ring_that_has_no_room_in_any_overview_is_told() {
+    let (drawn, ..) = overview(&drawing(4.0), &[], OverviewSize::Own);
+    let told: Vec<Note> = told_of_overview(&drawn).collect();
+    assert!(told.contains(&Note::ShapesNotInOverview(1)), "{told:?}");
+}
+
+#[test]
+fn the_overview_of_a_photograph_is_larger_from_the_first() {
+    let mut edges = drawing(60.0);
+    edges.chains.iter_mut().for_each(|chain| chain.kind = ChainKind::default());
+    let (own, laid_out, _) = overview(&edges, &[], OverviewSize::Own);
+    let (larger, ..) = overview(&edges, &[], OverviewSize::OfPhotograph);
+    assert!((width(&own) - laid_out).abs() < 1e-3, "{} mm, laid out {laid_out} mm", width(&own));
+    assert!(width(&larger) > 1.2 * laid_out, "{} mm, laid out {laid_out} mm", width(&larger));
+}
+
+#[test]
+fn without_contours_or_an_overview_nothing_is_drawn_and_it_is_said_why() {
+    let (drawn, _, skipped) = overview(&Edges::none(Size::new(300, 200)), &[], OverviewSize::Own);
+    assert!(drawn.marks.is_none());
+    assert_eq!(skipped, ["there are no contours"]);
+    let (_, _, skipped) = overview(&drawing(60.0), &[("overview.on", "false")], OverviewSize::Own);
+    assert_eq!(skipped, ["overview.on is off"]);
+}
