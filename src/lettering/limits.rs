@@ -79,7 +79,7 @@ const PAIR_IN_DRAWING: RowLimits = RowLimits { clutter: 0.15, aligned: 0.0, comp
 /// Four letters or more of a photograph, where nothing else is around them: see [`CLUTTER_IN_PHOTOGRAPH`]. What is no
 /// text is erased with what it is a part of: of 300 photographs of BSDS500 (train and val) a spread of .14, strokes
 /// that differ by .25 and letters aligned to .7 took spots of leopards, windows and four elephants in a row for text
-/// in 13, these numbers in 1. Print on a ship and on a wall has .02 to .06, .04 to .1 and 1; characters brushed on
+/// in 15, these numbers in 1. Print on a ship and on a wall has .02 to .06, .04 to .1 and 1; characters brushed on
 /// lanterns (.13, .14 and .9) are lost.
 const PHOTOGRAPH: RowLimits = RowLimits {
     unevenness: 0.08,
