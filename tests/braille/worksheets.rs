@@ -22,9 +22,12 @@ fn notes(drawing: &Drawing) -> String {
     drawing.notes.iter().map(|note| format!("{note}\n")).collect()
 }
 
+/// A name, its place and that of its text.
+type Stop = (&'static str, (f32, f32), (f32, f32));
+
 const MAP: [f32; 2] = [800.0, 560.0];
 /// Name and place of each stop, and where its name is written.
-const STOPS: [(&str, (f32, f32), (f32, f32)); 12] = [
+const STOPS: [Stop; 12] = [
     ("Harbour", (60.0, 120.0), (60.0, 104.0)),
     ("Town Hall", (220.0, 120.0), (220.0, 104.0)),
     ("Central Station", (380.0, 240.0), (460.0, 226.0)),
