@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::options::Cancelled;
 use crate::braille::Translate;
-use crate::page::{BrailleText, Page};
+use crate::page::cells::CellGrid;
+use crate::page::{BrailleText, MediumParams, Page};
 use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
@@ -110,6 +111,13 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     let (own, refused) = Profile::of_page(&read.page.origin)?;
     notes.extend(refused);
     let own = Plan::new(&own)?;
+    let was_mirrored = read.page.is_mirrored();
+    // what a person changed, and another device, want the page as it is felt
+    let turned_over = was_mirrored && (read.is_changed || options.profile.is_some());
+    if turned_over {
+        let (medium, cell) = (read.page.medium.clone(), own.profile().braille.cell);
+        read = read.turned_over(|cells| CellGrid::of(&medium, cell).extent(cells, 1).x);
+    }
     let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
     let cancelled = || options.is_cancelled();
     let request = |plan, mirrored| Request {
@@ -125,16 +133,23 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
         notes.extend(more.into_iter().chain(of_places));
         // the abbreviations that were there before have their key already
         let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
-        let (key, of_key) = pipeline::key_of_page(&page, key, translate, &request(&own, page.is_mirrored()))?;
+        let (key, of_key) = pipeline::key_of_page(&page, key, translate, &request(&own, was_mirrored))?;
         notes.extend(of_key);
         let key = in_language(key, &page);
+        let page = if turned_over { page.clone().mirrored() } else { page.clone() };
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
     };
     let plan = Plan::new(profile)?;
+    // no paper is printed on its back
+    let mirrored = was_mirrored && matches!(plan.medium(), MediumParams::Dots { .. });
+    if was_mirrored && !mirrored {
+        notes.push(Note::TakenAs(About::Marks, FROM_THE_BACK.to_owned()));
+    }
     // words are placed anew, wherever they stand on the page
     notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
     notes.extend(more);
-    let mut drawing = pipeline::redraw((&page, &lines), &own, (key, translate), &request(&plan, false), &mut |_| ())?;
+    let mut drawing =
+        pipeline::redraw((&page, &lines), &own, (key, translate), &request(&plan, mirrored), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));
@@ -147,6 +162,10 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })
 }
+
+/// What is told of a mirrored page that is rendered for a paper.
+const FROM_THE_BACK: &str = "the page is mirrored, for a machine that presses it from the back, and this paper is \
+                             read from the side that is printed: left and right are exchanged again";
 
 /// Tells of words that stand in other cells than on the page that was read, which another table wrote.
 fn in_other_cells(before: &Page, after: &Page) -> Option<Note> {

@@ -13,6 +13,9 @@ const BLANK: u32 = 0x2800;
 pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
     let grid = CellGrid::of(&page.medium, limits.cell);
     let size = grid.size();
+    // on a page for the back of the sheet cells run from right to left
+    let mirror_sum = page.is_mirrored().then(|| page.mirror_sum());
+    let as_felt = |at: MmPoint| mirror_sum.map_or(at, |sum| MmPoint::new(sum - at.x, at.y));
     let of = |(number, text): (usize, &BrailleText)| {
         let name = super::marks::PagePart::Braille(number as u32).name(page, names);
         let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| cells(line)).collect();
@@ -34,7 +37,9 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
             let what = format!("{name} has {dots}, and its cells have {need}");
             return Some(FoundBreach::at(BRAILLE_CELL, extent.center(), extent, 0.0, what).of(&name));
         }
-        let (at, off) = farthest_off(&text.dots.at, &wanted);
+        let dots: Vec<MmPoint> = text.dots.at.iter().copied().map(as_felt).collect();
+        let (at, off) = farthest_off(&dots, &wanted);
+        let at = as_felt(at);
         let what = || {
             let measures = format!(
                 "{} mm from dot to dot, {} from cell to cell, {} from line to line",

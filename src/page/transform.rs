@@ -1,7 +1,7 @@
 //! Changes of every mark of a page: narrower, for paper on which ink swells, and mirrored, for the back of the sheet.
 
 use super::medium::Medium;
-use super::parts::{Dots, Glyph, Line, Page, Parts, Run, Shape};
+use super::parts::{Dots, Glyph, Line, MIRRORED, Page, Parts, Run, Shape};
 use crate::units::{MmPoint, MmRect};
 
 /// The narrowest that a tick is printed, mm: ticks are aligned by eye as well as by touch.
@@ -10,7 +10,7 @@ const LEAST_TICK: f32 = 0.5;
 impl Parts {
     /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now
     /// once they have risen (of a `swell` below 0, wider). Labels and braille stay: their dots already have the size to
-    /// be printed. A mark that is no wider than `swell` would vanish; a [`Plan`](crate::profile::Plan) has none.
+    /// be printed. A mark that is no wider than `swell` would vanish; a profile that is taken has none.
     pub fn narrowed(&mut self, swell: f32) {
         if swell == 0.0 {
             return;
@@ -73,17 +73,27 @@ fn narrow_dots(dots: &mut Dots, swell: f32) {
 }
 
 impl Page {
-    /// The same page with left and right exchanged, marks and frames included: for a machine that embosses a
-    /// sheet from its back.
-    #[must_use]
-    pub fn mirrored(mut self) -> Self {
-        self.parts.print.clear(); // letters have no other side
-        // Dots change places with each other, even where they do not lie in the middle of the sheet.
-        let width = match &self.parts.medium {
+    /// What the x of a mark and that of its mirror image add up to, mm. Dots change places with each other, even where
+    /// they do not lie in the middle of the sheet.
+    pub(crate) fn mirror_sum(&self) -> f32 {
+        match &self.parts.medium {
             Medium::Print(_) => self.parts.sheet[0],
             Medium::Dots(dots) => dots.area.bounds().min.x + dots.area.bounds().max.x,
-        };
+        }
+    }
+
+    /// The same page with left and right exchanged, marks and frames included, for a machine that embosses a sheet
+    /// from its back; of such a page the one that fingers meet. Words in print are left out, as letters have no other
+    /// side. Its description stays, as it tells what fingers meet.
+    #[must_use]
+    pub fn mirrored(mut self) -> Self {
+        let (width, was_mirrored) = (self.mirror_sum(), self.is_mirrored());
         let parts = &mut self.parts;
+        parts.print.clear();
+        match was_mirrored {
+            true => parts.origin.retain(|(name, _)| name != MIRRORED),
+            false => parts.origin.push((MIRRORED.to_owned(), "true".to_owned())),
+        }
         let leaders = parts.braille.iter_mut().filter_map(|text| text.leader.as_mut());
         let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration).chain(leaders);
         runs.for_each(|run| mirror_run(run, width));

@@ -68,6 +68,21 @@ pub struct Reading {
     pub texts: Vec<TypedText>,
 }
 
+impl Reading {
+    /// What fingers meet of a page for the back of the sheet, and the other way round; so many cells of braille are
+    /// `width_of` mm wide.
+    pub fn turned_over(mut self, width_of: impl Fn(usize) -> f32) -> Self {
+        let sum = self.page.mirror_sum();
+        for text in &mut self.texts {
+            let width = if text.is_braille { width_of(text.string.chars().count()) } else { 0.0 };
+            text.at.x = sum - text.at.x - width;
+        }
+        let points = self.areas.iter_mut().flat_map(|area| &mut area.outlines).flatten();
+        points.for_each(|at| at.x = sum - at.x);
+        Self { page: self.page.mirrored(), ..self }
+    }
+}
+
 /// Reads a page from an SVG that [`svg::write`](crate::output::svg::write) wrote, changed by an editor or not.
 /// Marks are as they are drawn: nothing is put right.
 ///
