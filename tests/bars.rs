@@ -169,5 +169,21 @@ fn the_top_of_a_bar_on_a_gridline_is_its_own() {
     let share = overview.place.width() / place.width();
     let at = |at: MmPoint| overview.place.min + (at - place.min) * share;
     assert!(far(at(on_page(800.0, BASE - 180.0)), &overview.lines, None) > NEAR, "it has no gridlines");
-    assert!(told(&drawing).contains("lines of a grid are in the figure only"), "{}", told(&drawing));
+    assert!(told(&drawing).contains("gridlines are in the figure only"), "{}", told(&drawing));
+}
+
+/// Where no shape is large enough for the overview, gridlines are none either.
+#[test]
+fn an_overview_without_shapes_does_not_become_one_of_gridlines() {
+    let squares: String =
+        (0..8).map(|i| format!("M{} {}h8v8h-8z", 430 + 100 * (i % 2), 60 + 90 * (i / 2))).collect::<String>();
+    let drawing = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 600 400'><path stroke='#e0e0e0' d='M60 30H360M60 90H360M60 \
+         150H360M60 210H360M60 270H360'/><path stroke='#000' stroke-width='3' fill='none' d='{squares}'/></svg>"
+    );
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+    let drawing = tactograph::convert(drawing.as_bytes(), &options).expect("it can be converted");
+    let long = |lines: &[tactograph::marks::Line]| lines.iter().filter(|line| line.length() > 30.0).count();
+    assert_eq!(long(&drawing.page.figure.lines), 5, "the gridlines");
+    assert_eq!(drawing.page.overview.as_ref().map_or(0, |overview| long(&overview.lines)), 0);
 }

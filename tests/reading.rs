@@ -127,6 +127,77 @@ fn words_keys_mirrors_and_odd_directions_come_back() {
     }
 }
 
+/// A drawing with six gridlines, an axis and a line, and where the gridlines lie, mm below its upper edge.
+const GRIDLINES: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400"><g stroke="#e0e0e0">
+    <path d="M60 30H560M60 70H560M60 110H560M60 150H560M60 190H560M60 230H560"/></g>
+    <g stroke="#000" stroke-width="3" fill="none"><path d="M60 10V350H570"/><path d="M200 300H500"/></g></svg>"##;
+
+#[test]
+fn braille_that_is_typed_on_a_gridline_changes_no_other_line() {
+    let profile = Profile::named("swell-a4").expect("it is built in");
+    let page = tactograph::convert(GRIDLINES.as_bytes(), &Options::new(profile)).expect("it can be converted").page;
+    let gridlines = page.figure.lines.iter().filter(|line| line.strength < 10.0);
+    let ends = |line: &tactograph::marks::Line| [line.runs[0].points[0], *line.runs[0].points.last().expect("a line")];
+    let mut gridlines: Vec<[MmPoint; 2]> = gridlines.map(ends).collect();
+    gridlines.sort_by(|a, b| a[0].y.total_cmp(&b[0].y));
+    assert_eq!(gridlines.len(), 6);
+    let at = gridlines[2][0].lerp(gridlines[2][1], 0.4);
+    let wall = "<path id=\"wall\" d=\"M40,20v30\" stroke=\"#000\" stroke-width=\"1\" fill=\"none\"/>";
+    let text = format!("<text x=\"{}\" y=\"{}\">\u{2801}\u{2803}\u{2807}</text>", at.x, at.y + 2.0);
+    let typed = format!("{wall}<g id=\"labels-text\">{text}</g></svg>");
+    let edited = page.to_svg().replace("</svg>", &typed);
+    let rendered = tactograph::render(&edited, &RenderOptions::new()).expect("it is a page").page;
+    assert_eq!(rendered.braille.len(), 1);
+    let lines = |page: &Page| page.figure.lines.iter().map(|line| line.runs[0].points.clone()).collect::<Vec<_>>();
+    let is_there = |of: &[MmPoint], page: &Page| {
+        lines(page)
+            .iter()
+            .any(|line| line.len() == of.len() && line.iter().zip(of).all(|(a, b)| (*a - *b).length() < 0.02))
+    };
+    let changed: Vec<_> = lines(&page).into_iter().filter(|line| !is_there(line, &rendered)).collect();
+    assert_eq!(changed.len(), 1, "only the gridline below the braille: {changed:?}");
+    assert!(is_there(&[MmPoint::new(40.0, 20.0), MmPoint::new(40.0, 50.0)], &rendered), "the line of a person");
+    assert_eq!(rendered.figure.lines.len(), page.figure.lines.len() + 2, "it is in two parts");
+    // their names stay with them
+    let pins = RenderOptions::new().profile(Profile::named("dot-pad").expect("it is built in"));
+    let told = tactograph::render(&edited, &pins).expect("it has room").notes;
+    let told: Vec<String> = told.iter().map(ToString::to_string).filter(|told| told.contains("\"wall\"")).collect();
+    assert!(told.len() <= 1 && told.iter().all(|told| told.contains("left out")), "{told:?}");
+}
+
+#[test]
+fn a_mirrored_page_is_laid_out_anew_as_it_is_felt() {
+    let picture = samples::read("coffee.png");
+    let made = |profile: &str, mirrored: bool| {
+        let options = Options::new(Profile::named(profile).expect("it is built in")).title("A cup of tea");
+        tactograph::convert(&picture, &options.mirrored(mirrored)).expect("it can be converted").page
+    };
+    let rendered = |page: &Page, profile: &str| {
+        let options = RenderOptions::new().profile(Profile::named(profile).expect("it is built in"));
+        tactograph::render(page.to_svg(), &options).expect("it has room")
+    };
+    for (from, to) in [("swell-a4", "swell-letter"), ("swell-a4", "index-basic-d")] {
+        let (plain, mirrored) = (made(from, false), made(from, true));
+        let check = tactograph::check(mirrored.to_svg(), None).expect("it is a page");
+        assert_eq!(check.findings.iter().filter(|finding| finding.rule.id == "braille-cell").count(), 0);
+        let (plain, mirrored) = (rendered(&plain, to), rendered(&mirrored, to));
+        let is_for_dots = matches!(plain.page.medium, Medium::Dots(_));
+        assert_eq!(mirrored.page.is_mirrored(), is_for_dots);
+        let is_told = mirrored.notes.iter().any(|note| note.to_string().contains("exchanged again"));
+        assert_eq!(is_told, !is_for_dots, "{:?}", mirrored.notes);
+        let felt = if is_for_dots { mirrored.page.clone().mirrored() } else { mirrored.page.clone() };
+        let shares = |page: &Page| {
+            let middle = page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+            let (count, sum) = middle.fold((0, 0.0), |(count, sum), at| (count + 1, sum + at.x));
+            (page.figure.lines.len(), sum / count as f32)
+        };
+        let ((lines, middle), (of_plain, middle_of_plain)) = (shares(&felt), shares(&plain.page));
+        assert!(lines.abs_diff(of_plain) <= 1 && (middle - middle_of_plain).abs() < 0.5, "{middle} {middle_of_plain}");
+        let signs = |page: &Page| page.figure.textures.iter().map(|of| (of.class, of.sign)).collect::<Vec<_>>();
+        assert_eq!(signs(&felt), signs(&plain.page));
+    }
+}
+
 #[test]
 fn a_label_may_be_called_as_a_layer_is() {
     let place = tactograph::Position::Percent;

@@ -63,7 +63,7 @@ const FROM_PRINT: f32 = 2.0;
 /// For each mm of a leader line across others that runs along a line, of which it would be felt as a part: 15 mm of it
 /// are as bad as crossing as the drawing does ([`ACROSS_AS_DRAWN`]).
 const ALONG_A_LINE: f32 = 20.0;
-/// For lines of a grid that are interrupted: a title stands above them where there is room.
+/// For gridlines that are interrupted: a title stands above them where there is room.
 const ON_A_GRID: f32 = 8.0;
 /// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
 const GLYPH: f32 = 0.3;

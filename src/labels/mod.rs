@@ -8,7 +8,7 @@
 //! The steps up to the titles of axes ([`place_rows_first`]) are also those of `predicted`, which computes the room
 //! that rows and columns need beside a drawing before it is laid out.
 //!
-//! Labels are horizontal, as fingers read them, and 3 mm from lines; textures and lines of a grid make room for them.
+//! Labels are horizontal, as fingers read them, and 3 mm from lines; textures and gridlines make room for them.
 //! One that has to lie further away than 12 mm has a leader line. What has no room in full is abbreviated.
 
 mod abbreviate;
@@ -19,8 +19,8 @@ mod columns;
 mod context;
 mod cost;
 mod forms;
-mod grid;
 mod groups;
+mod interrupted;
 mod letters;
 mod named_points;
 mod placed;
@@ -71,7 +71,7 @@ pub fn place(
     params: &Params,
 ) -> Vec<Result<Placed, Unplaced>> {
     let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
-    let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
+    let room = Room::new(&figure.lines, &figure.textures, params);
     let RowsPlaced { forms, around, placed: in_rows, thinned, titles, .. } =
         place_rows_first(wanted, translator, cells, &room, params);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
@@ -298,10 +298,18 @@ fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
 
-/// Takes the glyphs out of a figure that labels and their leader lines need blank, and interrupts the lines of a grid.
-/// Gives, for each texture of which none is left, which of the labels lies nearest to its middle.
-pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Vec<usize> {
-    grid::interrupt(&mut figure.lines, placed, params);
+/// What labels change of a figure.
+#[derive(Debug)]
+pub struct MadeRoom {
+    /// Of each line that is there now, which line it was, or was a part of.
+    pub lines: Vec<usize>,
+    /// For each texture of which none is left, which of the labels lies nearest to its middle.
+    pub without_texture: Vec<usize>,
+}
+
+/// Takes the glyphs out of a figure that labels and their leader lines need blank, and interrupts gridlines.
+pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> MadeRoom {
+    let lines = interrupted::interrupt(&mut figure.lines, placed, params);
     let mut gone = Vec::new();
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
@@ -313,5 +321,5 @@ pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Ve
         }
         !texture.glyphs.is_empty()
     });
-    gone
+    MadeRoom { lines, without_texture: gone }
 }

@@ -12,10 +12,14 @@ pub struct Params {
     pub area: MmRect,
     /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
     pub tiles: Vec<MmRect>,
+    /// Boxes that they keep clear of as of lines.
+    pub blocked: Vec<MmRect>,
     /// Blank to lines.
     pub clearance: f32,
     /// Blank between lines.
     pub line_gap: f32,
+    /// The least strength that contours must have: lines as strong are weak ones.
+    pub least_strength: f32,
     /// Blank to textures.
     pub texture_clearance: f32,
     /// Whether leader lines may cross others: among the few pins of a display they are lost.
@@ -27,6 +31,22 @@ pub struct Params {
 }
 
 impl Params {
+    #[cfg(test)]
+    pub(super) fn of_test(area: MmRect) -> Self {
+        Self {
+            area,
+            tiles: Vec::new(),
+            blocked: Vec::new(),
+            clearance: 3.0,
+            line_gap: 3.2,
+            least_strength: 7.0,
+            texture_clearance: 3.0,
+            may_cross: true,
+            step: 0.5,
+            leader_off: 0.0,
+        }
+    }
+
     /// Whether a box is whole in one of the tiles, if there are any.
     pub(super) fn holds(&self, place: &MmRect) -> bool {
         self.tiles.is_empty() || self.tiles.iter().any(|tile| tile.contains_box(place))

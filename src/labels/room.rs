@@ -3,11 +3,12 @@
 use std::f32::consts::TAU;
 
 use super::angles::{self, Angle};
-use super::grid;
+use super::interrupted;
 use super::named_points::{self, SmallRing};
+use super::placed::Params;
 use crate::geom::nearest_on_segment;
-use crate::geom::polygon::distance_to_box;
-use crate::page::{Line, Pen, Texture, which_are_faint};
+use crate::geom::polygon::{corners, distance_to_box};
+use crate::page::{Line, Pen, Texture, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Side of the squares that the figure is looked at in, mm. Chosen by us: a sixth of the distance that labels keep.
@@ -44,13 +45,13 @@ pub(super) struct Room {
     squares: Squares,
     /// Squares nearer to a line than a label may lie.
     taken: Vec<u32>,
-    /// Sums of squares too near to lines of a grid, which give way to labels.
+    /// Sums of squares too near to gridlines, which give way to labels.
     grid: Vec<u32>,
     /// Squares nearer to a line than a leader line may lie; no sums.
     for_leader: Vec<u32>,
     /// Squares that lines lie in; no sums.
     ink: Vec<u32>,
-    /// Those that lines lie in which are not faint, where there are faint ones; no sums.
+    /// Those that lines lie in which are not weak, where there are weak ones; no sums.
     strong: Option<Vec<u32>>,
     /// Glyphs.
     glyphs: Vec<u32>,
@@ -63,18 +64,22 @@ pub(super) struct Room {
 }
 
 impl Room {
-    pub(super) fn new(area: MmRect, lines: &[Line], textures: &[Texture], clearance: f32) -> Self {
+    /// The sides of blocked boxes are kept clear of as lines are.
+    pub(super) fn new(lines: &[Line], textures: &[Texture], params: &Params) -> Self {
+        let &Params { area, ref blocked, clearance, least_strength, .. } = params;
         let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
-        let room = Self::of_segments(area, segments(lines.iter()), glyphs, clearance);
+        let sides = || blocked.iter().flat_map(|place| sides_of(*place)).map(|side| (side, 0.0));
+        let room = Self::of_segments(area, segments(lines.iter()).chain(sides()), glyphs, clearance);
         let (of_grid, others): (Vec<_>, Vec<_>) =
-            lines.iter().zip(grid::giving_way(lines)).partition(|(_, gives_way)| *gives_way);
-        let near = |lines: Vec<(&Line, bool)>| {
+            lines.iter().zip(interrupted::giving_way(lines, least_strength)).partition(|(_, gives_way)| *gives_way);
+        let near = |lines: Vec<(&Line, bool)>, blocked: bool| {
             let segments = segments(lines.into_iter().map(|(line, _)| line));
-            room.squares.sums(&room.squares.near(segments, CORNER + clearance))
+            let sides = sides().filter(|_| blocked);
+            room.squares.sums(&room.squares.near(segments.chain(sides), CORNER + clearance))
         };
         let angles = angles::of(others.iter().map(|(line, _)| *line));
-        let (taken, grid) = (near(others), near(of_grid));
-        let (rings, strong) = (named_points::rings(lines), room.strong(lines));
+        let (taken, grid) = (near(others, true), near(of_grid, false));
+        let (rings, strong) = (named_points::rings(lines), room.strong(lines, least_strength));
         Self { angles, rings, strong, taken, grid, ..room }
     }
 
@@ -138,7 +143,7 @@ impl Room {
         self.squares.area.contains_box(&place) && self.squares.sum(&self.taken, place) == 0
     }
 
-    /// Whether lines of a grid have to be interrupted for a label in this box.
+    /// Whether gridlines have to be interrupted for a label in this box.
     pub(super) fn interrupts_grid(&self, place: MmRect) -> bool {
         self.squares.sum(&self.grid, place) > 0
     }
@@ -148,20 +153,20 @@ impl Room {
         self.squares.index(at).is_some_and(|index| self.ink[index] > 0)
     }
 
-    /// The squares of the lines that are not faint; none if all are like that.
-    fn strong(&self, lines: &[Line]) -> Option<Vec<u32>> {
-        let faint = which_are_faint(lines);
-        let strong = lines.iter().zip(&faint).filter(|(_, is_faint)| !**is_faint).map(|(line, _)| line);
-        faint.contains(&true).then(|| self.squares.near(segments(strong), CORNER))
+    /// The squares of the lines that are not weak; none if all are like that.
+    fn strong(&self, lines: &[Line], least_strength: f32) -> Option<Vec<u32>> {
+        let weak = which_are_weak(lines, least_strength);
+        let strong = lines.iter().zip(&weak).filter(|(_, is_weak)| !**is_weak).map(|(line, _)| line);
+        weak.contains(&true).then(|| self.squares.near(segments(strong), CORNER))
     }
 
     /// The middle of the square of a line to which a text belongs that stands beside it: the nearest within `reach`, or
-    /// where that is a faint one, such as of a grid, the nearest other within `beyond_faint`.
-    pub(super) fn line_beside(&self, place: MmRect, reach: f32, beyond_faint: f32) -> Option<MmPoint> {
+    /// where that is a weak one, such as a gridline, the nearest other within `beyond_weak`.
+    pub(super) fn line_beside(&self, place: MmRect, reach: f32, beyond_weak: f32) -> Option<MmPoint> {
         let nearest = self.nearest(place, reach, &self.ink)?;
         let Some(strong) = &self.strong else { return Some(nearest) };
         let is_strong = self.squares.index(nearest).is_some_and(|index| strong[index] > 0);
-        if is_strong { Some(nearest) } else { self.nearest(place, beyond_faint, strong).or(Some(nearest)) }
+        if is_strong { Some(nearest) } else { self.nearest(place, beyond_weak, strong).or(Some(nearest)) }
     }
 
     /// The middle of the square with ink that is nearest to a box, and within `reach` of it.
@@ -191,7 +196,7 @@ impl Room {
         self.meets(&self.ink, from, to, end)
     }
 
-    /// The same where a text stands at the second place: lines of a grid part it from nothing.
+    /// The same where a text stands at the second place: gridlines part it from nothing.
     pub(super) fn is_parted_from_text(&self, from: MmPoint, text: MmPoint, end: f32) -> bool {
         self.meets(self.strong.as_ref().unwrap_or(&self.ink), from, text, end)
     }
@@ -287,6 +292,11 @@ impl Room {
             (1.0 - along) * length > end && is_there()
         })
     }
+}
+
+fn sides_of(place: MmRect) -> [[MmPoint; 2]; 4] {
+    let corners = corners(place);
+    [0, 1, 2, 3].map(|side| [corners[side], corners[(side + 1) % 4]])
 }
 
 /// The segments of lines, each with the width of its ink.

@@ -90,7 +90,7 @@ enum RowPlace {
     /// Further away, with leader lines.
     Led,
     /// Of labels along an axis, in the margin beyond all lines, each at the height or breadth of its own: there a
-    /// finger finds it along the lines of a grid, or by its place.
+    /// finger finds it along the gridlines, or by its place.
     Margin,
 }
 

@@ -13,6 +13,8 @@ pub struct RuleLimits {
     pub texture_area: f32,
     /// Measures of braille cells.
     pub cell: CellSize,
+    /// The least strength that contours must have.
+    pub least_strength: f32,
     /// What only one kind of page has.
     pub medium: MediumLimits,
 }

@@ -7,7 +7,7 @@ use super::paths::{Paths, point_at};
 use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::ninths;
-use crate::page::{LeftOut, Names, Overview, Page, which_are_faint};
+use crate::page::{LeftOut, Names, Overview, Page, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines are looked at this often, mm of the overview.
@@ -63,10 +63,10 @@ fn lacking(
 ) -> Vec<FoundBreach> {
     let index = of_overview.index(5.0);
     // those of a grid would hide its shapes
-    let faint = which_are_faint(&page.figure.lines);
+    let weak = which_are_weak(&page.figure.lines, limits.least_strength);
     let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
     let of_path = |path: usize| {
-        let of = paths.paths.get(path).filter(|of| of.closed && !faint[of.line])?;
+        let of = paths.paths.get(path).filter(|of| of.closed && !weak[of.line])?;
         let segments = paths.segments_of(path);
         let extent = around(segments.iter().map(|segment| segment.a))?;
         let side = extent.width().min(extent.height()) / scale;

@@ -7,7 +7,7 @@ use super::clearance::Cleared;
 use super::lost::{LossTally, Lost, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
-use super::params::Params;
+use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
@@ -28,7 +28,7 @@ pub(super) struct LineCandidates {
     pub(super) saliencies: Vec<f32>,
     /// How many of them are contours.
     contours: usize,
-    /// How many lines of a grid an overview leaves out.
+    /// How many gridlines an overview leaves out.
     grid: usize,
     /// What is too short for a line.
     pub(super) short: LossTally,
@@ -50,8 +50,8 @@ impl LineCandidates {
     ) -> Self {
         let mut polylines = on_the_sheet(edges, transform, params);
         // an overview is felt for its shapes
-        let is_overview = params.of_drawing && params.whole_rings;
-        let grid = if is_overview { faint::take_grid(&mut polylines) } else { 0 };
+        let is_overview = params.in_overview_of_drawing();
+        let grid = if is_overview { faint::take_gridlines(&mut polylines) } else { 0 };
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
@@ -119,7 +119,7 @@ impl LineCandidates {
         }
         let lost = wanted.lost(&kept);
         // an overview is told as a whole, and a line that is too short for one by what it is
-        let may_lack = params.of_drawing && !params.whole_rings && lost.lost >= params.min_length;
+        let may_lack = params.of_drawing && params.part == PagePart::Figure && lost.lost >= params.min_length;
         let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
         Lost { gone: if may_lack { gone() } else { Vec::new() }, grid: self.grid, ..lost }
     }

@@ -1,7 +1,7 @@
 //! Lines of the faint strokes of a vector drawing: as thin as lines can be, they give way to all others.
 
 use super::clearance::Cleared;
-use super::grid::of_grid;
+use super::gridlines::which_are_gridlines;
 use super::line::Line;
 use super::outlines::Rank;
 use super::params::{Params, RING_FARTHEST};
@@ -13,13 +13,17 @@ use crate::units::MmPoint;
 /// nothing, and is felt as something.
 const SCRAP: f32 = 1.5;
 
-/// A finished line is faint from less than this share of the strength of the strongest on.
-const FAINT: f32 = 0.1;
+/// A finished line is weak up to this share of the strength of the strongest. Chosen by us.
+const WEAK: f32 = 0.1;
+/// What rounding may add to the least strength.
+const ROUNDED_UP: f32 = 1.001;
 
-/// Which lines of a figure are faint.
-pub fn which_are_faint(lines: &[Line]) -> Vec<bool> {
-    let least = FAINT * lines.iter().map(|line| line.strength).fold(0.0, f32::max);
-    lines.iter().map(|line| line.strength < least).collect()
+/// Which finished lines of a figure are weak, among them those that were drawn as faint strokes, which have the least
+/// strength that contours must have.
+pub fn which_are_weak(lines: &[Line], least_strength: f32) -> Vec<bool> {
+    let strongest = lines.iter().map(|line| line.strength).fold(0.0, f32::max);
+    let most = (WEAK * strongest).max(ROUNDED_UP * least_strength);
+    lines.iter().map(|line| line.strength <= most).collect()
 }
 
 /// Makes a line faint.
@@ -37,20 +41,20 @@ pub(super) fn is_faint(line: &Polyline<Vertex>) -> bool {
     2 * faint > line.vertices.len()
 }
 
-/// Least straightness of a line of a grid, chord to length: drawn by hand, too.
+/// Least straightness of a gridline, chord to length: drawn by hand, too.
 const STRAIGHTNESS: f32 = 0.99;
 
-/// Takes the lines of a grid out, faint straight ones, and says how many these are. In an overview nobody could tell
+/// Takes gridlines out, faint straight lines, and says how many these are. In an overview nobody could tell
 /// them from the shapes before them, as its lines are of one width.
-pub(super) fn take_grid(lines: &mut Vec<Polyline<Vertex>>) -> usize {
+pub(super) fn take_gridlines(lines: &mut Vec<Polyline<Vertex>>) -> usize {
     let ends = |line: &Polyline<Vertex>| {
         let is_straight = !line.closed && is_faint(line) && line.chord() >= STRAIGHTNESS * line.length();
         let ends = line.vertices.first().zip(line.vertices.last()).filter(|_| is_straight);
         ends.map(|(first, last)| [first.at, last.at])
     };
-    let mut of_grid = of_grid(&lines.iter().map(ends).collect::<Vec<_>>()).into_iter();
+    let mut are_gridlines = which_are_gridlines(&lines.iter().map(ends).collect::<Vec<_>>()).into_iter();
     let before = lines.len();
-    lines.retain(|_| !of_grid.next().unwrap_or(false));
+    lines.retain(|_| !are_gridlines.next().unwrap_or(false));
     before - lines.len()
 }
 
@@ -97,6 +101,14 @@ mod tests {
         let is_so = |of: f32| (of - width).abs() < 0.01;
         let lines = lines.lines.iter().filter(|line| line.runs.iter().all(|run| is_so(run.width)));
         lines.map(crate::lines::Line::length).collect()
+    }
+
+    #[test]
+    fn lines_as_weak_as_contours_may_be_are_weak_whatever_the_strongest_is() {
+        let line = |strength: f32| Line { strength, runs: Vec::new() };
+        let weak = |strongest: f32| which_are_weak(&[line(strongest), line(7.0), line(7.1), line(12.0)], 7.0);
+        assert_eq!(weak(100.0), [false, true, true, false]);
+        assert_eq!(weak(30.0), [false, true, false, false]);
     }
 
     #[test]

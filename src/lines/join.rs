@@ -26,7 +26,7 @@ const BEND: f32 = 4.0;
 /// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet.
 pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32) -> Vec<Polyline<Vertex>> {
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
-    // a line of a grid is no part of the axis at whose end it begins
+    // a gridline is no part of the axis at whose end it begins
     let faint: Vec<bool> = polylines.iter().map(is_faint).collect();
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
         cost(a, b, &lengths, gap).filter(|_| faint[a.polyline] == faint[b.polyline])

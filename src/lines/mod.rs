@@ -1,14 +1,14 @@
 //! Contours become lines that a finger can follow: on the sheet, in millimetres.
 //!
 //! ```text
-//! Edges -> smooth -> join (ends that continue one another)
+//! Edges -> smooth -> [overview: gridlines out] -> arrowheads and points (taken out)
+//!       -> join (ends that continue one another) -> ticks, crossbars (lengthened)
 //!       -> centreline (the two sides of a thin stroke become one line) -> join
+//!       -> outlines (of regions, which go before other lines)
 //!       -> junction (ends extended to lines before them) -> weight (width by strength)
-//!       -> clearance (no two too near) -> detail (the most salient lines) -> simplify -> Lines
+//!       -> clearance (no two too near; `crowded` tries it in several ways)
+//!       -> detail (the most salient lines) -> few -> points and arrowheads (drawn) -> simplify -> Lines
 //! ```
-//!
-//! Outlines of regions, where there are any (`outlines`), come in before `junction`, and go before other lines in
-//! `clearance`.
 
 mod arrowheads;
 mod candidates;
@@ -18,7 +18,7 @@ mod corner;
 mod crowded;
 mod faint;
 mod few;
-mod grid;
+mod gridlines;
 mod join;
 mod junction;
 mod line;
@@ -45,15 +45,15 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use vertex::Vertex;
 
 pub use arrowheads::{Arrow, arrows, is_triangle};
-pub use faint::which_are_faint;
+pub use faint::which_are_weak;
 pub use few::Beyond;
-pub use grid::of_grid;
+pub use gridlines::which_are_gridlines;
 pub use line::{Height, Line, Pen, Run};
 pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
 use outlines::Rank;
-pub use params::Params;
+pub use params::{PagePart, Params};
 pub use series::without_scraps;
 
 use crate::edges::Edges;

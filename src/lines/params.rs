@@ -7,6 +7,15 @@ pub(super) const RING_FARTHEST: f32 = 1.6;
 /// The direction of an end is taken over this much of its line, mm: a little more than the widest line is wide.
 pub(super) const HEADING: f32 = 2.0;
 
+/// A part of the page that has lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PagePart {
+    /// The figure.
+    Figure,
+    /// The overview, which is felt for its shapes.
+    Overview,
+}
+
 /// How lines are drawn. Lengths are in millimetres on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
@@ -33,6 +42,8 @@ pub struct Params {
     pub detail: f32,
     /// At most so many closed shapes, and as many other lines, the most salient ones; all if none.
     pub most_shapes: Option<usize>,
+    /// What of the page they are drawn for.
+    pub part: PagePart,
     /// Whether a ring that has no room as a whole is left out, and not opened or drawn in parts.
     pub whole_rings: bool,
     /// Whether they are those of a drawing.
@@ -72,6 +83,7 @@ impl Params {
         tolerance: 0.05,
         detail: 1.0,
         most_shapes: None,
+        part: PagePart::Figure,
         whole_rings: false,
         of_drawing: false,
         widen_bars: false,
@@ -88,7 +100,7 @@ impl Params {
     /// no wider than needed.
     #[must_use]
     pub fn of_overview(self) -> Self {
-        Self { whole_rings: true, ..self.thin() }
+        Self { part: PagePart::Overview, whole_rings: true, ..self.thin() }
     }
 
     /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm: what lies
@@ -137,6 +149,11 @@ impl Params {
 
     fn longest_approach(&self) -> f32 {
         if self.of_drawing { APPROACH_OF_DRAWINGS } else { APPROACH }
+    }
+
+    /// Whether they are those of the overview of a drawing.
+    pub(super) fn in_overview_of_drawing(&self) -> bool {
+        self.of_drawing && self.part == PagePart::Overview
     }
 
     /// The greatest length from a junction until two lines of these half widths must be apart, mm.

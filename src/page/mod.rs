@@ -24,4 +24,4 @@ pub use names::{Names, area_name, line_name, overview_line_name, text_name};
 pub use origin::{InSet, LeftOut};
 pub use parts::*;
 
-pub(crate) use crate::lines::{of_grid, which_are_faint};
+pub(crate) use crate::lines::{which_are_gridlines, which_are_weak};

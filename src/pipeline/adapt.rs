@@ -55,7 +55,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
     }
     notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
     let labels = parts.braille.len();
-    let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &read.texts, plan, translate);
+    let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &mut lines, &read.texts, plan, translate);
     notes.extend(of_texts);
     let abbreviates = abbreviated.is_some();
     let mut of_places: Vec<Note> = abbreviated.into_iter().collect();

@@ -11,7 +11,9 @@ use crate::dots::ShownScale;
 use crate::geom::polygon::holds_box;
 use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, TickMark};
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
+use crate::page::{
+    BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame, which_are_weak,
+};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -77,14 +79,13 @@ const GRID_LINES: usize = 4;
 
 /// The numbers of the lines of a squared grid, thin and pale ones level and upright, if too little of it is among
 /// `pressed`.
-fn torn_grid(lines: &[Line], pressed: &[Line], area: MmRect, faint: f32) -> Vec<usize> {
-    let is_faint = |line: &Line| line.strength <= faint * ROUNDED_UP;
+fn torn_grid(lines: &[Line], pressed: &[Line], area: MmRect, least_strength: f32) -> Vec<usize> {
     let way = |line: &Line| {
         let size = extent(line).size();
         (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
     };
-    let thin = lines.iter().enumerate().filter(|(_, line)| is_faint(line));
-    let ways: Vec<(usize, bool)> = thin.filter_map(|(number, line)| Some((number, way(line)?))).collect();
+    let weak = lines.iter().zip(which_are_weak(lines, least_strength)).enumerate().filter(|(_, (_, is_weak))| *is_weak);
+    let ways: Vec<(usize, bool)> = weak.filter_map(|(number, (line, _))| Some((number, way(line)?))).collect();
     let count = |level: bool| ways.iter().filter(|(_, of)| *of == level).count();
     if count(true) < GRID_LINES || count(false) < GRID_LINES {
         return Vec::new();
@@ -95,9 +96,6 @@ fn torn_grid(lines: &[Line], pressed: &[Line], area: MmRect, faint: f32) -> Vec<
     let kept: f32 = ways.iter().map(|(number, _)| shares[*number].min(1.0) * length(*number)).sum();
     if kept < GRID_WHOLE * whole { ways.into_iter().map(|(number, _)| number).collect() } else { Vec::new() }
 }
-
-/// What rounding may add to the strength of a faint line.
-const ROUNDED_UP: f32 = 1.001;
 /// A level or upright line is no farther from being so, mm.
 const STRAIGHT: f32 = 0.3;
 

@@ -191,11 +191,14 @@ fn told_of_scale(scale: &LostScale) -> Note {
 }
 
 fn ordinal(number: usize) -> String {
-    match number {
-        2 => "2nd".to_owned(),
-        3 => "3rd".to_owned(),
-        _ => format!("{number}th"),
-    }
+    let ending = match (number % 100, number % 10) {
+        (11..=13, _) => "th",
+        (_, 1) => "st",
+        (_, 2) => "nd",
+        (_, 3) => "rd",
+        _ => "th",
+    };
+    format!("{number}{ending}")
 }
 
 /// What the maker is told of marks of angles that the overview has not, where a reader may think that the angle has

@@ -29,7 +29,7 @@ const MOVED: f32 = 2.0;
 /// What is no lack of room, mm.
 const SLACK: f32 = 0.1;
 /// By how much two pixels side by side differ at least where a contour is, in a plane of square roots of linear light:
-/// the grey of the palest lines of a grid (#eee) differs from white by 0.08.
+/// the grey of the palest gridlines (#eee) differs from white by 0.08.
 const CONTOUR: f32 = 0.03;
 
 /// A drawing with texts in it.

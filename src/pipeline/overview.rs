@@ -149,7 +149,8 @@ impl OverviewSource<'_> {
         let &Self { edges, regions, layout, plan } = self;
         let transform = PageTransform::new(edges.size, place);
         let all = lines::Params { detail, ..plan.lines() };
-        let params = if edges.of_drawing() { all.of_overview() } else { all };
+        let of_photograph = lines::Params { part: lines::PagePart::Overview, ..all };
+        let params = if edges.of_drawing() { all.of_overview() } else { of_photograph };
         let outlines = outlines_of_overview(edges, regions, &transform, plan);
         let draw = |params: lines::Params| {
             let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
@@ -215,10 +216,10 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     shapes.into_iter().chain(marks).chain(grid).chain(lines)
 }
 
-/// What the maker is told of the lines of a grid that an overview has not.
+/// What the maker is told of gridlines that an overview has not.
 fn told_grid(lines: usize) -> Option<Note> {
     // how many says little: bars part them
-    let told = "the thin, pale lines of a grid are in the figure only, as they would hide the shapes of the overview";
+    let told = "thin, pale gridlines are in the figure only, as they would hide the shapes of the overview";
     (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))
 }
 

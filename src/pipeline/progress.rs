@@ -13,8 +13,8 @@ pub enum Stage {
     Text,
     /// Pixels to contours.
     Edges,
-    /// The regions between contours, by which those are weighted: [`Stage::Edges`] ends before it and begins again
-    /// after it.
+    /// The regions between contours, by which those are weighted, and those that are outlined: of photographs
+    /// [`Stage::Edges`] and it take turns, and each begins twice.
     Regions,
     /// Contours to lines in millimetres.
     Lines,

@@ -7,7 +7,7 @@ use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
-use super::words::{Words, WrittenWords};
+use super::words::{OnPage, Words, WrittenWords};
 use crate::devices::Family;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
@@ -78,7 +78,8 @@ pub fn convert<'p>(
     let mut sheets = run(watch, Stage::Page, || {
         notes.extend(written.notes().iter().cloned());
         let tiles = laid.spread.tiles();
-        let (labels, of_labels) = written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
+        let OnPage { braille: labels, notes: of_labels, .. } =
+            written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
         let mut sheets = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
         notes.append(&mut sheets.notes);
         notes.extend(of_labels);

@@ -1,10 +1,10 @@
 //! Texts that a person typed into a page, written in braille beside their places.
 
+use super::kept_lines::LineName;
 use super::label::{Label, Position};
 use super::texts::Text;
-use super::words::{Words, WrittenWords};
+use super::words::{OnPage, Words, WrittenWords};
 use crate::braille::Translate;
-use crate::lines::{Line, Run};
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Parts, TextRole};
@@ -25,7 +25,15 @@ pub(super) struct Typed {
 /// there, nearest to where they were typed, and Unicode braille in its very place. Tells what has no room, what its
 /// code cannot write, what stands elsewhere than it was typed, and what was typed outside the figure, where no labels
 /// stand.
-pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan, translate: Option<&Translate>) -> Typed {
+///
+/// `names` are those of the lines, some of which are interrupted.
+pub(super) fn write(
+    parts: &mut Parts,
+    names: &mut Vec<LineName>,
+    texts: &[TypedText],
+    plan: &Plan,
+    translate: Option<&Translate>,
+) -> Typed {
     if texts.is_empty() {
         return Typed::default();
     }
@@ -45,44 +53,58 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan, transla
     let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
     let language = parts.language.clone();
     let own_texts = !exact.is_empty();
-    let words = Words { language: Some(&language), labels: &labels, own_texts, translate, ..Words::default() };
+    let blocked = blocked(parts);
+    let words = Words {
+        language: Some(&language),
+        labels: &labels,
+        own_texts,
+        translate,
+        blocked: &blocked,
+        ..Words::default()
+    };
     let written = WrittenWords::new(&words, plan);
     let (sheet, medium) = (parts.sheet, parts.medium.clone());
     let layout = Layout { sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
-    let count = parts.figure.lines.len();
-    parts.figure.lines.extend(taken(parts));
-    let (mut braille, notes) = written.on(&layout, &mut parts.figure, &exact, &words, plan);
-    parts.figure.lines.truncate(count);
+    let OnPage { mut braille, notes, lines } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
+    *names = lines.into_iter().map(|line| names[line].clone()).collect();
     braille.retain(|text| text.role == TextRole::Label);
     let elsewhere = elsewhere(&exact, &braille);
     let written = braille.len();
     let in_braille = exact.len().min(written);
     let written = written - in_braille;
     parts.braille.extend(braille);
-    let told = (written > 0).then(|| {
-        let told = match written {
-            1 => "1 text that was typed is written in braille beside its place".to_owned(),
-            _ => format!("{written} texts that were typed are written in braille beside their places"),
-        };
-        Note::TakenAs(About::Texts, told)
-    });
-    let in_place = (in_braille > 0).then(|| {
-        let texts = if in_braille == 1 { "1 text that was" } else { &format!("{in_braille} texts that were") };
-        Note::TakenAs(About::Texts, format!("{texts} typed in braille: written as typed"))
-    });
-    let moved = outside.first().map(|first| {
-        let (string, at) = (&first.string, first.at);
-        let texts = match outside.len() {
-            1 => format!("the text \"{string}\" at {:.0}, {:.0} mm lies", at.x, at.y),
-            count => format!("{count} typed texts, the first \"{string}\" at {:.0}, {:.0} mm, lie", at.x, at.y),
-        };
-        let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
-        Note::TakenAs(About::Texts, told)
-    });
     let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) =
         notes.into_iter().partition(|note| matches!(note, Note::Abbreviated(_)));
-    let notes = told.into_iter().chain(in_place).chain(moved).chain(elsewhere).chain(notes).collect();
+    let told = told(written, in_braille).into_iter().chain(typed_outside(&outside));
+    let notes = told.chain(elsewhere).chain(notes).collect();
     Typed { notes, abbreviated: abbreviated.pop() }
+}
+
+/// Tells how many texts are written, beside where they were typed and in their very places.
+fn told(written: usize, in_place: usize) -> Vec<Note> {
+    let beside = match written {
+        0 => None,
+        1 => Some("1 text that was typed is written in braille beside its place".to_owned()),
+        _ => Some(format!("{written} texts that were typed are written in braille beside their places")),
+    };
+    let in_place = match in_place {
+        0 => None,
+        1 => Some("1 text that was typed in braille: written as typed".to_owned()),
+        _ => Some(format!("{in_place} texts that were typed in braille: written as typed")),
+    };
+    beside.into_iter().chain(in_place).map(|told| Note::TakenAs(About::Texts, told)).collect()
+}
+
+/// Tells of texts that were typed outside of the figure.
+fn typed_outside(outside: &[&TypedText]) -> Option<Note> {
+    let first = outside.first()?;
+    let (string, at) = (&first.string, first.at);
+    let texts = match outside.len() {
+        1 => format!("the text \"{string}\" at {:.0}, {:.0} mm lies", at.x, at.y),
+        count => format!("{count} typed texts, the first \"{string}\" at {:.0}, {:.0} mm, lie", at.x, at.y),
+    };
+    let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
+    Some(Note::TakenAs(About::Texts, told))
 }
 
 /// Unicode braille as it was typed: its cells stand on the line on which its letters do.
@@ -114,14 +136,8 @@ fn elsewhere(exact: &[Text], braille: &[BrailleText]) -> Option<Note> {
 /// How far from the figure a text may be typed without being told, mm.
 const SLACK: f32 = 5.0;
 
-/// Boxes around braille that is on the page, as lines: what labels keep away from.
-fn taken(parts: &Parts) -> Vec<Line> {
+/// Boxes around braille that is on the page.
+fn blocked(parts: &Parts) -> Vec<MmRect> {
     let dots = parts.braille.iter().map(|text| &text.dots).chain(&parts.labels);
-    let of_box = |place: MmRect| {
-        let corners =
-            [place.min, MmPoint::new(place.max.x, place.min.y), place.max, MmPoint::new(place.min.x, place.max.y)];
-        let points = corners.into_iter().chain([place.min]).collect();
-        Line { strength: 0.0, runs: vec![Run::stroke(0.1, points)] }
-    };
-    dots.filter_map(Dots::bounds).map(of_box).collect()
+    dots.filter_map(Dots::bounds).collect()
 }

@@ -15,7 +15,7 @@ use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
 use crate::devices::Family;
 use crate::dots;
-use crate::labels::{self, Params, Placed, Wanted};
+use crate::labels::{self, MadeRoom, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
@@ -45,6 +45,17 @@ pub struct Words<'a> {
     pub legend: &'a [LegendEntry],
     /// Of a page that is drawn anew, the figure that it had.
     pub before: Option<&'a Figure>,
+    /// Boxes that labels keep clear of as of lines.
+    pub blocked: &'a [MmRect],
+}
+
+/// Words where they stand, and what they change of the page.
+pub(super) struct OnPage {
+    pub(super) braille: Vec<BrailleText>,
+    /// What the maker should know of them.
+    pub(super) notes: Vec<Note>,
+    /// Of each line of the figure, which one it is a part of: gridlines are interrupted at labels.
+    pub(super) lines: Vec<usize>,
 }
 
 impl Words<'_> {
@@ -157,12 +168,11 @@ impl<'a> WrittenWords<'a> {
         texts: &[Text],
         words: &Words<'_>,
         plan: &Plan,
-    ) -> (Vec<BrailleText>, Vec<Note>) {
-        let mut notes = self.notes.clone();
+    ) -> OnPage {
         let (heading, of_heading) = self.heading(0, layout, plan);
-        let (labels, of_labels) = self.labels(layout, &[], figure, texts, words, plan);
-        notes.extend(of_heading.into_iter().chain(of_labels));
-        (heading.into_iter().chain(labels).collect(), notes)
+        let labels = self.labels(layout, &[], figure, texts, words, plan);
+        let notes = self.notes.iter().cloned().chain(of_heading).chain(labels.notes).collect();
+        OnPage { braille: heading.into_iter().chain(labels.braille).collect(), notes, lines: labels.lines }
     }
 
     /// What could not be written at all.
@@ -197,7 +207,7 @@ impl<'a> WrittenWords<'a> {
         texts: &[Text],
         words: &Words<'_>,
         plan: &Plan,
-    ) -> (Vec<BrailleText>, Vec<Note>) {
+    ) -> OnPage {
         let mut notes = Vec::new();
         let cell = plan.profile().braille.cell;
         let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
@@ -207,10 +217,11 @@ impl<'a> WrittenWords<'a> {
         let Some(translator) = &self.translator else {
             let why = if plan.profile().braille.on { NO_CODE } else { OFF };
             notes.extend(left_out(wanted.into_iter().map(|label| label.text).collect(), why));
-            return (Vec::new(), notes);
+            let lines = (0..figure.lines.len()).collect();
+            return OnPage { braille: Vec::new(), notes, lines };
         };
         let cells = CellGrid::of(&layout.medium, cell);
-        let params = params(layout, tiles, plan);
+        let params = Params { blocked: words.blocked.to_vec(), ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
@@ -219,13 +230,13 @@ impl<'a> WrittenWords<'a> {
         notes.extend(of_axes(&wanted, &results));
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
-        let on_textures = labels::make_room(figure, &placed, &params);
+        let MadeRoom { lines, without_texture: on_textures } = labels::make_room(figure, &placed, &params);
         notes.extend(without_texture(&on_textures.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>()));
         notes.extend(told(&wanted, &results));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });
-        (labels.collect(), notes)
+        OnPage { braille: labels.collect(), notes, lines }
     }
 
     /// What stands above the overview where that has a sheet of its own: the same title, and its own number.
@@ -385,8 +396,19 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
     };
-    let (tiles, line_gap) = (tiles.to_vec(), plan.lines().min_gap);
-    Params { area, tiles, clearance: CLEARANCE, line_gap, texture_clearance, may_cross, step, leader_off }
+    let (tiles, lines) = (tiles.to_vec(), plan.lines());
+    Params {
+        area,
+        tiles,
+        blocked: Vec::new(),
+        clearance: CLEARANCE,
+        line_gap: lines.min_gap,
+        least_strength: lines.least_strength,
+        texture_clearance,
+        may_cross,
+        step,
+        leader_off,
+    }
 }
 
 /// A leader line: as thin as lines can be.

@@ -165,6 +165,7 @@ impl Plan {
             tolerance: lines.tolerance,
             detail: lines.detail,
             most_shapes: (lines.shapes > 0).then_some(lines.shapes),
+            part: lines::PagePart::Figure,
             whole_rings: false,
             of_drawing: false,
             widen_bars: false,
@@ -278,6 +279,7 @@ impl Plan {
         RuleLimits {
             margin: page.margin,
             line_length: lines.min_length,
+            least_strength: self.lines().least_strength,
             texture_area: colours.min_area,
             cell: braille.cell,
             medium,

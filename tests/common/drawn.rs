@@ -14,6 +14,7 @@ pub(crate) const LINES: lines::Params = lines::Params {
     tolerance: 0.05,
     detail: 0.5,
     most_shapes: None,
+    part: lines::PagePart::Figure,
     whole_rings: false,
     of_drawing: false,
     widen_bars: false,

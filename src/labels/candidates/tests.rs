@@ -9,24 +9,16 @@ use crate::page::{Line, Run};
 const POINT: MmPoint = MmPoint::new(100.0, 100.0);
 
 fn params() -> Params {
-    Params {
-        line_gap: 3.2,
-        area: MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)),
-        tiles: Vec::new(),
-        clearance: 3.0,
-        texture_clearance: 2.0,
-        may_cross: true,
-        step: 1.0,
-        leader_off: 0.0,
-    }
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0));
+    Params { texture_clearance: 2.0, step: 1.0, ..Params::of_test(area) }
 }
 
 /// A room with one line, closed or open; with none without points.
 fn room(points: &[(f32, f32)], closed: bool) -> Room {
     let points: Vec<MmPoint> = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
-    let line = Line { strength: 1.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
+    let line = Line { strength: 50.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
     let lines: Vec<Line> = std::iter::once(line).filter(|line| !line.runs[0].points.is_empty()).collect();
-    Room::new(params().area, &lines, &[], 3.0)
+    Room::new(&lines, &[], &params())
 }
 
 fn named(anchor: MmRect) -> Wanted {

@@ -3,10 +3,14 @@
 use super::*;
 use crate::page::Run;
 
+fn params() -> Params {
+    Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)))
+}
+
 fn room(points: &[(f32, f32)], closed: bool) -> Room {
     let points: Vec<MmPoint> = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
-    let line = Line { strength: 1.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
-    Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), &[line], &[], 3.0)
+    let line = Line { strength: 50.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
+    Room::new(&[line], &[], &params())
 }
 
 #[test]
@@ -55,7 +59,7 @@ fn a_text_on_a_grid_belongs_to_the_curve_beside_it() {
     };
     let text = MmRect::new(MmPoint::new(40.0, 38.0), MmPoint::new(60.0, 42.0));
     let beside = |lines: &[Line]| {
-        let room = Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), lines, &[], 3.0);
+        let room = Room::new(lines, &[], &params());
         room.line_beside(text, 6.0, 12.0).map(|at| (at.y / 5.0).round() * 5.0)
     };
     let (grid, curve) = (line(45.0, 3.0), line(50.0, 100.0));

@@ -1,6 +1,7 @@
 //! Tests of `ticks`.
 
 use super::*;
+use crate::labels::Params;
 use crate::page::{Line, Run};
 use crate::units::MmRect;
 
@@ -18,7 +19,8 @@ fn counts_of(ticks: &[usize], (from, to): (f32, f32)) -> Vec<i64> {
     let at = |i: usize| 10.0 + 10.0 * i as f32;
     let of_ticks = ticks.iter().map(|&i| line((at(i), from), (at(i), to)));
     let lines: Vec<Line> = std::iter::once(line((5.0, 20.0), (118.0, 20.0))).chain(of_ticks).collect();
-    let room = Room::new(MmRect::new(MmPoint::new(0.0, -30.0), MmPoint::new(130.0, 60.0)), &lines, &[], 3.0);
+    let room =
+        Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::new(0.0, -30.0), MmPoint::new(130.0, 60.0))));
     let wanted: Vec<Wanted> = (0..=10)
         .map(|i| Wanted {
             text: i.to_string(),
@@ -56,7 +58,7 @@ fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
     let longest = |tick: f32| {
         let ticks = (0..4).map(|i| line((40.0 - tick, at(i)), (40.0, at(i))));
         let lines: Vec<Line> = std::iter::once(line((40.0, 5.0), (40.0, 80.0))).chain(ticks).collect();
-        let room = Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0)), &lines, &[], 3.0);
+        let room = Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0))));
         let number = |i: usize| Wanted {
             text: format!("{i} \u{20ac}"),
             anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),

@@ -124,7 +124,7 @@ impl Places<'_> {
         let on_shaft = LENGTHS.iter().find_map(|length| shafts.iter().find_map(|shaft| head(shaft, *length)));
         on_shaft.or_else(|| {
             // an overview has no room for more
-            let most = if self.params.whole_rings { 0 } else { (FARTHER / STEP) as u32 };
+            let most = if self.params.in_overview_of_drawing() { 0 } else { (FARTHER / STEP) as u32 };
             let longer = (1..=most).map(|step| step as f32 * STEP).map(|by| (-by, longer(line, at_start, by)));
             let free: Vec<(f32, Polyline<Vertex>)> =
                 longer.take_while(|(_, shaft)| self.is_clear(shaft, at_start)).collect();

@@ -78,13 +78,10 @@ pub(super) fn clear(
     let mut own = Nearby::new(area, params.max_spacing());
     let mut cleared: Vec<Cleared> = Vec::new();
     while let Some((polyline, rank, round)) = queue.pop() {
-        let whole_ring = polyline.closed && params.whole_rings;
-        let decision = match judge(polyline, round, &drawn, &mut own) {
-            // where rings are whole or not at all, a part of one is nothing
-            Decision::Open(_) | Decision::Split(_) if whole_ring => Decision::Split(Vec::new()),
-            decision => decision,
-        };
-        match decision {
+        let is_whole_or_none = polyline.closed && params.whole_rings;
+        match judge(polyline, round, &drawn, &mut own) {
+            // a part of such a ring is nothing: it is left out
+            Decision::Open(_) | Decision::Split(_) if is_whole_or_none => {}
             Decision::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
             Decision::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));

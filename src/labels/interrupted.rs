@@ -1,12 +1,12 @@
-//! Lines of a grid, as behind the bars of a chart or under a curve: faint straight ones. Labels may stand on them, and
+//! Gridlines, as behind the bars of a chart or under a curve: faint straight ones. Labels may stand on them, and
 //! they are interrupted there, as in print.
 
 use super::placed::{Params, Placed};
 use crate::geom::polygon::distance_to_box;
-use crate::page::{Line, Pen, Run, of_grid, which_are_faint};
+use crate::page::{Line, Pen, Run, which_are_gridlines, which_are_weak};
 use crate::units::{MmPoint, MmRect};
 
-/// Least straightness of a line of a grid, chord to length: one of 100 mm bends by half a mm.
+/// Least straightness of a gridline, chord to length: one of 100 mm bends by half a mm.
 const STRAIGHTNESS: f32 = 0.9999;
 /// What is left of such a line between labels, or beside one, and is shorter than this, mm, goes too: it would be felt
 /// as a tick. The least length of lines on grids of 2.5 mm.
@@ -17,28 +17,34 @@ const STEP: f32 = 0.25;
 const MEETS: f32 = 0.5;
 
 /// Which lines of a figure give way to labels.
-pub(super) fn giving_way(lines: &[Line]) -> Vec<bool> {
-    let ends = |(line, is_faint): (&Line, bool)| match &line.runs[..] {
-        [run] if is_faint && run.points.len() > 1 && run.polyline().chord() >= STRAIGHTNESS * run.length() => {
+pub(super) fn giving_way(lines: &[Line], least_strength: f32) -> Vec<bool> {
+    let ends = |(line, is_weak): (&Line, bool)| match &line.runs[..] {
+        [run] if is_weak && run.points.len() > 1 && run.polyline().chord() >= STRAIGHTNESS * run.length() => {
             Some([run.points[0], run.points[run.points.len() - 1]])
         }
         _ => None,
     };
-    of_grid(&lines.iter().zip(which_are_faint(lines)).map(ends).collect::<Vec<_>>())
+    which_are_gridlines(&lines.iter().zip(which_are_weak(lines, least_strength)).map(ends).collect::<Vec<_>>())
 }
 
-/// Interrupts the lines of a grid at the labels that stand on them.
-pub(super) fn interrupt(lines: &mut Vec<Line>, placed: &[&Placed], params: &Params) {
+/// Interrupts the gridlines at the labels that stand on them. Gives for each line that is left which one it was.
+pub(super) fn interrupt(lines: &mut Vec<Line>, placed: &[&Placed], params: &Params) -> Vec<usize> {
     let blank: Vec<MmRect> =
         placed.iter().map(|label| label.place.inflate(params.clearance, params.clearance)).collect();
-    let giving_way = giving_way(lines);
+    let giving_way = giving_way(lines, params.least_strength);
     let mut ends = Vec::new();
-    let parts = |(line, gives_way)| if gives_way { outside(line, &blank, &mut ends, params) } else { vec![line] };
-    *lines = std::mem::take(lines).into_iter().zip(giving_way).flat_map(parts).collect();
+    let parts = |(number, (line, gives_way))| {
+        let parts = if gives_way { outside(line, &blank, &mut ends, params) } else { vec![line] };
+        parts.into_iter().map(move |part| (number, part))
+    };
+    let all = std::mem::take(lines).into_iter().zip(giving_way).enumerate().flat_map(parts);
+    let numbers;
+    (numbers, *lines) = all.unzip();
+    numbers
 }
 
 /// The parts of a straight line whose ink lies outside of some boxes. Where they end beside one of the `ends` of others
-/// they are shorter: lines of a grid that cross under the corner of a label.
+/// they are shorter: gridlines that cross under the corner of a label.
 fn outside(line: Line, blank: &[MmRect], ends: &mut Vec<MmPoint>, params: &Params) -> Vec<Line> {
     let run = &line.runs[0];
     let is_outside = |at: &MmPoint| blank.iter().all(|place| distance_to_box(*at, *place) >= 0.5 * run.width);
@@ -109,7 +115,7 @@ mod tests {
             line(7.0, &[(0.0, 35.0), (100.0, 35.0)]),
         ];
         // an axis, a gridline, a faint curve, a line, two more gridlines
-        assert_eq!(giving_way(&lines), [false, true, false, false, true, true]);
+        assert_eq!(giving_way(&lines, 7.0), [false, true, false, false, true, true]);
         let place = MmRect::new(MmPoint::new(40.0, 46.0), MmPoint::new(50.0, 52.0));
         let label = Placed {
             place,
@@ -121,18 +127,9 @@ mod tests {
             stands: PlacedAs::Alone,
             is_bare: false,
         };
-        let params = Params {
-            area: place,
-            tiles: Vec::new(),
-            clearance: 3.0,
-            texture_clearance: 3.0,
-            may_cross: true,
-            step: 0.5,
-            leader_off: 0.0,
-            line_gap: 3.2,
-        };
+        let params = Params::of_test(place);
         let mut left = lines.to_vec();
-        interrupt(&mut left, &[&label], &params);
+        assert_eq!(interrupt(&mut left, &[&label], &params), [0, 1, 1, 2, 3, 4, 5]);
         let ends: Vec<f32> = left[1..3].iter().flat_map(|line| line.runs[0].points.iter().map(|at| at.x)).collect();
         assert_eq!(left.len(), 7);
         assert!(ends.iter().zip([0.0, 36.5, 53.5, 100.0]).all(|(x, of)| (x - of).abs() <= STEP), "{ends:?}");

@@ -25,7 +25,7 @@ struct Piece {
 }
 
 /// Which of some lines are those of a grid; of each that may be one, the two ends.
-pub fn of_grid(ends: &[Option<[MmPoint; 2]>]) -> Vec<bool> {
+pub fn which_are_gridlines(ends: &[Option<[MmPoint; 2]>]) -> Vec<bool> {
     let mut found = vec![false; ends.len()];
     for is_level in [true, false] {
         let piece = |[a, b]: [MmPoint; 2]| {
@@ -74,11 +74,17 @@ mod tests {
     fn even_lines_that_end_together_are_a_grid_and_walls_are_none() {
         let level = |y: f32, from: f32, to: f32| Some([MmPoint::new(from, y), MmPoint::new(to, y)]);
         let grid = [level(10.0, 0.0, 30.0), level(10.0, 40.0, 90.0), level(20.3, 0.0, 90.0), level(40.0, 12.0, 90.0)];
-        assert_eq!(of_grid(&grid), [true; 4], "in pieces, and one of them is missing");
+        assert_eq!(which_are_gridlines(&grid), [true; 4], "in pieces, and one of them is missing");
         let upright = Some([MmPoint::new(5.0, 0.0), MmPoint::new(5.0, 50.0)]);
-        assert_eq!(of_grid(&[grid.as_slice(), &[upright, None]].concat())[4..], [false; 2]);
-        assert_eq!(of_grid(&[level(10.0, 0.0, 90.0), level(24.0, 0.0, 90.0), level(29.6, 0.0, 90.0)]), [false; 3]);
-        assert_eq!(of_grid(&[level(10.0, 0.0, 40.0), level(20.0, 50.0, 90.0), level(30.0, 20.0, 70.0)]), [false; 3]);
-        assert_eq!(of_grid(&grid[2..]), [false; 2]);
+        assert_eq!(which_are_gridlines(&[grid.as_slice(), &[upright, None]].concat())[4..], [false; 2]);
+        assert_eq!(
+            which_are_gridlines(&[level(10.0, 0.0, 90.0), level(24.0, 0.0, 90.0), level(29.6, 0.0, 90.0)]),
+            [false; 3]
+        );
+        assert_eq!(
+            which_are_gridlines(&[level(10.0, 0.0, 40.0), level(20.0, 50.0, 90.0), level(30.0, 20.0, 70.0)]),
+            [false; 3]
+        );
+        assert_eq!(which_are_gridlines(&grid[2..]), [false; 2]);
     }
 }
