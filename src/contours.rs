@@ -14,7 +14,7 @@ use crate::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Trace {
-    /// Size of the upright source picture, px.
+    /// Size of the picture, or of the part of it that was asked for with [`Options::crop`](crate::Options::crop), px.
     pub size: Size,
     /// The contours, in no promised order.
     pub polylines: Vec<Polyline>,
@@ -26,10 +26,13 @@ pub struct Trace {
 pub struct Polyline {
     /// Whether the last point goes on to the first. The first point is not repeated.
     pub closed: bool,
-    /// Its points, in pixels of the source picture.
+    /// Its points, in pixels of the picture as it is upright (after the turn that EXIF asks for), or of the part of it
+    /// that was asked for with [`Options::crop`](crate::Options::crop), from its upper left corner; the middle of the
+    /// first pixel is (0.5, 0.5). In CSS pixels (1/96 inch) of an SVG drawing and of a page of PDF.
     pub points: Vec<PxPoint>,
-    /// Height of the colour step at each point, in units of lightness with the chroma axes of CIELAB counted twice:
-    /// 0 and up. Black against white is 100; saturated colours beside one another have more.
+    /// Strength at each point: the height of the colour step, in units of lightness with the chroma axes of CIELAB
+    /// counted twice, less what speaks for texture around it; 0 and up. Black against white is 100, saturated colours
+    /// beside one another have more, and of a step in a photograph a third to a half may be left.
     pub strength: Vec<f32>,
     /// For a line of the page, its width in mm from each point to the next; the last point of an open line has that of
     /// the piece before it.

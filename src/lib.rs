@@ -81,7 +81,8 @@
 //! Pixels in memory are given as [`Picture::rgba8`]. All but [`Picture`], which borrows them, is owned, `Send`,
 //! `Sync` and `'static`, so that it can be held by classes of other languages. The crate prints nothing, reads no
 //! files (but fonts, where `Fonts::system` is asked for) and no clock, and gives the same bytes for the same input,
-//! however many threads there are.
+//! however many threads there are. These are those of the global pool of `rayon`: `RAYON_NUM_THREADS`, or a pool of
+//! the caller's in which the functions are called, says how many.
 //!
 //! # Features
 //!
@@ -143,10 +144,10 @@
 //!
 //! # Points and units
 //!
-//! Positions are points of [`euclid`], which is re-exported and part of this interface: `MmPoint` in millimetres on
-//! the sheet (x right, y down, from its top left corner), `PxPoint` in pixels of the source picture (the middle of the
-//! first is 0.5, 0.5). Each has `x` and `y` as `f32`; lengths that are plain numbers are millimetres unless their doc
-//! says otherwise.
+//! Positions are points of `euclid`, which is re-exported and part of this interface: `MmPoint` in millimetres on the
+//! sheet (x right, y down, from its top left corner), `PxPoint` in pixels of the picture, or of the part of it that is
+//! drawn (the middle of the first is 0.5, 0.5). Their tags, by which the two do not mix, are `Mm` and `Px`. Each has
+//! `x` and `y` as `f32`; lengths that are plain numbers are millimetres unless their doc says otherwise.
 
 mod api;
 mod braille;
@@ -206,7 +207,7 @@ pub use pipeline::trace::Traced;
 pub use pipeline::{Drawing, Text};
 // Points and sizes: those of euclid, which is part of the interface.
 pub use lyon::geom::euclid;
-pub use units::{MmPoint, MmRect, PxPoint, Size};
+pub use units::{Mm, MmPoint, MmRect, Px, PxPoint, Size};
 
 /// What a [`Page`] consists of: its figure and overview, and the lines, signs and braille in them, in millimetres. For
 /// whoever draws or changes a page by a program.

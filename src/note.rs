@@ -194,8 +194,8 @@ pub enum Note {
     NoKey(&'static str),
     /// The texts of the picture were to be labels, and it has none.
     #[error(
-        "there are no texts for labels: none was found in this picture, or its letters are pixels that nobody has \
-         read; write a list of labels"
+        "there are no texts for labels: none was found in this picture, there is no font for them, or its letters \
+         are pixels that nobody has read; write a list of labels"
     )]
     NoTexts,
     /// Labels that are not on the page.

@@ -74,7 +74,7 @@ use draw::{DrawnMarks, draw, find};
 use finish::{finished, origin, too_black};
 use progress::run;
 use request::OverviewSize;
-use words::WrittenWords;
+use words::{OnPage, WrittenWords};
 
 /// A page and what its maker should know.
 #[derive(Debug, Clone)]
@@ -96,7 +96,12 @@ pub struct Drawing {
 
 impl Drawing {
     /// All sheets in the order in which they are numbered: the page, the overview if it has a sheet of its own, the
-    /// key. As [`write_pdf`](crate::write_pdf) and [`write_dots`](crate::write_dots) take them.
+    /// key.
+    pub fn all(&self) -> impl Iterator<Item = &Page> {
+        std::iter::once(&self.page).chain(&self.overview).chain(&self.key)
+    }
+
+    /// The same sheets as [`write_pdf`](crate::write_pdf) and [`write_dots`](crate::write_dots) take them.
     #[must_use]
     pub fn into_pages(self) -> Vec<Page> {
         std::iter::once(self.page).chain(self.overview).chain(self.key).collect()
@@ -174,7 +179,7 @@ fn compose(
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
     let (page, overview, key) = run(watch, Stage::Page, || {
-        let (braille, of_words) = written.on(&layout, &mut figure, &texts, words, plan);
+        let OnPage { braille, notes: of_words, .. } = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
         let before = 1 + u32::from(alone);

@@ -7,7 +7,8 @@ use usvg::fontdb::{Database, Family, Query};
 /// Fonts for the text of SVG drawings, and for words in print of a page that is written as PNG; nothing else needs any.
 /// They are read when they are first needed, and once: clones share them.
 ///
-/// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells.
+/// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells; it is no label
+/// either.
 #[derive(Clone, Default)]
 pub struct Fonts(Option<Arc<SharedFonts>>);
 

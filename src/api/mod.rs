@@ -58,8 +58,8 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
 
 /// Makes the pages of a picture that is spread over several sheets, laid side by side: the overview on a sheet of its
 /// own if the profile has one, then the picture row by row. It is drawn once and cut, so what two sheets both show is
-/// the same on both. Without `grid` there are as few sheets as have room for [`Options::width_mm`]. The title stands on
-/// every sheet, and a label on those that show all of it.
+/// the same on both. Without `grid` there are as few sheets as have room for [`Options::width_mm`], and two where no
+/// width is asked for. The title stands on every sheet, and a label on those that show all of it.
 ///
 /// # Errors
 /// As [`convert`]; and if the sheets have no room for the picture.

@@ -88,7 +88,7 @@ impl Options {
     }
 
     /// The picture's own name, such as that of its file: it is written into the page with how the page was made.
-    /// Default: "picture".
+    /// Default: the title, or "picture" where there is none.
     pub fn picture_name(mut self, name: impl Into<String>) -> Self {
         self.picture_name = Some(name.into());
         self
@@ -118,7 +118,8 @@ impl Options {
     }
 
     /// Makes the texts of an SVG drawing or a page of PDF labels in braille, where they stand, and those of a bitmap
-    /// that a [text reader](Options::text_reader) has read. Default: false, they are left out.
+    /// that a [text reader](Options::text_reader) has read. Those of SVG drawings need a font, as without one
+    /// nobody knows where they stand: see [`Fonts`](crate::Fonts). Default: false, they are left out.
     pub fn label_texts(mut self, label: bool) -> Self {
         self.label_texts = label;
         self
@@ -176,7 +177,8 @@ impl Options {
     }
 
     /// Width of the figure on the sheet, mm, above 0; the height follows. More than there is room for is refused with
-    /// [`Error::TooWide`](crate::Error::TooWide), what is no length with [`Error::NoWidth`](crate::Error::NoWidth).
+    /// [`Error::TooWide`](crate::Error::TooWide), less than the profile's `figure.min_side` on the shorter side with
+    /// [`Error::TooSmall`](crate::Error::TooSmall), what is no length with [`Error::NoWidth`](crate::Error::NoWidth).
     /// Default: as wide as the sheet has room for.
     pub fn width_mm(mut self, width: f32) -> Self {
         self.fit.width = Some(width);

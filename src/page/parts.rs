@@ -219,7 +219,8 @@ impl TextRole {
 
 impl Page {
     /// The same page with its maker's title and description, and the language of these (BCP 47, such as `en`). What is
-    /// not given stays; a description that stays keeps its own language.
+    /// not given stays; a description that stays keeps its own language. Words in braille stay as they are: a title in
+    /// braille is given to the options of the conversion.
     #[must_use]
     pub fn called(mut self, title: Option<&str>, description: Option<&str>, language: Option<&str>) -> Self {
         let put = |place: &mut String, words: Option<&str>| {

@@ -48,6 +48,8 @@ impl SheetGrid {
 impl FromStr for SheetGrid {
     type Err = Error;
 
+    /// How many sheets lie side by side and how many one above the other, such as `2x3`.
+    ///
     /// # Errors
     /// [`Error::NotASheetGrid`] for a text that says no number of sheets.
     fn from_str(text: &str) -> Result<Self, Error> {

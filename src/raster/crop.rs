@@ -141,6 +141,9 @@ const MM_SLACK: f32 = 0.25;
 impl FromStr for Crop {
     type Err = Error;
 
+    /// Four numbers with commas between them: left, top, width and height, in pixels (`20,30,400,300`), percent
+    /// (`10%,0%,50%,100%`) or millimetres of the figure (`12mm,0mm,60mm,40mm`); blanks around them do not matter.
+    ///
     /// # Errors
     /// [`Error::NotACrop`] for a text that says no part of a picture, or one that is empty.
     fn from_str(text: &str) -> Result<Self, Error> {
