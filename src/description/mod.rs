@@ -148,6 +148,19 @@ fn size(place: MmRect) -> [Value<'static>; 2] {
 /// A smaller share of a figure without texture is not told: it may be the rounding of numbers in a file.
 const LEAST_BLANK: f32 = 1e-3;
 
+/// Shares of the figure that differ by less are one.
+const SAME_SHARE: f32 = 1e-4;
+
+/// What lies so near to a border between two parts of a figure lies on it, mm: coordinates are written in steps of half
+/// of that.
+const ON_BORDER: f32 = 0.02;
+
+/// The part of a figure in which a place is: of one on a border the right or lower one, before it is written and after
+/// it is read.
+fn part_of(at: MmPoint, figure: MmRect) -> usize {
+    ninth(at + MmVector::new(ON_BORDER, ON_BORDER), figure)
+}
+
 /// The colours, the one with the largest area first, and how much has none.
 fn areas(page: &Page, wording: &Wording) -> Vec<String> {
     let place = page.figure.place;
@@ -160,12 +173,14 @@ fn areas(page: &Page, wording: &Wording) -> Vec<String> {
             ("colour", wording.colour(class.name()).into()),
             ("share", wording.percent(share).into()),
             ("areas", own.len().into()),
-            ("place", wording.place(ninth(middle, place)).into()),
+            ("place", wording.place(part_of(middle, place)).into()),
         ];
         Some((share, wording.say("area", &values)))
     };
     let mut all: Vec<(f32, String)> = Class::ALL.into_iter().filter_map(of_class).collect();
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // those of one size stay in the order of the colours, whatever their numbers in a file are rounded to
+    let size = |share: f32| (share / SAME_SHARE).round() as u32;
+    all.sort_by_key(|(share, _)| std::cmp::Reverse(size(*share)));
     let blank = 1.0 - page.figure.textured_share();
     let blank = (!all.is_empty() && blank >= LEAST_BLANK).then(|| wording.percent(blank));
     let blank = blank.map(|share| wording.say("blank", &[("share", share.into())]));
@@ -187,7 +202,7 @@ fn texts(page: &Page, wording: &Wording) -> Vec<String> {
     let title = of_role(TextRole::Title).map(|text| plain("braille-title", &text.text));
     let label = of_role(TextRole::Label).filter_map(|text| {
         let at = middle(text.dots.at.iter().copied())?;
-        let values = [("place", wording.place(ninth(at, place)).into()), ("text", text.spoken().into())];
+        let values = [("place", wording.place(part_of(at, place)).into()), ("text", text.spoken().into())];
         Some(wording.say("braille-label", &values))
     });
     let key = of_role(TextRole::Key).map(|text| plain("braille-key", &text.text));

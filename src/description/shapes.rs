@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_4;
 
-use crate::geom::ninths::ninth;
+use super::part_of;
 use crate::geom::{nearest_on_segment, polygon};
 use crate::lines::{Arrow, arrows};
 use crate::page::Line;
@@ -114,7 +114,7 @@ impl LineShape {
     /// The sentence on it. `holds` is how many other closed shapes lie inside.
     fn told(&self, holds: usize, figure: MmRect, wording: &Wording) -> String {
         let (width, height) = (self.extent.width(), self.extent.height());
-        let place = ("place", wording.place(ninth(self.extent.center(), figure)).into());
+        let place = ("place", wording.place(part_of(self.extent.center(), figure)).into());
         let mm = |name: &'static str, length: f32| (name, Value::from(length.round()));
         if self.closed {
             let holds = ("holds", holds.into());
