@@ -317,6 +317,12 @@ fn a_large_shape_that_the_overview_lacks_is_told() {
         format!("{before}id=\"overview\"{}", overview.replace("<path ", "<path display=\"none\" "))
     });
     assert!(has(&bare, "overview-lacks", "which is closed, 31 mm wide and 31 mm high"), "the sun: {bare}");
+    // one that other lines of the overview only cross is not in it
+    let crossed = changed("coffee.png", |svg| with_lines(svg, "<circle id=\"big\" cx=\"50\" cy=\"60\" r=\"20\"/>"));
+    assert!(
+        has(&crossed, "overview-lacks", "nothing like line \"big\" of the figure, which is closed, 40 mm"),
+        "{crossed}"
+    );
 }
 
 /// Copies of a line on itself are one finding, however many there are: each pair of them would be one otherwise.
