@@ -216,6 +216,11 @@ fn lines_that_are_added_win() {
     let length: f32 = mine.map(Line::length).sum();
     assert!((length / box_of.width() - 0.9).abs() < 0.01, "all of it is drawn, not {length} mm");
     assert!(page.figure.lines.len() > 5, "the others are there as well");
+    // a drawing needs no layer of that name
+    let plain = own.replace("<g id='Lines'>", "<g>");
+    place.put("plain.svg", plain.as_bytes());
+    let told = done(&place, &["convert", "cup.png", "--add-lines", "plain.svg", "--no-overview", "-o", "same.svg"]);
+    assert!(read(&place, "same.svg").figure.lines == page.figure.lines, "{told}");
 }
 
 #[test]
