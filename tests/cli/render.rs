@@ -418,6 +418,17 @@ fn a_page_that_is_corrected_by_hand_is_written_for_printer_and_embosser() {
 }
 
 #[test]
+fn what_is_left_of_an_area_beside_what_is_erased_is_large_enough_or_blank() {
+    let place = with_page("swell-a4");
+    let told = done(&place, &["convert", "cup.png", "--keep", "40mm,0mm,90mm,80mm", "--no-overview", "-o", "less.svg"]);
+    assert!(told.contains("the texture of what is left of 1 area (at "), "{told}");
+    let checked = place.run(&["check", "less.svg"]);
+    assert!(checked.code == 0 && checked.out.contains("Verdict: 0 errors"), "{}", checked.out);
+    let told = done(&place, &["convert", "cup.png", "--keep", "0,0,100%,99%", "--no-overview", "-o", "most.svg"]);
+    assert!(!told.contains("what is left of"), "{told}");
+}
+
+#[test]
 fn what_is_not_kept_is_blank_and_mm_are_those_of_the_figure() {
     let place = with_page("swell-a4");
     let run = |name: &str, options: &[&str]| {
