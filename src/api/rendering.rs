@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::options::Cancelled;
 use crate::braille::Translate;
 use crate::page::{BrailleText, Page};
-use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, Request};
+use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading;
@@ -36,8 +36,8 @@ impl RenderOptions {
         self
     }
 
-    /// When there is a key. Default: where words are abbreviated that were not before, or that another profile asks
-    /// for.
+    /// When there is a key. Default: where words are abbreviated that were not before, where the key that was made with
+    /// the page no longer fits it, and as [`convert`](crate::convert) makes one where another profile is asked for.
     pub fn key(mut self, key: KeySheets) -> Self {
         self.key = key;
         self
@@ -123,11 +123,11 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     };
     let Some(profile) = &options.profile else {
         notes.extend(more.into_iter().chain(of_places));
-        // the abbreviations that were there before have their key already
-        let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
-        let (key, of_key) = pipeline::key_of_page(&page, key, translate, &request(&own, page.is_mirrored()))?;
-        notes.extend(of_key);
-        let key = in_language(key, &page);
+        let wanted = KeyWanted { key, abbreviates, is_changed: read.is_changed };
+        let key = pipeline::key_of_page(&page, wanted, translate, &request(&own, page.is_mirrored()))?;
+        notes.extend(key.notes);
+        let page = if key.sheets.is_empty() { page } else { page.clone().with_key(&key.told) };
+        let key = in_language(key.sheets, &page);
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
     };
     let plan = Plan::new(profile)?;
