@@ -141,6 +141,7 @@ fn descriptions_of_pages_with_keys_come_back() {
                 let read = reading(&page.to_svg()).page;
                 let again = tactograph::render(page.to_svg(), &tactograph::RenderOptions::new()).expect("a page").page;
                 assert_eq!(again.description, page.description, "{what}");
+                assert!(again.to_svg() == page.to_svg(), "{what}: other bytes when it is written again");
                 same_page(&page, &read, &what);
             }
         }
