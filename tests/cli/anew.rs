@@ -115,6 +115,11 @@ fn leader_lines_of_a_drawing_are_whole_on_another_device_or_not_there() {
     assert!((0.4..0.6).contains(&share.x) && (0.55..0.85).contains(&share.y), "{share:?}");
     let checked = place.run(&["check", "dots-1.svg"]);
     assert!(checked.code == 0 && !checked.out.contains("label-line"), "{}", checked.out);
+    // so they are where the lines of the page are drawn of the picture
+    let args = ["convert", "cell.svg", "--lines", "page.svg", "--labels", "texts", "--profile", "index-basic-d"];
+    let told = done(&place, &[&args[..], &["--no-overview", "--key", "never", "-o", "lines.svg"]].concat());
+    assert!(told.contains("the leader lines of \"mitochondrion\", "), "{told}");
+    assert_eq!(read(&place, "lines.svg").figure.lines.len(), 6, "{told}");
     // on paper with the same gaps they are as they were
     let told = done(&place, &["render", "page.svg", "--profile", "swell-a3", "-o", "large.svg"]);
     assert!(!told.contains("the leader line"), "{told}");
