@@ -206,10 +206,10 @@ impl Options {
     }
 
     /// Takes the lines of the figure from a page, an SVG that [`Page::to_svg`] wrote and somebody may have changed, or
-    /// from any SVG, of one with a layer (a group) that is called "lines" those in it; or from a picture of lines, black
-    /// on white and of the shape of the part that is drawn, along the middle of its strokes. Colours, textures, overview and frame are
-    /// made around them. All of them are drawn that have room: `lines.detail` counts as 1 and `lines.shapes` as 0. The
-    /// page has to show the same part of the picture.
+    /// from any SVG, of one with a layer (a group) that is called "lines" those in it; or from a picture of lines,
+    /// black on white and of the shape of the part that is drawn, along the middle of its strokes. Colours, textures,
+    /// overview and frame are made around them. All of them are drawn that have room: `lines.detail` counts as 1 and
+    /// `lines.shapes` as 0. The page has to show the same part of the picture.
     ///
     /// # Errors
     /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
@@ -222,8 +222,8 @@ impl Options {
         Ok(self)
     }
 
-    /// Adds the lines of a page, or of any SVG as [`Options::lines`] takes them, to those that are found. What is found too near to
-    /// them gives way.
+    /// Adds the lines of a page, or of any SVG as [`Options::lines`] takes them, to those that are found. What is found
+    /// too near to them gives way.
     ///
     /// # Errors
     /// As [`Options::lines`].

@@ -9,11 +9,11 @@ use std::fmt;
 
 use serde_json::json;
 
-use crate::geom::ninths::ninth;
 use crate::legibility::Verdict;
 use crate::page::{Class, InSet, LeftOut, Line, Page, TextRole};
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::wording::{Value, Wording};
+use shapes::part_of;
 
 /// Most lines that are told one by one; a listener keeps no more.
 const MOST_LINES: usize = 8;
@@ -150,16 +150,6 @@ const LEAST_BLANK: f32 = 1e-3;
 
 /// Shares of the figure that differ by less are one.
 const SAME_SHARE: f32 = 1e-4;
-
-/// What lies so near to a border between two parts of a figure lies on it, mm: coordinates are written in steps of half
-/// of that.
-const ON_BORDER: f32 = 0.02;
-
-/// The part of a figure in which a place is: of one on a border the right or lower one, before it is written and after
-/// it is read.
-fn part_of(at: MmPoint, figure: MmRect) -> usize {
-    ninth(at + MmVector::new(ON_BORDER, ON_BORDER), figure)
-}
 
 /// The colours, the one with the largest area first, and how much has none.
 fn areas(page: &Page, wording: &Wording) -> Vec<String> {

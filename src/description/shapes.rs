@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_4;
 
-use super::part_of;
+use crate::geom::ninths::ninth;
 use crate::geom::{nearest_on_segment, polygon};
 use crate::lines::{Arrow, arrows};
 use crate::page::Line;
@@ -34,6 +34,16 @@ const SLACK: f32 = 1.0;
 const LEAST_BOX: f32 = 4.0;
 /// How much its length may differ from that of three sides, as a share.
 const AS_LONG: f32 = 0.12;
+
+/// What lies so near to a border between two parts of a figure lies on it, mm: coordinates are written in steps of half
+/// of that.
+const ON_BORDER: f32 = 0.02;
+
+/// The part of a figure in which a place is: of one on a border the right or lower one, before it is written and after
+/// it is read.
+pub(super) fn part_of(at: MmPoint, figure: MmRect) -> usize {
+    ninth(at + MmVector::new(ON_BORDER, ON_BORDER), figure)
+}
 
 struct LineShape {
     path: Vec<MmPoint>,

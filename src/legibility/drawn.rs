@@ -1,4 +1,5 @@
-//! What a page's SVG shows that a page of black marks has not: colours, pictures, letters, what reaches beyond the sheet.
+//! What a page's SVG shows that a page of black marks has not: colours, pictures, letters, and what reaches beyond the
+//! sheet.
 
 use std::collections::BTreeMap;
 

@@ -12,7 +12,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines are looked at this often, mm of the overview.
 const STEP: f32 = 0.5;
-/// A line has the direction of another but for 40 degrees: the cosine. What crosses it or ends at it is nothing like it.
+/// A line has the direction of another but for 40 degrees: the cosine. What crosses it or ends at it is nothing like
+/// it.
 const ALONG: f32 = 0.77;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;

@@ -3,9 +3,9 @@
 use super::key::{self, Entries, Key, KeySheets};
 use super::legend;
 use super::redraw;
+use super::request::Request;
 use super::unwritten::named;
 use super::words::{Words, WrittenWords};
-use super::{Drawing, Request};
 use crate::braille::Translate;
 use crate::listing::first_few;
 use crate::page::layout::Layout;
@@ -158,7 +158,8 @@ fn class_beside(text: &BrailleText, page: &Page) -> Option<Class> {
     patches.find(|texture| is_beside(patch(&texture.glyphs))).map(|texture| texture.class)
 }
 
-/// A sheet of a key anew for another paper or device; none of another page, or if there is nothing to tell.
+/// A sheet of a key anew for another paper or device, where it may take several, with what is told of it; none of
+/// another page, or if there is nothing to tell.
 ///
 /// # Errors
 /// If a mark is off its sheet.
@@ -167,15 +168,17 @@ pub(super) fn redrawn(
     written: &WrittenWords<'_>,
     layout: &Layout,
     request: &Request<'_>,
-) -> Result<Option<Drawing>, Error> {
+) -> Result<Option<(Vec<Page>, Vec<Note>)>, Error> {
     let Some((entries, others)) = entries(page, written) else { return Ok(None) };
     let Key { sheets, notes, .. } = key::of_entries(&entries, layout, page.figure.source, request)?;
-    let mut sheets = sheets.into_iter().map(|sheet| sheet.called(Some(request.title), None, None));
-    let Some(first) = sheets.next() else { return Ok(None) };
+    let sheets: Vec<Page> = sheets.into_iter().map(|sheet| sheet.called(Some(request.title), None, None)).collect();
+    if sheets.is_empty() {
+        return Ok(None);
+    }
     let others = (!others.is_empty()).then(|| {
         let told = format!("of the key {}, as it is neither a colour nor an abbreviation", named(&others));
         Note::NotOnPage(About::Braille, told)
     });
     let notes = written.notes().iter().cloned().chain(notes).chain(others).collect();
-    Ok(Some(Drawing { page: first, overview: None, key: sheets.collect(), texts: Vec::new(), notes }))
+    Ok(Some((sheets, notes)))
 }

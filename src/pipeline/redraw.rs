@@ -83,7 +83,6 @@ pub(super) fn marks(
     let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().unwrap_or(&edges);
     let overview = draw_overview(edges_of_overview, LinesOf::Person, OverviewSize::Own, &layout, plan, watch);
-    let left_out = left_out(&drawn.lost, overview.lost.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, &edges, &layout).map(of_page).into_iter().collect();
     notes.extend(hand_lines.told_outside().into_iter().chain(of_leaders));
     if plan.profile().figure.lines {
@@ -109,7 +108,7 @@ pub(super) fn marks(
         overview: overview.marks,
         layout,
         is_flat: false,
-        left_out,
+        left_out: left_out(&drawn.lost, overview.lost.rings),
         lost_signs: drawn.lost.signs,
         legend: Vec::new(),
         texts: Vec::new(),
