@@ -31,6 +31,7 @@ mod overview;
 mod print_words;
 mod progress;
 mod read;
+mod read_key;
 mod redraw;
 mod request;
 pub mod sheets;
@@ -52,10 +53,11 @@ pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::{Given, GivenLines};
 pub use hand_lines::HandLines;
 pub use kept_lines::LineName;
-pub use key::KeySheets;
+pub use key::{Key, KeySheets};
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
-pub use redraw::{dots_left_out, key_of_page};
+pub use read_key::{KeyWanted, key_of_page};
+pub use redraw::dots_left_out;
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;
@@ -154,12 +156,21 @@ pub fn redraw(
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
-    let labels = redraw::labels(page);
-    let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels) };
+    let (labels, legend) = (redraw::labels(page), legend::of_page(page));
+    // a sheet of a key stays one, and a page with a key that was asked for has one
+    let key = if key == KeySheets::Auto && read_key::has_own_key(page) { KeySheets::Always } else { key };
+    let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels, &legend) };
     let written = WrittenWords::new(&words, request.plan);
     let layout = written.layout(redraw::shape(page), OverviewSize::Own, request)?;
-    let marks = redraw::marks((page, lines), own, layout, request, watch)?;
-    compose(marks, &words, &written, request, watch)
+    if let Some((sheets, notes)) = read_key::redrawn(page, &written, &layout, request)? {
+        let mut sheets = sheets.into_iter();
+        if let Some(page) = sheets.next() {
+            return Ok(Drawing { page, overview: None, key: sheets.collect(), texts: Vec::new(), notes });
+        }
+    }
+    let mut moved = labels.clone();
+    let marks = redraw::marks((page, lines, &mut moved), own, layout, request, watch)?;
+    compose(marks, &Words { labels: &moved, ..words }, &written, request, watch)
 }
 
 /// The page of these marks, with its words.
@@ -172,7 +183,8 @@ fn compose(
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
     let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
-    let legend = if words.own_texts { legend } else { Vec::new() };
+    // of a page that is drawn anew, what it says itself
+    let legend = if words.own_texts { legend } else { words.legend.to_vec() };
     let words = &Words { legend: &legend, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
@@ -183,8 +195,8 @@ fn compose(
         notes.extend(of_words);
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
         let before = 1 + u32::from(alone);
-        let (key, of_key) = written.key_sheets(words, &braille, &figure, before, &layout, request)?;
-        notes.extend(of_key);
+        let key = written.key(words, &braille, &figure, before, &layout, request)?;
+        notes.extend(key.notes);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, left_out, braille, &layout, request)?, None)),
             Medium::Dots(medium) => {
@@ -192,7 +204,7 @@ fn compose(
                 dots::assemble(figure, overview, left_out, braille, (&layout, medium), request)
             }
         }?;
-        Ok::<_, Error>((page, overview, key))
+        Ok::<_, Error>((page.with_key(&key.told), overview, key.sheets))
     })?;
     notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
     if page.is_empty() {

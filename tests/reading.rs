@@ -198,6 +198,27 @@ fn a_mirrored_page_is_laid_out_anew_as_it_is_felt() {
     }
 }
 
+/// What lies on the border of two ninths of the figure, and colours of one share, are told alike before and after.
+#[test]
+fn descriptions_of_pages_with_keys_come_back() {
+    for sample in ["map.svg", "worksheet.pdf"] {
+        for profile in ["swell-a4", "swell-letter", "index-basic-d"] {
+            let options = Options::new(Profile::named(profile).expect("it is built in"));
+            let options = options.title("Test page").label_texts(true).key(tactograph::KeySheets::Always);
+            let drawing = tactograph::convert(&samples::read(sample), &options).expect("it can be converted");
+            assert!(!drawing.key.is_empty(), "{sample} for {profile}");
+            let (pages, what) = (drawing.into_pages(), format!("{sample} with its key for {profile}"));
+            for page in pages {
+                let read = reading(&page.to_svg()).page;
+                let again = tactograph::render(page.to_svg(), &tactograph::RenderOptions::new()).expect("a page").page;
+                assert_eq!(again.description, page.description, "{what}");
+                assert!(again.to_svg() == page.to_svg(), "{what}: other bytes when it is written again");
+                same_page(&page, &read, &what);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_label_may_be_called_as_a_layer_is() {
     let place = tactograph::Position::Percent;

@@ -208,10 +208,10 @@ impl Options {
     }
 
     /// Takes the lines of the figure from a page, an SVG that [`Page::to_svg`] wrote and somebody may have changed, or
-    /// from any SVG with a layer (a group) that is called "lines"; or from a picture of lines, black on white and of
-    /// the shape of the part that is drawn, along the middle of its strokes. Colours, textures, overview and frame are
-    /// made around them. All of them are drawn that have room: `lines.detail` counts as 1 and `lines.shapes` as 0. The
-    /// page has to show the same part of the picture.
+    /// from any SVG, of one with a layer (a group) that is called "lines" those in it; or from a picture of lines,
+    /// black on white and of the shape of the part that is drawn, along the middle of its strokes. Colours, textures,
+    /// overview and frame are made around them. All of them are drawn that have room: `lines.detail` counts as 1 and
+    /// `lines.shapes` as 0. The page has to show the same part of the picture.
     ///
     /// # Errors
     /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
@@ -224,8 +224,8 @@ impl Options {
         Ok(self)
     }
 
-    /// Adds the lines of a page, or of a layer "lines" of any SVG, to those that are found. What is found too near to
-    /// them gives way.
+    /// Adds the lines of a page, or of any SVG as [`Options::lines`] takes them, to those that are found. What is found
+    /// too near to them gives way.
     ///
     /// # Errors
     /// As [`Options::lines`].
@@ -328,7 +328,7 @@ impl Options {
 
     /// The lines of a page as its own profile means them.
     fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
-        let Reading { page, mut notes, texts, .. } = reading::read(svg)?;
+        let Reading { page, mut notes, texts, .. } = reading::read_any(svg)?;
         notes.extend(not_written(&texts));
         notes.extend(pipeline::dots_left_out(&page));
         let (own, refused) = Profile::of_page(&page.origin)?;

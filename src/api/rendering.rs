@@ -7,10 +7,10 @@ use super::options::Cancelled;
 use crate::braille::Translate;
 use crate::page::cells::CellGrid;
 use crate::page::{BrailleText, MediumParams, Page};
-use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, Request};
+use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
-use crate::reading;
+use crate::reading::{self, Reading};
 use crate::{About, Error, Note};
 
 /// How a page is rendered. A builder, owned and cheap to clone as [`Options`](crate::Options); what is not set has a
@@ -37,8 +37,8 @@ impl RenderOptions {
         self
     }
 
-    /// When there is a key. Default: where words are abbreviated that were not before, or that another profile asks
-    /// for.
+    /// When there is a key. Default: where words are abbreviated that were not before, where the key that was made with
+    /// the page no longer fits it, and as [`convert`](crate::convert) makes one where another profile is asked for.
     pub fn key(mut self, key: KeySheets) -> Self {
         self.key = key;
         self
@@ -115,8 +115,7 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     // what a person changed, and another device, want the page as it is felt
     let turned_over = was_mirrored && (read.is_changed || options.profile.is_some());
     if turned_over {
-        let (medium, cell) = (read.page.medium.clone(), own.profile().braille.cell);
-        read = read.turned_over(|cells| CellGrid::of(&medium, cell).extent(cells, 1).x);
+        read = as_felt(read, &own);
     }
     let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
     let cancelled = || options.is_cancelled();
@@ -131,12 +130,12 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     };
     let Some(profile) = &options.profile else {
         notes.extend(more.into_iter().chain(of_places));
-        // the abbreviations that were there before have their key already
-        let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
-        let (key, of_key) = pipeline::key_of_page(&page, key, translate, &request(&own, was_mirrored))?;
-        notes.extend(of_key);
-        let key = in_language(key, &page);
-        let page = if turned_over { page.clone().mirrored() } else { page.clone() };
+        let wanted = KeyWanted { key, abbreviates, is_changed: read.is_changed };
+        let key = pipeline::key_of_page(&page, wanted, translate, &request(&own, was_mirrored))?;
+        notes.extend(key.notes);
+        let page = if key.sheets.is_empty() { page } else { page.clone().with_key(&key.told) };
+        let page = if turned_over { page.mirrored() } else { page };
+        let key = in_language(key.sheets, &page);
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
     };
     let plan = Plan::new(profile)?;
@@ -161,6 +160,12 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     }
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })
+}
+
+/// A mirrored page as it is felt.
+fn as_felt(read: Reading, own: &Plan) -> Reading {
+    let (medium, cell) = (read.page.medium.clone(), own.profile().braille.cell);
+    read.turned_over(|cells| CellGrid::of(&medium, cell).extent(cells, 1).x)
 }
 
 /// What is told of a mirrored page that is rendered for a paper.

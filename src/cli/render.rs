@@ -86,13 +86,18 @@ fn read(
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))
 }
 
-/// What is told of a page on which a check finds errors: what a person draws too near to something stays there.
+/// What is told of a page on which a check finds errors: what a person draws too near to something stays there. Its
+/// lines and areas have other numbers than in the file that was read, so places are told and no names.
 fn errors_left(page: &Page) -> Option<String> {
     let checked = tactograph::check(page.to_svg(), None).ok()?;
     let (errors, first) = (checked.errors(), checked.findings.first()?);
     (errors > 0).then(|| {
-        let found = if errors == 1 { "1 error".to_owned() } else { format!("{errors} errors, such as this") };
-        format!("a check finds {found}: {}: {}; tactograph check tells where and what to do", first.place, first.what)
+        let found = if errors == 1 { "1 error".to_owned() } else { format!("{errors} errors, such as") };
+        let at = first
+            .at
+            .map_or_else(String::new, |at| format!(", {:.0} mm from the left and {:.0} mm from the top", at.x, at.y));
+        let (rule, place) = (first.rule.id, &first.place);
+        format!("a check finds {found} ({rule}): {place}{at}; tactograph check of the page tells all, and what to do")
     })
 }
 

@@ -9,11 +9,11 @@ use std::fmt;
 
 use serde_json::json;
 
-use crate::geom::ninths::ninth;
 use crate::legibility::Verdict;
 use crate::page::{Class, InSet, LeftOut, Line, Page, TextRole};
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::wording::{Value, Wording};
+use shapes::part_of;
 
 /// Most lines that are told one by one; a listener keeps no more.
 const MOST_LINES: usize = 8;
@@ -148,6 +148,9 @@ fn size(place: MmRect) -> [Value<'static>; 2] {
 /// A smaller share of a figure without texture is not told: it may be the rounding of numbers in a file.
 const LEAST_BLANK: f32 = 1e-3;
 
+/// Shares of the figure that differ by less are one.
+const SAME_SHARE: f32 = 1e-4;
+
 /// The colours, the one with the largest area first, and how much has none.
 fn areas(page: &Page, wording: &Wording) -> Vec<String> {
     let place = page.figure.place;
@@ -160,12 +163,14 @@ fn areas(page: &Page, wording: &Wording) -> Vec<String> {
             ("colour", wording.colour(class.name()).into()),
             ("share", wording.percent(share).into()),
             ("areas", own.len().into()),
-            ("place", wording.place(ninth(middle, place)).into()),
+            ("place", wording.place(part_of(middle, place)).into()),
         ];
         Some((share, wording.say("area", &values)))
     };
     let mut all: Vec<(f32, String)> = Class::ALL.into_iter().filter_map(of_class).collect();
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // those of one size stay in the order of the colours, whatever their numbers in a file are rounded to
+    let size = |share: f32| (share / SAME_SHARE).round() as u32;
+    all.sort_by_key(|(share, _)| std::cmp::Reverse(size(*share)));
     let blank = 1.0 - page.figure.textured_share();
     let blank = (!all.is_empty() && blank >= LEAST_BLANK).then(|| wording.percent(blank));
     let blank = blank.map(|share| wording.say("blank", &[("share", share.into())]));
@@ -187,7 +192,7 @@ fn texts(page: &Page, wording: &Wording) -> Vec<String> {
     let title = of_role(TextRole::Title).map(|text| plain("braille-title", &text.text));
     let label = of_role(TextRole::Label).filter_map(|text| {
         let at = middle(text.dots.at.iter().copied())?;
-        let values = [("place", wording.place(ninth(at, place)).into()), ("text", text.spoken().into())];
+        let values = [("place", wording.place(part_of(at, place)).into()), ("text", text.spoken().into())];
         Some(wording.say("braille-label", &values))
     });
     let key = of_role(TextRole::Key).map(|text| plain("braille-key", &text.text));

@@ -35,6 +35,16 @@ const LEAST_BOX: f32 = 4.0;
 /// How much its length may differ from that of three sides, as a share.
 const AS_LONG: f32 = 0.12;
 
+/// What lies so near to a border between two parts of a figure lies on it, mm: coordinates are written in steps of half
+/// of that.
+const ON_BORDER: f32 = 0.02;
+
+/// The part of a figure in which a place is: of one on a border the right or lower one, before it is written and after
+/// it is read.
+pub(super) fn part_of(at: MmPoint, figure: MmRect) -> usize {
+    ninth(at + MmVector::new(ON_BORDER, ON_BORDER), figure)
+}
+
 struct LineShape {
     path: Vec<MmPoint>,
     length: f32,
@@ -114,7 +124,7 @@ impl LineShape {
     /// The sentence on it. `holds` is how many other closed shapes lie inside.
     fn told(&self, holds: usize, figure: MmRect, wording: &Wording) -> String {
         let (width, height) = (self.extent.width(), self.extent.height());
-        let place = ("place", wording.place(ninth(self.extent.center(), figure)).into());
+        let place = ("place", wording.place(part_of(self.extent.center(), figure)).into());
         let mm = |name: &'static str, length: f32| (name, Value::from(length.round()));
         if self.closed {
             let holds = ("holds", holds.into());

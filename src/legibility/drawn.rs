@@ -1,4 +1,5 @@
-//! What a page's SVG shows that a page of black marks has not: colours, pictures, letters.
+//! What a page's SVG shows that a page of black marks has not: colours, pictures, letters, and what reaches beyond the
+//! sheet.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +9,7 @@ use usvg::{Group, Paint, Tree};
 use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
 use super::mark::LAYER;
-use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
+use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, MARGIN, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
@@ -25,13 +26,15 @@ pub(super) fn findings(
     typed: &[TypedText],
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
-    let mut seen = Seen::default();
+    let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(tree.size().width(), tree.size().height()) * MM_PER_CSS_PX);
+    let mut seen = Seen { sheet, ..Seen::default() };
     seen.add(tree.root(), 1.0);
     let mut found = Vec::new();
     // dots are pressed, whatever their colour is
     if matches!(limits.medium, MediumLimits::Print { .. }) {
         found.extend(of_colours(seen.colours));
     }
+    found.extend(seen.beyond);
     found.extend(pictures(document));
     found.extend(letters(document, typed));
     found
@@ -40,9 +43,20 @@ pub(super) fn findings(
 /// A colour and the box around all that has it.
 type Coloured = BTreeMap<(u8, u8, u8), (usize, MmRect)>;
 
-#[derive(Default)]
+/// What reaches no farther beyond the sheet than this lies on it, mm: frames of other programs lie on its edge.
+const ON_EDGE: f32 = 0.5;
+
 struct Seen {
     colours: Coloured,
+    sheet: MmRect,
+    /// What reaches beyond the sheet.
+    beyond: Vec<FoundBreach>,
+}
+
+impl Default for Seen {
+    fn default() -> Self {
+        Self { colours: Coloured::default(), sheet: MmRect::zero(), beyond: Vec::new() }
+    }
 }
 
 impl Seen {
@@ -57,9 +71,11 @@ impl Seen {
                 usvg::Node::Path(path) if path.is_visible() => {
                     let fill = path.fill().map(|fill| (fill.paint(), fill.opacity().get()));
                     let stroke = path.stroke().map(|stroke| (stroke.paint(), stroke.opacity().get()));
-                    for (paint, own) in fill.into_iter().chain(stroke) {
-                        self.add_paint(paint, own * opacity, in_mm(path.abs_stroke_bounding_box()));
-                    }
+                    let extent = in_mm(path.abs_stroke_bounding_box());
+                    let paints = fill.into_iter().chain(stroke).map(|(paint, own)| channels(paint, own * opacity));
+                    let inks: Vec<[u8; 3]> = paints.filter(|channels| !is_white(*channels)).collect();
+                    self.beyond.extend(beyond(extent, self.sheet, path.id()).filter(|_| !inks.is_empty()));
+                    inks.into_iter().for_each(|channels| self.add_ink(channels, extent));
                 }
                 // letters and pictures are told by their elements
                 usvg::Node::Path(_) | usvg::Node::Text(_) | usvg::Node::Image(_) => {}
@@ -67,20 +83,37 @@ impl Seen {
         }
     }
 
-    fn add_paint(&mut self, paint: &Paint, opacity: f32, extent: MmRect) {
-        let [red, green, blue] = match paint {
-            Paint::Color(colour) => [colour.red, colour.green, colour.blue],
-            _ => [128; 3], // a gradient or a pattern has greys at least
-        };
-        let over_white = |channel: u8| (255.0 - (255.0 - f32::from(channel)) * opacity).round() as u8;
-        let channels = [red, green, blue].map(over_white);
-        if channels.iter().all(|&channel| channel <= BLACK) || channels.iter().all(|&channel| channel >= WHITE) {
+    fn add_ink(&mut self, channels: [u8; 3], extent: MmRect) {
+        if channels.iter().all(|&channel| channel <= BLACK) {
             return;
         }
         let [red, green, blue] = channels;
         let seen = self.colours.entry((red, green, blue)).or_insert((0, extent));
         *seen = (seen.0 + 1, seen.1.union(&extent));
     }
+}
+
+/// A paint as it looks on white paper.
+fn channels(paint: &Paint, opacity: f32) -> [u8; 3] {
+    let channels = match paint {
+        Paint::Color(colour) => [colour.red, colour.green, colour.blue],
+        _ => [128; 3], // a gradient or a pattern has greys at least
+    };
+    channels.map(|channel| (255.0 - (255.0 - f32::from(channel)) * opacity).round() as u8)
+}
+
+fn is_white(channels: [u8; 3]) -> bool {
+    channels.iter().all(|&channel| channel >= WHITE)
+}
+
+/// How far a mark of this name reaches beyond the sheet, if it does.
+fn beyond(extent: MmRect, sheet: MmRect, id: &str) -> Option<FoundBreach> {
+    let MmRect { min, max } = extent;
+    let out = (sheet.min.x - min.x).max(sheet.min.y - min.y).max(max.x - sheet.max.x).max(max.y - sheet.max.y);
+    let name = if id.is_empty() { "a mark without a name".to_owned() } else { format!("\"{id}\"") };
+    let at = extent.center().clamp(sheet.min, sheet.max);
+    let what = || format!("{name} reaches {out:.1} mm beyond the sheet, and render leaves it out");
+    (out > ON_EDGE).then(|| FoundBreach::at(MARGIN, at, extent, -out, what()).of(id))
 }
 
 fn in_mm(rect: usvg::Rect) -> MmRect {

@@ -4,24 +4,35 @@ use std::f32::consts::TAU;
 
 use super::finding::{FoundBreach, around};
 use super::limits::LEADER_END;
+use super::marks::name_in;
+use super::paths::{PathKind, Paths};
 use super::rules::LABEL_LINE;
 use crate::geom::crossing;
 use crate::geom::nearby::Nearby;
 use crate::geom::polygon::distance_to_box;
-use crate::page::{BrailleText, Page, Run, text_name};
-use crate::units::{MmPoint, MmVector};
+use crate::page::{BrailleText, Names, Page, Run, TextRole, text_name};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Directions in which it is looked for the sides of a shape around the end of a line.
 const DIRECTIONS: u32 = 16;
 
-/// Of each label whose line ends in the blank, where that is; `index` has the lines of the figure.
-pub(super) fn findings(page: &Page, index: &Nearby) -> Vec<FoundBreach> {
-    let glyphs = || page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
-    let to_glyph = |at: MmPoint| glyphs().map(|glyph| (glyph.at - at).length()).fold(f32::MAX, f32::min);
+/// A leader line that is a line of the figure begins so near to its label, mm: a label stands apart from it.
+const BESIDE: f32 = 8.0;
+/// Its label lies before its end but for 60 degrees: the cosine. One along it, as at a scale, names the line.
+const BEFORE: f32 = 0.5;
+/// Nothing else is so near to where it begins, mm: there sides of shapes meet.
+const FREE: f32 = 1.5;
+/// It has these lengths, mm and in shares of the longer side of the figure, and is straight: its chord is this share.
+const SHORTEST: f32 = 8.0;
+const LONGEST: f32 = 0.4;
+const STRAIGHT: f32 = 0.95;
+
+/// Of each label whose line ends in the blank, where that is; `index` has the lines of the figure, whose paths these
+/// are.
+pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby) -> Vec<FoundBreach> {
     let of = |text: &BrailleText| {
         let (at, leader) = (tip(text)?, text.leader.as_ref()?);
-        let is_near = index.nearest(at, LEADER_END, |_| true).is_some() || to_glyph(at) <= LEADER_END;
-        if is_near || is_shut_in(at, page) {
+        if index.nearest(at, LEADER_END, |_| true).is_some() || is_in_something(at, page) {
             return None;
         }
         let extent = around(leader.points.iter().copied())?;
@@ -29,7 +40,53 @@ pub(super) fn findings(page: &Page, index: &Nearby) -> Vec<FoundBreach> {
         let what = format!("the line that leads from {name} ends where nothing is within {LEADER_END} mm");
         Some(FoundBreach::at(LABEL_LINE, at, extent, LEADER_END, what).of(&name))
     };
-    page.braille.iter().filter_map(of).collect()
+    let of_labels = page.braille.iter().filter_map(of);
+    of_labels.chain((0..paths.paths.len()).filter_map(|path| of_line(path, page, names, paths, index))).collect()
+}
+
+/// The same of a leader line that is a line of the figure, as drawings have them: a straight one, from a label on.
+fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearby) -> Option<FoundBreach> {
+    let of = &paths.paths[path];
+    let place = page.figure.place;
+    let lengths = SHORTEST..LONGEST * place.width().max(place.height());
+    let [(_, a, _), (_, b, _)] = paths.tips(path).try_into().ok()?;
+    let is_line = of.kind != PathKind::SecondRow && lengths.contains(&of.length);
+    if !is_line || (b - a).length() < STRAIGHT * of.length {
+        return None;
+    }
+    let labels = || page.braille.iter().filter(|text| text.role == TextRole::Label);
+    let boxes = || labels().filter_map(|text| Some((text, around(text.dots.at.iter().copied())?)));
+    let label_at = |at: MmPoint| {
+        let far = |cells: MmRect| distance_to_box(at, cells);
+        boxes().min_by(|p, q| far(p.1).total_cmp(&far(q.1))).filter(|(_, cells)| far(*cells) < BESIDE)
+    };
+    let ((label, cells), from, at) = match (label_at(a), label_at(b)) {
+        (Some(label), None) => (label, a, b),
+        (None, Some(label)) => (label, b, a),
+        _ => return None,
+    };
+    let ahead = (from.clamp(cells.min, cells.max) - from).try_normalize().unwrap_or_default();
+    let way = (from - at).try_normalize()?;
+    let is_other = |line: u32| paths.paths[line as usize].line != of.line;
+    let is_near = |at: MmPoint, reach: f32| index.nearest(at, reach, |other| is_other(other.line)).is_some();
+    let mut crosses = false;
+    index.around(a.min(b), a.max(b), 0.0, |other| {
+        crosses |= is_other(other.line) && crossing((a, b), (other.a, other.b)).is_some();
+    });
+    let is_own = label.leader.is_none() && way.dot(ahead) >= BEFORE && !is_near(from, FREE);
+    if !is_own || crosses || is_near(at, LEADER_END) || is_in_something(at, page) {
+        return None;
+    }
+    let (name, text) = (name_in(&names.lines, of.line), text_name(label));
+    let what = format!("{name}, which leads from {text}, ends where nothing is within {LEADER_END} mm");
+    Some(FoundBreach::at(LABEL_LINE, at, MmRect::new(a.min(b), a.max(b)), LEADER_END, what).of(name))
+}
+
+/// Whether a mark of a texture is near, or lines of the figure are on all sides.
+fn is_in_something(at: MmPoint, page: &Page) -> bool {
+    let glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
+    let to_glyph = glyphs.map(|glyph| (glyph.at - at).length()).fold(f32::MAX, f32::min);
+    to_glyph <= LEADER_END || is_shut_in(at, page)
 }
 
 /// The end of the line of a label that is farther from its cells.
@@ -58,20 +115,21 @@ fn is_shut_in(at: MmPoint, page: &Page) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::legibility::paths::Paths;
-    use crate::page::{Dots, Figure, Line, Parts, TextRole};
-    use crate::units::{MmRect, Size};
+    use crate::page::{Dots, Figure, Line, Parts};
+    use crate::units::Size;
 
-    /// What is found of a label at the left whose line ends at this place, beside a square of 40 mm.
-    fn found(x: f32, y: f32) -> Vec<String> {
+    /// What is found of a label at the left whose line ends at this place, beside a square of 40 mm; the line is its
+    /// own, or one of the figure.
+    fn found(is_own: bool, x: f32, y: f32) -> Vec<String> {
         let at = |x: f32, y: f32| MmPoint::new(x, y);
         let square = [at(60.0, 30.0), at(100.0, 30.0), at(100.0, 70.0), at(60.0, 70.0), at(60.0, 30.0)];
-        let line = Line { strength: 100.0, runs: vec![Run::stroke(1.0, square.to_vec())] };
+        let line = |points: Vec<MmPoint>| Line { strength: 100.0, runs: vec![Run::stroke(1.0, points)] };
+        let leader = vec![at(25.0, 50.0), at(x, y)];
         let figure = Figure {
             place: MmRect::new(at(10.0, 10.0), at(190.0, 130.0)),
             source: Size::new(180, 120),
             textures: Vec::new(),
-            lines: vec![line],
+            lines: std::iter::once(square.to_vec()).chain((!is_own).then(|| leader.clone())).map(line).collect(),
         };
         let text = BrailleText {
             role: TextRole::Label,
@@ -80,17 +138,22 @@ mod tests {
             abbreviation: None,
             lines: vec!["\u{2801}".to_owned()],
             dots: Dots { diameter: 1.3, at: vec![at(20.0, 50.0)] },
-            leader: Some(Run::stroke(0.75, vec![at(23.0, 50.0), at(x, y)])),
+            leader: is_own.then(|| Run::stroke(0.75, leader)),
         };
         let page = Page::new(Parts { braille: vec![text], ..Parts::of([210.0, 297.0], figure) }).expect("a page");
         let paths = Paths::of(&page.figure.lines, f32::INFINITY);
-        let found = findings(&page, &paths.index(5.0));
+        let found = findings(&page, &Names::of(&page), &paths, &paths.index(5.0));
         found.into_iter().map(|found| found.what).collect()
     }
 
     #[test]
     fn a_line_that_leads_to_nothing_is_told() {
-        assert!(found(59.0, 50.0).is_empty() && found(80.0, 50.0).is_empty(), "to a side, and into a shape");
-        assert_eq!(found(45.0, 50.0), ["the line that leads from \"roof\" ends where nothing is within 6 mm"]);
+        for is_own in [true, false] {
+            assert!(found(is_own, 59.0, 50.0).is_empty() && found(is_own, 80.0, 50.0).is_empty(), "to a side, and in");
+        }
+        assert_eq!(found(true, 45.0, 50.0), ["the line that leads from \"roof\" ends where nothing is within 6 mm"]);
+        let of_figure = ["line 2, which leads from \"roof\", ends where nothing is within 6 mm"];
+        assert_eq!(found(false, 45.0, 50.0), of_figure);
+        assert!(found(false, 25.0, 75.0).is_empty(), "it is beside the label, and does not lead from it");
     }
 }

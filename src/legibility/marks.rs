@@ -162,7 +162,7 @@ impl PagePart {
             Self::Line(number) => name_in(&names.lines, number as usize).to_owned(),
             Self::OverviewFrame => "the frame of the overview".into(),
             Self::OverviewLine(number) => name_in(&names.overview_lines, number as usize).to_owned(),
-            Self::Numbers(_) => "a number in braille".into(),
+            Self::Numbers(_) => "a number in braille, or a dot that was drawn".into(),
             Self::Braille(number) => page.braille.get(number as usize).map_or_else(String::new, text_name),
             Self::Leader(number) => {
                 format!("the line that leads from {}", Self::Braille(number).name(page, names))

@@ -152,7 +152,7 @@ fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));
-    found.extend(leaders::findings(&felt, &index));
+    found.extend(leaders::findings(&felt, names, &paths, &index));
     found.extend(overview::left_out(page));
     found
 }

@@ -12,6 +12,9 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines are looked at this often, mm of the overview.
 const STEP: f32 = 0.5;
+/// A line has the direction of another but for 40 degrees: the cosine. What crosses it or ends at it is nothing like
+/// it.
+const ALONG: f32 = 0.77;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;
 
@@ -91,8 +94,8 @@ struct Missing {
     places: Vec<MmPoint>,
 }
 
-/// The part of these segments that has nothing within `reach` in the other picture, if it is the larger part; `there`
-/// leads into that picture.
+/// The part of these segments that has nothing of their direction within `reach` in the other picture, if it is the
+/// larger part; `there` leads into that picture.
 fn missing<'a>(
     segments: impl Iterator<Item = &'a Segment>,
     step: f32,
@@ -104,10 +107,15 @@ fn missing<'a>(
     for segment in segments {
         let length = (segment.b - segment.a).length();
         let steps = (length / step).ceil().max(1.0);
+        let way = (segment.b - segment.a).try_normalize().unwrap_or_default();
+        let is_along = |other: &Segment| {
+            let own = (other.b - other.a).try_normalize().unwrap_or_default();
+            way.dot(own).abs() >= ALONG || way.length() * own.length() == 0.0
+        };
         for k in 0..steps as u32 {
             let at = point_at(segment, segment.arc + (k as f32 + 0.5) / steps * length);
             all += length / steps;
-            if index.nearest(there(at), reach, |_: &Segment| true).is_none() {
+            if index.nearest(there(at), reach, is_along).is_none() {
                 lost += length / steps;
                 places.push(at);
             }

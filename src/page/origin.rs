@@ -1,7 +1,7 @@
 //! What a page says of itself among the entries of how it was made, so that whoever checks or describes it later can
-//! tell: what was left out of it, and which of several sheets it is.
+//! tell: what was left out of it, which of several sheets it is, and what its key tells.
 
-use super::parts::{Page, TextRole};
+use super::parts::{Class, Page, TextRole};
 use crate::geom::ninths::most_of;
 
 const CONTOURS: &str = "contours left out in mm";
@@ -107,7 +107,68 @@ impl InSet {
     }
 }
 
+const COLOURS: &str = "colour in the key";
+const ABBREVIATIONS: &str = "abbreviation in the key";
+/// Between a colour or an abbreviation and what it stands for.
+const MEANS: &str = ": ";
+
+/// What the key of a page tells, which has sheets to itself.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct ToldInKey {
+    /// Its colours, each with what it means by the legend of the drawing, if it does; one that means several things
+    /// is there several times.
+    pub colours: Vec<(Class, Option<String>)>,
+    /// Abbreviations and what they stand for.
+    pub abbreviations: Vec<(String, String)>,
+}
+
+impl ToldInKey {
+    /// As entries of a page's origin; nothing of nothing.
+    pub fn to_origin(&self) -> Vec<(String, String)> {
+        // each is one line of the file
+        let line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let colours = self.colours.iter().map(|(class, means)| match means {
+            Some(means) => (COLOURS.to_owned(), format!("{}{MEANS}{}", class.name(), line(means))),
+            None => (COLOURS.to_owned(), class.name().to_owned()),
+        });
+        let abbreviation = |(short, text): &(String, String)| {
+            (ABBREVIATIONS.to_owned(), format!("{}{MEANS}{}", line(short), line(text)))
+        };
+        colours.chain(self.abbreviations.iter().map(abbreviation)).collect()
+    }
+
+    /// What a page says of its key; nothing of one without a key.
+    pub fn of(page: &Page) -> Option<Self> {
+        let values =
+            |name: &'static str| page.origin.iter().filter(move |(of, _)| of == name).map(|(_, value)| value.as_str());
+        let colour = |value: &str| {
+            let (name, means) = value.split_once(MEANS).map_or((value, None), |(name, means)| (name, Some(means)));
+            let class = Class::ALL.into_iter().find(|class| class.name() == name.trim())?;
+            Some((class, means.map(str::to_owned)))
+        };
+        let pair = |value: &str| value.split_once(MEANS).map(|(short, text)| (short.to_owned(), text.to_owned()));
+        let told = Self {
+            colours: values(COLOURS).filter_map(colour).collect(),
+            abbreviations: values(ABBREVIATIONS).filter_map(pair).collect(),
+        };
+        (told != Self::default()).then_some(told)
+    }
+
+    /// What the colours mean.
+    pub fn meanings(&self) -> impl Iterator<Item = (Class, &str)> {
+        self.colours.iter().filter_map(|(class, means)| Some((*class, means.as_deref()?)))
+    }
+}
+
 impl Page {
+    /// The same page, whose key tells this.
+    #[must_use]
+    pub(crate) fn with_key(mut self, told: &ToldInKey) -> Self {
+        self.parts.origin.retain(|(name, _)| name != COLOURS && name != ABBREVIATIONS);
+        self.parts.origin.extend(told.to_origin());
+        self
+    }
+
     /// What this sheet is among those of its picture, in a word: the figure, its overview, its key, or the name of
     /// one of the sheets on which a picture lies.
     pub fn part_of_set(&self) -> String {

@@ -243,8 +243,11 @@ impl Page {
     pub(crate) fn described(mut self, description: String, language: &str, made: (String, String)) -> Self {
         self.parts.description = description;
         language.clone_into(&mut self.parts.description_language);
-        self.parts.origin.retain(|(name, _)| *name != made.0);
-        self.parts.origin.push(made);
+        // in its place, so that a page that is read and described again is the same to the byte
+        match self.parts.origin.iter_mut().find(|(name, _)| *name == made.0) {
+            Some(own) => *own = made,
+            None => self.parts.origin.push(made),
+        }
         self
     }
 

@@ -1,19 +1,20 @@
 //! The areas of a figure by the colours of the picture, or as a person gave them, and which of them have no texture.
 
 use super::decisions::Decisions;
-use super::given::{Given, blank};
+use super::given::{Given, blank, blank_cells};
 use super::progress::{Event, Stage, Watch, run};
 use super::small_areas;
 use super::subject;
 use super::textures::{blank_ground, fit_to_areas};
-use crate::Note;
 use crate::classes::{self, Classes};
 use crate::edges::Edges;
+use crate::geom::components::{Connectivity, of_labels};
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::regions::OutlineAreas;
-use crate::units::{PageTransform, Size};
+use crate::units::{MmVector, PageTransform, Size};
+use crate::{About, Note};
 
 /// The areas of a figure by their colours.
 pub(super) struct AreasOfColours {
@@ -62,13 +63,41 @@ impl AreasOfColours {
         notes.extend(with_small.and_then(|fine| small_areas::told(classes, fine, layout, plan)));
         let outlines = outlines.filter(|_| of_picture);
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, picture, layout, plan)));
-        blank(classes, &decisions.erased);
+        notes.extend(without_remnants(classes, &decisions.erased, layout, plan));
         if of_picture {
             notes.extend(blank_ground(classes, plan));
             decisions.calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, picture));
         }
         notes
     }
+}
+
+/// Leaves what lies in these boxes, in shares of the picture, without a colour, and with it what is left of an area
+/// beside them where that is too small for a texture; tells of the latter.
+fn without_remnants(classes: &mut Classes, boxes: &[[f32; 4]], layout: &Layout, plan: &Plan) -> Option<Note> {
+    let before: Vec<u32> = classes.regions.iter().map(|region| region.cells).collect();
+    blank(classes, boxes);
+    let is_cut: Vec<bool> = classes.regions.iter().zip(&before).map(|(region, cells)| region.cells < *cells).collect();
+    let (least, width) = (plan.profile().colours.min_area, classes.size.width as usize);
+    let mm_per_cell = layout.figure.width() / width as f32;
+    let parts = of_labels(&classes.region, classes.size, Connectivity::Four);
+    let is_small = |part: &[usize]| {
+        let is_of_cut = classes.region[part[0]].is_some_and(|region| is_cut[region as usize]);
+        is_of_cut && part.len() as f32 * mm_per_cell.powi(2) < least
+    };
+    let small: Vec<usize> = (0..parts.len()).filter(|&number| is_small(&parts[number])).collect();
+    let first = *parts[*small.first()?].first()?;
+    blank_cells(classes, |cell, _| small.binary_search(&parts.of(cell)).is_ok());
+    let at = layout.figure.min + MmVector::new((first % width) as f32, (first / width) as f32) * mm_per_cell;
+    let (areas, it_is) = match small.len() {
+        1 => (format!("the texture of what is left of 1 area (at {:.0}, {:.0} mm)", at.x, at.y), "it is"),
+        count => (
+            format!("the textures of what is left of {count} areas (the first at {:.0}, {:.0} mm)", at.x, at.y),
+            "each is",
+        ),
+    };
+    let why = format!("beside what is erased {it_is} smaller than {least} square mm (colours.min_area)");
+    Some(Note::NotOnPage(About::Areas, format!("{areas}, as {why}, in which fingers tell a texture")))
 }
 
 /// The colours of a picture, sorted for each of these least areas, in shares of that of the profile.

@@ -104,9 +104,16 @@ pub(super) fn find(
         })?;
     notes.extend(told);
     notes.extend(told_short(given, &layout, plan).into_iter().chain(told_words(given, words)));
-    if plan.profile().figure.lines && given.lines.is_none() {
-        let draw = |edges: &Edges| draw_lines(edges, LinesOf::Picture(None), &layout, plan, &mut |_| ()).lines.lines;
-        notes.extend(leaders::whole_or_none(&mut edges, &mut texts, become_labels(words), &layout, draw));
+    if plan.profile().figure.lines {
+        let lines_of = lines_of(given, None, &decisions);
+        let draw = |edges: &Edges| draw_lines(edges, lines_of, &layout, plan, &mut |_| ()).lines.lines;
+        notes.extend(leaders::whole_or_none(
+            &mut edges,
+            (&mut texts, leaders::BESIDE_PRINT),
+            become_labels(words),
+            &layout,
+            draw,
+        ));
     }
     let things = NamedThings::of(given, file, request);
     notes.extend(subject::prepare((given, things.as_ref()), (&mut edges, &mut decisions), source, &layout, plan));

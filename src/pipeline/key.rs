@@ -17,7 +17,7 @@ use crate::dots;
 use crate::lines::{Line, Run};
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, TextRole, Texture};
+use crate::page::{BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, TextRole, Texture, ToldInKey};
 use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::textures;
@@ -83,6 +83,31 @@ pub(super) struct Entries<'a> {
     pub(super) number: Option<u32>,
 }
 
+impl Entries<'_> {
+    /// What a page says of a key with these.
+    pub(super) fn told(&self) -> ToldInKey {
+        let meanings = |class: Class| {
+            let own: Vec<_> = self.meanings.iter().filter(|(of, _)| *of == class).map(|(_, text)| text).collect();
+            if own.is_empty() { vec![(class, None)] } else { own.iter().map(|t| (class, Some((*t).clone()))).collect() }
+        };
+        ToldInKey {
+            colours: self.classes.iter().flat_map(|class| meanings(*class)).collect(),
+            abbreviations: self.abbreviations.clone(),
+        }
+    }
+}
+
+/// The key of a page.
+#[derive(Debug, Default)]
+pub struct Key {
+    /// Its sheets, none where there is none.
+    pub sheets: Vec<Page>,
+    /// What they tell.
+    pub told: ToldInKey,
+    /// What the maker of the page should know of it.
+    pub notes: Vec<Note>,
+}
+
 /// One thing on a sheet of the key.
 struct Item {
     patch: Option<Class>,
@@ -105,15 +130,29 @@ impl Item {
     }
 }
 
-/// The sheets of a key, none where there is nothing to tell, and what could not be written on them.
-pub(super) fn sheets(
+/// Abbreviations and what they stand for, each once, in the order of the page.
+pub(super) fn abbreviations(braille: &[BrailleText]) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = Vec::new();
+    for text in braille {
+        if let Some(short) = &text.abbreviation {
+            let pair = (short.clone(), text.text.clone());
+            if !all.contains(&pair) {
+                all.push(pair);
+            }
+        }
+    }
+    all
+}
+
+/// The key of these entries, without sheets where there is nothing to tell.
+pub(super) fn of_entries(
     entries: &Entries<'_>,
     layout: &Layout,
     source: Size,
     request: &Request<'_>,
-) -> Result<(Vec<Page>, Vec<Note>), Error> {
+) -> Result<Key, Error> {
     if entries.classes.is_empty() && entries.abbreviations.is_empty() {
-        return Ok((Vec::new(), Vec::new()));
+        return Ok(Key::default());
     }
     let plan = request.plan;
     let cells = CellGrid::of(&layout.medium, plan.profile().braille.cell);
@@ -132,7 +171,7 @@ pub(super) fn sheets(
         sheets = over_sheets(&items, &number);
     }
     let pages = (0..).zip(&sheets).map(|(at, sheet)| page(sheet, &number, at, layout, source, request));
-    Ok((pages.collect::<Result<_, _>>()?, notes))
+    Ok(Key { sheets: pages.collect::<Result<_, _>>()?, told: entries.told(), notes })
 }
 
 /// Page numbers of a key, at the top on the right of its sheets.

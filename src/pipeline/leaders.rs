@@ -15,7 +15,9 @@ use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
 
 /// A leader line ends so near to its text, mm: print stands up to 4 mm beside it.
-const BESIDE_TEXT: f32 = 5.0;
+pub(super) const BESIDE_PRINT: f32 = 5.0;
+/// The same of braille, which may be as high as the line below it and keeps its clearance.
+pub(super) const BESIDE_BRAILLE: f32 = 8.0;
 /// Shortest leader line, mm: what is shorter beside a word may be a tick, and is no further from it than a label.
 const SHORTEST: f32 = 8.0;
 /// Longest leader line, as a share of the figure's longer side: what is longer, such as an axis, is a line by itself.
@@ -55,11 +57,11 @@ struct Leader {
     path: Vec<MmPoint>,
 }
 
-/// Takes the leader lines out of the contours of a drawing that `draw` does not draw as a whole. Their texts are led to
-/// what they name by labels.
+/// Takes the leader lines out of the contours of a drawing that `draw` does not draw as a whole. Their texts, which
+/// stand up to `beside` mm beside them, are led to what they name by labels.
 pub(super) fn whole_or_none(
     edges: &mut Edges,
-    texts: &mut [Text],
+    (texts, beside): (&mut [Text], f32),
     is_label: impl Fn(&Text) -> bool,
     layout: &Layout,
     draw: impl Fn(&Edges) -> Vec<Line>,
@@ -70,7 +72,7 @@ pub(super) fn whole_or_none(
         Medium::Dots(dots) => GAP.max(DOTS_OF_GAP * dots.pitch),
     };
     for _ in 0..ROUNDS {
-        let leaders = of(edges, texts, &is_label, layout.figure, &transform);
+        let leaders = of(edges, (texts, beside), &is_label, layout.figure, &transform);
         if leaders.is_empty() {
             break;
         }
@@ -111,7 +113,7 @@ fn told(texts: &[Text]) -> Option<Note> {
 /// The leader lines of texts that become labels.
 fn of(
     edges: &Edges,
-    texts: &[Text],
+    (texts, beside): (&[Text], f32),
     is_label: impl Fn(&Text) -> bool,
     figure: MmRect,
     transform: &PageTransform,
@@ -125,7 +127,7 @@ fn of(
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
     let chains: Vec<Vec<MmPoint>> = edges.chains.iter().map(points).collect();
-    let mut index = Nearby::new(figure, BESIDE_TEXT);
+    let mut index = Nearby::new(figure, beside);
     for (line, (points, chain)) in (0..).zip(chains.iter().zip(&edges.chains)) {
         index.insert_line(line, PolylineRef { vertices: points, closed: chain.closed }, 0.0);
     }
@@ -138,12 +140,12 @@ fn of(
         if !is_line || (last - first).length() < STRAIGHT * length {
             return None;
         }
-        let beside = |end: MmPoint| {
+        let text_at = |end: MmPoint| {
             let far = |text: &usize| distance_to_box(end, texts[*text].place);
             let nearest = of_words.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))?;
-            (far(&nearest) < BESIDE_TEXT).then_some(nearest)
+            (far(&nearest) < beside).then_some(nearest)
         };
-        let (text, path) = match (beside(first), beside(last)) {
+        let (text, path) = match (text_at(first), text_at(last)) {
             (Some(text), None) => (text, points.clone()),
             (None, Some(text)) => (text, points.iter().rev().copied().collect()),
             _ => return None,

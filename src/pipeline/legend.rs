@@ -6,8 +6,8 @@ use super::unwritten::named;
 use crate::classes::{Class, class_at};
 use crate::edges::{ChainRange, Edges};
 use crate::listing::list;
-use crate::page::Figure;
 use crate::page::layout::Layout;
+use crate::page::{Figure, Page, ToldInKey};
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::lab::pixel;
@@ -79,6 +79,12 @@ pub(super) fn of(edges: &Edges, texts: &[Text], raster: &Raster, layout: &Layout
     };
     let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
+}
+
+/// The legend of a page that was read, as its key told it.
+pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
+    let told = ToldInKey::of(page).unwrap_or_default();
+    told.meanings().map(|(class, text)| LegendEntry { text: text.to_owned(), class }).collect()
 }
 
 /// Whether a text stands at the side of a patch, at its height.

@@ -5,18 +5,20 @@ use super::decisions::LinesOf;
 use super::draw::{DrawnMarks, FigureLines, draw_lines};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
-use super::key::KeySheets;
 use super::label::{Label, Position};
+use super::leaders;
+use super::legend::LegendEntry;
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
+use super::texts::Text;
 use super::textures::{blank_ground, draw_textures, told_bare};
 use super::told_lines::{left_out, told_left_out};
-use super::words::{Words, WrittenWords};
-use crate::braille::Translate;
+use super::words::Words;
+use crate::edges::Edges;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Figure, InSet, MediumParams, Page, TextRole};
+use crate::page::{BrailleText, Figure, MediumParams, Page, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
@@ -35,55 +37,26 @@ pub(super) fn shape(page: &Page) -> Size {
 }
 
 /// The words of a page as they would be given.
-pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
+pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label], legend: &'a [LegendEntry]) -> Words<'a> {
     let title = page.braille.iter().find(|text| text.role == TextRole::Title);
     Words {
         title: title.map(|text| text.text.as_str()),
         language: Some(page.language.as_str()),
         labels,
+        legend,
         number: page.braille.iter().find(|text| text.role == TextRole::Number).and_then(|text| text.text.parse().ok()),
         ..Words::default()
     }
 }
 
-/// The sheets of a page's own key, none where there is to be none, and what is told of them.
-///
-/// # Errors
-/// If a mark is off its sheet.
-pub fn key_of_page(
-    page: &Page,
-    key: KeySheets,
-    translate: Option<&Translate>,
-    request: &Request<'_>,
-) -> Result<(Vec<Page>, Vec<Note>), Error> {
-    if page.braille.iter().any(|text| text.role == TextRole::Key) {
-        let told = (key == KeySheets::Always).then_some(Note::NoKey("this sheet is one of a key itself"));
-        return Ok((Vec::new(), told.into_iter().collect()));
-    }
-    let labels = labels(page);
-    let words = Words { key, translate, ..words(page, &labels) };
-    let written = WrittenWords::new(&words, request.plan);
-    let layout = Layout {
-        sheet: page.sheet,
-        figure: page.figure.place,
-        room: page.figure.place,
-        overview: None,
-        mark: None,
-        heading: None,
-        medium: page.medium.clone(),
-    };
-    // an overview has the next sheet to itself
-    let before = 1 + u32::from(InSet::of(page) == Some(InSet::Followed));
-    written.key_sheets(&words, &page.braille, &page.figure, before, &layout, request)
-}
-
 /// The marks of a page in another layout: lines and areas keep their places in the figure. `lines` are what its lines
-/// are called, of which those that a person drew come first; `own` is its profile.
+/// are called, of which those that a person drew come first; `own` is its profile. Labels whose leader line is a line
+/// of the figure that is not drawn as a whole name the place where its tip was.
 ///
 /// # Errors
 /// If the figure has no area, or the page is no longer wanted.
 pub(super) fn marks(
-    (page, lines): (&Page, &[LineName]),
+    (page, lines, labels): (&Page, &[LineName], &mut [Label]),
     own: &Plan,
     layout: Layout,
     request: &Request<'_>,
@@ -104,14 +77,14 @@ pub(super) fn marks(
         edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
+    let of_leaders = whole_leaders(&mut edges, labels, page, &layout, plan);
     request.go_on()?;
     // the lines of a page stay lines of their own
     let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().unwrap_or(&edges);
     let overview = draw_overview(edges_of_overview, LinesOf::Person, OverviewSize::Own, &layout, plan, watch);
-    let left_out = left_out(&drawn.lost, overview.lost.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, &edges, &layout).map(of_page).into_iter().collect();
-    notes.extend(hand_lines.told_outside());
+    notes.extend(hand_lines.told_outside().into_iter().chain(of_leaders));
     if plan.profile().figure.lines {
         let (stand_for, mut shares) =
             kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
@@ -135,12 +108,35 @@ pub(super) fn marks(
         overview: overview.marks,
         layout,
         is_flat: false,
-        left_out,
+        left_out: left_out(&drawn.lost, overview.lost.rings),
         lost_signs: drawn.lost.signs,
         legend: Vec::new(),
         texts: Vec::new(),
         notes,
     })
+}
+
+/// Takes the leader lines among the lines of a page out that are not drawn as a whole: their labels are led to what
+/// they name, in the new layout.
+fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &Layout, plan: &Plan) -> Option<Note> {
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let before = PageTransform::new(edges.size, page.figure.place);
+    let there = |at: MmPoint| transform.to_mm(before.to_px(at));
+    let text = |text: &BrailleText| {
+        let place = text.dots.bounds().filter(|_| text.leader.is_none()).unwrap_or_else(MmRect::zero);
+        let place = MmRect::new(there(place.min), there(place.max));
+        Text { string: text.text.clone(), place, angle: 0.0, size: place.height(), hidden: false, led_over: None }
+    };
+    let mut texts: Vec<Text> = labels_of(page).map(text).collect();
+    let is_label = |text: &Text| text.place.area() > 0.0;
+    let draw = |edges: &Edges| draw_lines(edges, LinesOf::Person, layout, plan, &mut |_| ()).lines.lines;
+    let told = leaders::whole_or_none(edges, (&mut texts, leaders::BESIDE_BRAILLE), is_label, layout, draw);
+    for (label, text) in labels.iter_mut().zip(&texts) {
+        if let Some((_, tip)) = text.led_over {
+            [label.x, label.y] = percent_of(tip, layout.figure);
+        }
+    }
+    told
 }
 
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
@@ -177,10 +173,19 @@ pub fn dots_left_out(page: &Page) -> Option<Note> {
     (count > 0).then(|| Note::NotOnPage(About::Dots, format!("{dots} {why}")))
 }
 
+/// The labels of a page.
+fn labels_of(page: &Page) -> impl Iterator<Item = &BrailleText> {
+    page.braille.iter().filter(|text| text.role == TextRole::Label)
+}
+
+/// Where a place is in a figure.
+fn percent_of(at: MmPoint, figure: MmRect) -> [Position; 2] {
+    let percent = |at: f32, low: f32, side: f32| Position::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
+    [percent(at.x, figure.min.x, figure.width()), percent(at.y, figure.min.y, figure.height())]
+}
+
 /// The labels of a page as they would be given, each at what it names.
 pub(super) fn labels(page: &Page) -> Vec<Label> {
-    let place = page.figure.place;
-    let percent = |at: f32, low: f32, side: f32| Position::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
     let label = |text: &BrailleText| {
         let middle = MmRect::from_points(&text.dots.at).center();
         let ends = text.leader.as_ref().map(|leader| (leader.points.first(), leader.points.last()));
@@ -189,8 +194,8 @@ pub(super) fn labels(page: &Page) -> Vec<Label> {
             Some((Some(_), Some(&b))) => b,
             _ => middle,
         };
-        let x = percent(at.x, place.min.x, place.width());
-        Label { x, y: percent(at.y, place.min.y, place.height()), text: text.text.clone() }
+        let [x, y] = percent_of(at, page.figure.place);
+        Label { x, y, text: text.text.clone() }
     };
-    page.braille.iter().filter(|text| text.role == TextRole::Label).map(label).collect()
+    labels_of(page).map(label).collect()
 }

@@ -84,9 +84,10 @@ pub fn convert<'p>(
         notes.append(&mut sheets.notes);
         notes.extend(of_labels);
         let before = sheets.all().count() as u32;
-        let (key, of_key) = written.key_sheets(words, &labels, &figure, before, &sheet, request)?;
-        notes.extend(of_key);
-        Ok::<_, Error>(Sheets { key, ..sheets })
+        let key = written.key(words, &labels, &figure, before, &sheet, request)?;
+        notes.extend(key.notes);
+        let pages = sheets.pages.into_iter().map(|page| page.with_key(&key.told)).collect();
+        Ok::<_, Error>(Sheets { pages, key: key.sheets, ..sheets })
     })?;
     notes.extend(print_words::left_out(sheets.all(), plan));
     let of_picture = || sheets.overview.iter().chain(&sheets.pages);

@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_1_SQRT_2;
 
-use super::key::{self, Entries, KeySheets};
+use super::key::{self, Entries, Key, KeySheets};
 use super::label::{CLEARANCE, Label};
 use super::legend::{self, LegendEntry};
 use super::request::{OverviewSize, Request};
@@ -19,7 +19,7 @@ use crate::labels::{self, MadeRoom, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Page, Run, TextRole};
+use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Run, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
 use crate::{Error, Note};
@@ -253,9 +253,9 @@ impl<'a> WrittenWords<'a> {
         Some(BrailleText::page_number(number, &cells, Dots { diameter, at }, &self.language))
     }
 
-    /// The sheets of the key of a page that has these words, after so many sheets, and what the maker should know of
-    /// them: also why there are none where a key is asked for.
-    pub(super) fn key_sheets(
+    /// The key of a page that has these words, after so many sheets; what the maker should know of it is also why there
+    /// is none where one is asked for.
+    pub(super) fn key(
         &self,
         words: &Words<'_>,
         braille: &[BrailleText],
@@ -263,38 +263,31 @@ impl<'a> WrittenWords<'a> {
         sheets_before: u32,
         layout: &Layout,
         request: &Request<'_>,
-    ) -> Result<(Vec<Page>, Vec<Note>), Error> {
-        let (sheets, mut notes) = match self.key(words, braille, figure, sheets_before) {
-            Some(entries) => key::sheets(&entries, layout, figure.source, request)?,
-            None => (Vec::new(), Vec::new()),
+    ) -> Result<Key, Error> {
+        let mut key = match self.entries_of_key(words, braille, figure, sheets_before) {
+            Some(entries) => key::of_entries(&entries, layout, figure.source, request)?,
+            None => Key::default(),
         };
-        notes.extend(legend::told(words.legend, figure, !sheets.is_empty()));
-        if words.key == KeySheets::Always && sheets.is_empty() {
-            notes.push(Note::NoKey(match &self.translator {
+        key.notes.extend(legend::told(words.legend, figure, !key.sheets.is_empty()));
+        if words.key == KeySheets::Always && key.sheets.is_empty() {
+            key.notes.push(Note::NoKey(match &self.translator {
                 _ if !request.plan.profile().braille.on => OFF,
                 None => NO_CODE_OF_WORDS,
                 Some(_) => NOTHING_TO_TELL,
             }));
         }
-        Ok((sheets, notes))
+        Ok(key)
     }
 
     /// What the key of a page says that has these words, after so many sheets; none where there is no key.
-    fn key<'e>(
+    fn entries_of_key<'e>(
         &'e self,
         words: &Words<'_>,
         braille: &[BrailleText],
         figure: &Figure,
         sheets_before: u32,
     ) -> Option<Entries<'e>> {
-        let mut abbreviations: Vec<(String, String)> = Vec::new();
-        for text in braille {
-            if let Some(short) = &text.abbreviation
-                && !abbreviations.contains(&(short.clone(), text.text.clone()))
-            {
-                abbreviations.push((short.clone(), text.text.clone()));
-            }
-        }
+        let abbreviations = key::abbreviations(braille);
         let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
         let is_wanted = match words.key {
             KeySheets::Auto => !abbreviations.is_empty() || words.legend.iter().any(|entry| occurs(&entry.class)),

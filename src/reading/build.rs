@@ -60,7 +60,7 @@ pub(super) fn page(
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, sheet);
-    builder.is_foreign = elements.layer(Layer::Figure).is_none();
+    builder.is_foreign = elements.has_layer() && elements.layer(Layer::Figure).is_none();
     let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
         builder.add(mark, &mut runs);

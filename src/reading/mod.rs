@@ -93,10 +93,23 @@ impl Reading {
 /// [`Error::NotAPage`] if it is no SVG, or none with the layers of a page; [`Error::Undecodable`] if it is over a
 /// limit or broken.
 pub fn read(svg: &[u8]) -> Result<Reading, Error> {
+    read_as(svg, true)
+}
+
+/// As [`read`], of any SVG: what is drawn in one without layers is taken by its kind, as on a page what lies outside
+/// of them.
+///
+/// # Errors
+/// As [`read`], but for the layers.
+pub fn read_any(svg: &[u8]) -> Result<Reading, Error> {
+    read_as(svg, false)
+}
+
+fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let text = document::with_ids(document::text_of(svg)?)?;
     let document = document::parse(&text)?;
     let elements = Elements::of(&document);
-    if !elements.has_layer() {
+    if needs_layers && !elements.has_layer() {
         return Err(Error::NotAPage("it has none of the layers of a page, such as lines or figure"));
     }
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };

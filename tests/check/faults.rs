@@ -50,6 +50,19 @@ fn lines_drawn_by_hand_are_held_against_the_rules() {
 }
 
 #[test]
+fn what_reaches_beyond_the_sheet_is_found() {
+    let drawn = |d: &str| changed("bars.svg", |svg| with_lines(svg, &format!("<path id=\"far\" d=\"{d}\"/>")));
+    let checked = drawn("M-20,250 H60");
+    assert!(has(&checked, "margin", "\"far\" reaches 20.5 mm beyond the sheet, and render leaves it out"), "{checked}");
+    assert!(has(&checked, "margin", "0 mm from the left and 250 mm from the top"), "{checked}");
+    assert!(checked.errors() > 0);
+    assert!(!has(&drawn("M60,250 H150"), "margin", ""));
+    let white = "<rect x=\"-5\" y=\"-5\" width=\"220\" height=\"310\" fill=\"#fff\"/>";
+    let checked = changed("bars.svg", |svg| svg.replacen("<g ", &format!("{white}<g "), 1));
+    assert!(!has(&checked, "margin", ""), "white prints nothing: {checked}");
+}
+
+#[test]
 fn a_black_block_is_found_and_what_is_drawn_with_a_hole_is_none() {
     let block = "<path d=\"M40,235 h60 v20 h-60 z\" fill=\"#000\"/>";
     let checked = changed("bars.svg", |svg| with_lines(svg, block));
@@ -304,6 +317,12 @@ fn a_large_shape_that_the_overview_lacks_is_told() {
         format!("{before}id=\"overview\"{}", overview.replace("<path ", "<path display=\"none\" "))
     });
     assert!(has(&bare, "overview-lacks", "which is closed, 31 mm wide and 31 mm high"), "the sun: {bare}");
+    // one that other lines of the overview only cross is not in it
+    let crossed = changed("coffee.png", |svg| with_lines(svg, "<circle id=\"big\" cx=\"50\" cy=\"60\" r=\"20\"/>"));
+    assert!(
+        has(&crossed, "overview-lacks", "nothing like line \"big\" of the figure, which is closed, 40 mm"),
+        "{crossed}"
+    );
 }
 
 /// Copies of a line on itself are one finding, however many there are: each pair of them would be one otherwise.

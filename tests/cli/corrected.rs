@@ -206,7 +206,9 @@ fn what_render_finds_wrong_and_what_lines_of_a_page_leave_behind_is_told() {
     let near = "<path d=\"M40,30H90M40,31.5H90\" fill=\"none\" stroke=\"#000\" stroke-width=\"1\"/>";
     with(&place, "page.svg", near, "near.svg");
     let told = done(&place, &["render", "near.svg", "-o", "near.pdf"]);
-    assert!(told.contains("note: a check finds ") && told.contains("tactograph check tells where"), "{told}");
+    let found = "note: a check finds 1 error (line-gap): upper left of the sheet, 42 mm from the left";
+    assert!(told.contains(found) && told.contains("tactograph check of the page tells all"), "{told}");
+    assert!(!told.contains("line 1"), "its numbers are not those of the file: {told}");
     let again = ["convert", "chart.svg", "--lines", "page.svg", "--no-overview", "-o"];
     let told = done(&place, &[&again[..], &["lines.svg"]].concat());
     assert!(told.contains("1 braille text of the page that the lines are of; give title and labels again"), "{told}");

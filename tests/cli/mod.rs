@@ -1,5 +1,6 @@
 //! The program as its user meets it: what it is given, what it says, what it leaves behind and how it ends.
 
+mod anew;
 mod calibrate;
 mod changed;
 mod check;

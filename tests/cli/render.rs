@@ -216,6 +216,11 @@ fn lines_that_are_added_win() {
     let length: f32 = mine.map(Line::length).sum();
     assert!((length / box_of.width() - 0.9).abs() < 0.01, "all of it is drawn, not {length} mm");
     assert!(page.figure.lines.len() > 5, "the others are there as well");
+    // a drawing needs no layer of that name
+    let plain = own.replace("<g id='Lines'>", "<g>");
+    place.put("plain.svg", plain.as_bytes());
+    let told = done(&place, &["convert", "cup.png", "--add-lines", "plain.svg", "--no-overview", "-o", "same.svg"]);
+    assert!(read(&place, "same.svg").figure.lines == page.figure.lines, "{told}");
 }
 
 #[test]
@@ -410,6 +415,17 @@ fn a_page_that_is_corrected_by_hand_is_written_for_printer_and_embosser() {
     // and no line of the correction breaks a rule
     let run = place.run(&["check", "done.svg"]);
     assert!(!run.out.contains("error line-"), "{}", run.out);
+}
+
+#[test]
+fn what_is_left_of_an_area_beside_what_is_erased_is_large_enough_or_blank() {
+    let place = with_page("swell-a4");
+    let told = done(&place, &["convert", "cup.png", "--keep", "40mm,0mm,90mm,80mm", "--no-overview", "-o", "less.svg"]);
+    assert!(told.contains("the texture of what is left of 1 area (at "), "{told}");
+    let checked = place.run(&["check", "less.svg"]);
+    assert!(checked.code == 0 && checked.out.contains("Verdict: 0 errors"), "{}", checked.out);
+    let told = done(&place, &["convert", "cup.png", "--keep", "0,0,100%,99%", "--no-overview", "-o", "most.svg"]);
+    assert!(!told.contains("what is left of"), "{told}");
 }
 
 #[test]
