@@ -162,7 +162,7 @@ pub fn redraw(
     let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels, &legend) };
     let written = WrittenWords::new(&words, request.plan);
     let layout = written.layout(redraw::shape(page), OverviewSize::Own, request)?;
-    if let Some((sheets, notes)) = read_key::redrawn(page, &written, &layout, request)? {
+    if let Some(Key { sheets, notes, .. }) = read_key::redrawn(page, &written, &layout, request)? {
         let mut sheets = sheets.into_iter();
         if let Some(page) = sheets.next() {
             return Ok(Drawing { page, overview: None, key: sheets.collect(), texts: Vec::new(), notes });

@@ -168,17 +168,17 @@ pub(super) fn redrawn(
     written: &WrittenWords<'_>,
     layout: &Layout,
     request: &Request<'_>,
-) -> Result<Option<(Vec<Page>, Vec<Note>)>, Error> {
+) -> Result<Option<Key>, Error> {
     let Some((entries, others)) = entries(page, written) else { return Ok(None) };
-    let Key { sheets, notes, .. } = key::of_entries(&entries, layout, page.figure.source, request)?;
+    let Key { sheets, told, notes } = key::of_entries(&entries, layout, page.figure.source, request)?;
     let sheets: Vec<Page> = sheets.into_iter().map(|sheet| sheet.called(Some(request.title), None, None)).collect();
     if sheets.is_empty() {
         return Ok(None);
     }
     let others = (!others.is_empty()).then(|| {
-        let told = format!("of the key {}, as it is neither a colour nor an abbreviation", named(&others));
-        Note::NotOnPage(About::Braille, told)
+        let what = format!("of the key {}, as it is neither a colour nor an abbreviation", named(&others));
+        Note::NotOnPage(About::Braille, what)
     });
     let notes = written.notes().iter().cloned().chain(notes).chain(others).collect();
-    Ok(Some((sheets, notes)))
+    Ok(Some(Key { sheets, told, notes }))
 }
