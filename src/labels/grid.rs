@@ -124,8 +124,10 @@ mod tests {
         let params = Params {
             area: place,
             tiles: Vec::new(),
+            points: Vec::new(),
             clearance: 3.0,
             texture_clearance: 3.0,
+            least_texture: 0.0,
             may_cross: true,
             step: 0.5,
             leader_off: 0.0,

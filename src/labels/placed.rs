@@ -12,12 +12,16 @@ pub struct Params {
     pub area: MmRect,
     /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
     pub tiles: Vec<MmRect>,
+    /// Where small shapes are that texts may name and the page lacks.
+    pub points: Vec<MmPoint>,
     /// Blank to lines.
     pub clearance: f32,
     /// Blank between lines.
     pub line_gap: f32,
     /// Blank to textures.
     pub texture_clearance: f32,
+    /// Least height of what labels leave of a texture beside them.
+    pub least_texture: f32,
     /// Whether leader lines may cross others: among the few pins of a display they are lost.
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.

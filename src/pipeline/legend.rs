@@ -41,6 +41,8 @@ const MOSTLY: f32 = 0.7;
 pub struct LegendEntry {
     pub(super) text: String,
     pub(super) class: Class,
+    /// Its patch.
+    pub(super) place: MmRect,
 }
 
 /// The legend of a drawing: patches of different colours, two and more, each with a
@@ -75,7 +77,7 @@ pub(super) fn of(edges: &Edges, texts: &[Text], raster: &Raster, layout: &Layout
     let least = |place: MmRect| (LARGER as f32 * px2(place)) as usize / (STEP * STEP);
     let entry = |(number, (text, place, at)): (usize, &(&Text, MmRect, usize))| {
         let class = class_at(raster, *at, &params).filter(|_| elsewhere[number] >= least(*place))?;
-        Some(LegendEntry { text: text.string.clone(), class })
+        Some(LegendEntry { text: text.string.clone(), class, place: *place })
     };
     let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }

@@ -43,6 +43,8 @@ pub struct Words<'a> {
     pub translate: Option<&'a Translate>,
     /// What colours mean by the legend of a drawing, whose words are labels.
     pub legend: &'a [LegendEntry],
+    /// Where small shapes of a drawing are not on the page, such as a stop where routes meet.
+    pub lost_points: &'a [MmPoint],
     /// Of a page that is drawn anew, the figure that it had.
     pub before: Option<&'a Figure>,
 }
@@ -210,7 +212,7 @@ impl<'a> WrittenWords<'a> {
             return (Vec::new(), notes);
         };
         let cells = CellGrid::of(&layout.medium, cell);
-        let params = params(layout, tiles, plan);
+        let params = Params { points: words.lost_points.to_vec(), ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
@@ -365,6 +367,9 @@ pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
     }
 }
 
+/// From dot to dot of braille, mm, about.
+const BRAILLE_DOTS: f32 = 2.5;
+
 /// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
 pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
@@ -385,8 +390,24 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
     };
-    let (tiles, line_gap) = (tiles.to_vec(), plan.lines().min_gap);
-    Params { area, tiles, clearance: CLEARANCE, line_gap, texture_clearance, may_cross, step, leader_off }
+    // three rows of dots are read as cells
+    let least_texture = match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => 3.0 * dots.pitch.max(BRAILLE_DOTS),
+    };
+    let (tiles, points, line_gap) = (tiles.to_vec(), Vec::new(), plan.lines().min_gap);
+    Params {
+        area,
+        tiles,
+        points,
+        clearance: CLEARANCE,
+        line_gap,
+        texture_clearance,
+        least_texture,
+        may_cross,
+        step,
+        leader_off,
+    }
 }
 
 /// A leader line: as thin as lines can be.
