@@ -185,7 +185,8 @@ fn compose(
     let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
     // of a page that is drawn anew, what it says itself
     let legend = if words.own_texts { legend } else { words.legend.to_vec() };
-    let words = &Words { legend: &legend, ..*words };
+    let lost_points = lost_signs::points(&lost_signs, &legend);
+    let words = &Words { legend: &legend, lost_points: &lost_points, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

@@ -4,7 +4,7 @@ use super::cost::{Attachment, cost};
 use super::forms::Form;
 use super::placed::{PlacedAs, Wanted};
 use super::room::Room;
-use super::surroundings::{AT_END, FURTHEST_OUTLINE, NEAR, Surroundings};
+use super::surroundings::{AT_END, NEAR, Surroundings};
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
@@ -81,9 +81,14 @@ impl Spacing {
         self.above
     }
 
-    /// As words of a text, which a blank cell keeps apart, and its lines.
+    /// Side by side as words of a text, which a blank cell keeps apart.
     pub(super) fn narrow(cells: &CellGrid<'_>) -> Self {
-        Self { aside: blank(cells, 1), above: 3.5 }
+        Self { aside: blank(cells, 1), ..Self::wide(cells) }
+    }
+
+    /// The same with the least blank side by side.
+    pub(super) fn tight(cells: &CellGrid<'_>) -> Self {
+        Self { aside: MIN_SPACING.aside, ..Self::narrow(cells) }
     }
 }
 
@@ -206,7 +211,7 @@ fn candidate(
     around: &Surroundings<'_>,
 ) -> Option<Candidate> {
     let gap = distance_to_box(around.anchor, place);
-    if gap > reach(label) || around.is_point && gap < BESIDE {
+    if gap > reach(label) || around.is_point && gap < BESIDE || !around.is_in_cell_or_open(place) {
         return None;
     }
     let join = join(label, place, around)?;
@@ -247,7 +252,8 @@ fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Atta
     let segment = leader_from(nearest, around.tip)?;
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear = label.led_from.is_none() || around.leads_to_own(place, segment);
-    is_clear.then_some(Attachment::LeaderAcross(segment))
+    // across the lines of a table it would come into other cells first
+    (is_clear && around.cell.is_none()).then_some(Attachment::LeaderAcross(segment))
 }
 
 /// A leader line from a point of a label to its tip; none if it would be too short to be felt as a line.
@@ -277,10 +283,14 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>)
     let chord = around.anchor - nearest;
     let is_straight = chord.x == 0.0 || chord.y == 0.0;
     let outline = || around.room.only_line(nearest, around.anchor, WIDEST_OUTLINE);
+    let leads_into_one = |blank: f32| is_outline_of_one(nearest + chord.normalize() * blank, chord.normalize(), around);
+    // one of which the middle lies beside the next shape is taken for the name of that
+    let has_middle = || around.room.only_line(place.center(), around.anchor, WIDEST_OUTLINE).is_some();
     is_straight
-        && outline().is_some_and(|blank| blank < SHORTEST_LEADER)
+        && outline().is_some_and(|blank| blank < SHORTEST_LEADER && leads_into_one(blank))
+        && has_middle()
         && around.is_own(place)
-        && is_open(place, around)
+        && around.is_open(place)
 }
 
 /// The leader line of a label in the open to such an outline: it ends there, and crosses nothing.
@@ -293,16 +303,29 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
     let is_clear = room.is_free_segment(from, outline, end) && around.leads_to_own(place, [from, outline]);
-    (is_clear && is_open(place, around)).then_some([from, outline])
+    (is_clear && is_outline_of_one(outline, direction, around) && around.is_open(place)).then_some([from, outline])
 }
 
-/// Whether a place is not shut in by lines.
-fn is_open(place: MmRect, around: &Surroundings<'_>) -> bool {
-    around.room.shut_in(place.center(), FURTHEST_OUTLINE).is_none()
+/// Whether a line that a way in this direction meets first is that of what the text names: of a text that lines shut in
+/// it is, but where the border to the next shape meets it nobody can tell which of the two is meant. Of another text it
+/// is the line beside that; one that lies between is another thing, such as the next route of a map.
+fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surroundings<'_>) -> bool {
+    if !around.is_shut_in {
+        return (outline - around.tip).length() <= BESIDE_TIP;
+    }
+    let inside = outline + direction * INSIDE_OUTLINE;
+    let aside = MmVector::new(-direction.y, direction.x) * OFF_BORDERS;
+    [aside, -aside].into_iter().all(|to_side| !around.room.is_parted(inside, inside + to_side, 0.0))
 }
 
 /// Breadth of the line of an outline across it, at most, mm: twice the widest line, for a slanted leader.
 const WIDEST_OUTLINE: f32 = 3.0;
+/// So far inside of the outline at which a leader line ends there is no other line for so much on either side, mm: a
+/// finger that crosses the outline there is in the shape that is named, and not at the border to the next.
+const INSIDE_OUTLINE: f32 = 4.5;
+const OFF_BORDERS: f32 = 3.0;
+/// The line beside a text is met so near to where its leader line would end, mm.
+const BESIDE_TIP: f32 = 6.0;
 
 /// A better place of a label near to the one that it has, by the steps between those that were kept; none if there is
 /// none that is `free` of other labels.

@@ -27,16 +27,17 @@ pub(super) struct Context<'a> {
 /// own side of all lines, and nearer to its own anchor than to that of another label.
 pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>) -> bool {
     let (around, place) = (&context.around[label], candidate.place);
-    let anchor = context.wanted[label].anchor.center();
+    let anchor = around.anchor;
     let nearest = anchor.clamp(place.min, place.max);
     let is_told = || match candidate.leader {
-        _ if candidate.stands == PlacedAs::InMargin => true,
+        // what stands in a cell of a table is of its row and its column
+        _ if candidate.stands == PlacedAs::InMargin => around.cell.is_none(),
         Some([from, to]) => {
             context.room.is_free_segment(from, to, around.end.max(AT_END)) && around.leads_to_own(place, [from, to])
         }
         None => !context.room.is_parted(nearest, anchor, around.end.max(AT_END)) && around.is_own(place),
     };
-    context.params.holds(&place) && context.room.is_free(place) && is_told()
+    context.params.holds(&place) && context.room.is_free(place) && around.is_in_cell_or_open(place) && is_told()
 }
 
 /// Steps in both directions, the nearest first.

@@ -42,6 +42,7 @@ pub use surroundings::NEAR;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
 use crate::braille::Translator;
+use crate::geom::components;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
 use crate::units::{MmPoint, MmRect};
@@ -57,6 +58,9 @@ pub const MOST: usize = 300;
 /// The narrower spacing is taken if all labels together then lie nearer to their anchors by at least this, mm: in a row
 /// under the bars of a chart each is below its bar.
 const WORTH_LESS_BLANK: f32 = 8.0;
+
+/// A small ring that the page lacks was on a line if one is so near, mm: lines are seldom moved by more.
+const OFF_LINE: f32 = 3.0;
 
 /// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some
 /// mm apart. A row of five that stand a little too near together needs three rounds.
@@ -129,8 +133,11 @@ fn place_rows_first<'a>(
 ) -> RowsPlaced<'a> {
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let mut forms = forms::of(&texts, translator);
-    let around = around(wanted, &forms, room, cells, params);
+    let mut around = around(wanted, &forms, room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
+    // numbers at an axis stand in squares of its grid, and are of its lines
+    let on_axes = groups.iter().filter(|group| group.steps.is_some()).flat_map(|group| &group.members);
+    on_axes.for_each(|&label| around[label].cell = None);
     let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
     let mut rows = RowsPlaced { wanted, cells, room, params, forms, around, placed, thinned, titles };
     let rows::InRows { mut placed, thinned } = rows::placed(&groups, &rows.context());
@@ -167,7 +174,11 @@ fn around<'a>(
         let forms = forms.iter().flat_map(|forms| &forms.forms);
         forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
     };
-    let anchors = named_points::anchors(wanted, room.rings());
+    // one in the blank is told by the name that stands in its place
+    let is_on_line = |at: &&MmPoint| room.line_beside(MmRect::new(**at, **at), OFF_LINE, OFF_LINE).is_some();
+    let missing = params.points.iter().filter(is_on_line).map(|&at| named_points::missing(at));
+    let rings: Vec<_> = room.rings().iter().copied().chain(missing).collect();
+    let anchors = named_points::anchors(wanted, &rings);
     let around = |(number, forms)| Surroundings::of(number, (wanted, &anchors), longest(forms), room, params);
     forms.iter().enumerate().map(around).collect()
 }
@@ -179,7 +190,13 @@ fn groups_of(
     around: &[Surroundings<'_>],
     translator: &Translator<'_>,
 ) -> Vec<Group> {
-    let mut groups = groups::of(wanted, |label| forms[label].is_ok(), |label| around[label].is_at_lower_side);
+    // names of points, such as towns, are no row though some stand at one height; numbers along a line of points are
+    let names_point = |label: usize| {
+        let Wanted { text, anchor, .. } = &wanted[label];
+        around[label].is_point && !anchor.is_empty() && !scale::is_number(text)
+    };
+    let is_written = |label: usize| forms[label].is_ok() && !names_point(label);
+    let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side);
     letters::add(&mut groups, forms, wanted, translator);
     letters::add_bare(&groups, forms, wanted, translator);
     groups
@@ -205,9 +222,16 @@ fn chosen(
         narrow.0.lost < wide.0.lost || narrow.0.lost == wide.0.lost && narrow.0.cost + WORTH_LESS_BLANK < wide.0.cost;
     let mut best = if is_better { narrow } else { wide };
     if best.0.lost > (0, 0) {
-        let tight = chosen_with(MIN_SPACING);
+        let tight = chosen_with(Spacing::tight(cells));
         if tight.0.lost < best.0.lost {
             best = tight;
+        }
+    }
+    // rather an abbreviation than two texts that are read as two lines of one
+    if best.0.lost.0 > 0 {
+        let least = chosen_with(MIN_SPACING);
+        if least.0.lost.0 < best.0.lost.0 {
+            best = least;
         }
     }
     (best.1, best.2)
@@ -285,10 +309,12 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
 const COMPANY: usize = 2;
 const AROUND: f32 = 9.0;
 const NEAR_LABEL: f32 = 12.0;
+/// Signs no further apart than this are of one part of a texture, mm: the widest steps of its rows, across.
+const SIDE_BY_SIDE: f32 = 5.7;
 
 /// The glyphs of a texture without those that are left alone beside labels.
 fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
-    let is_near = |glyph: &Glyph| placed.iter().any(|label| label.distance(glyph.at) < NEAR_LABEL);
+    let is_near = |glyph: &Glyph| is_near(glyph, placed);
     let company = |glyph: &Glyph| {
         let near = glyphs.iter().filter(|other| (other.at - glyph.at).length() <= AROUND);
         near.take(COMPANY + 1).count() > COMPANY
@@ -296,6 +322,20 @@ fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
     let kept: Vec<bool> = glyphs.iter().map(|glyph| !is_near(glyph) || company(glyph)).collect();
     let mut kept = kept.into_iter();
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
+}
+
+fn is_near(glyph: &Glyph, placed: &[&Placed]) -> bool {
+    placed.iter().any(|label| label.distance(glyph.at) < NEAR_LABEL)
+}
+
+/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
+fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
+    let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
+    let parts = components::of_points(&points, SIDE_BY_SIDE, |between| between.length() <= SIDE_BY_SIDE);
+    components::retain(glyphs, &parts, |glyphs, part| {
+        let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
+        extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
+    });
 }
 
 /// What labels change of a figure.
@@ -313,8 +353,13 @@ pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Ma
     let mut gone = Vec::new();
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
+        let whole = texture.glyphs.len();
         texture.glyphs.retain(|glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius()));
-        texture.glyphs = without_stray(std::mem::take(&mut texture.glyphs), placed);
+        let mut glyphs = std::mem::take(&mut texture.glyphs);
+        if glyphs.len() < whole && params.least_texture > 0.0 {
+            leave_out_few_rows(&mut glyphs, placed, params.least_texture);
+        }
+        texture.glyphs = without_stray(glyphs, placed);
         if texture.glyphs.is_empty() {
             let far = |label: &usize| placed[*label].distance(extent.center());
             gone.extend((0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b))));

@@ -9,10 +9,12 @@ use crate::units::{MmPoint, MmRect};
 
 /// The largest ring that stands for a point, mm across: twice what a fingertip feels at once would be a shape.
 const LARGEST: f32 = 12.0;
+/// The smallest, mm across: a bead on a line.
+const SMALLEST: f32 = 4.0;
 /// Sides of the box around a ring differ by so much at most, mm: a step of a coarse grid of dots.
 const ROUND: f32 = 2.6;
 /// Farthest that a ring lies from the text that names it, mm: print stands up to 4 mm beside it, as beside the end of a
-/// line.
+/// line, and large print as far as it is high.
 const BESIDE: f32 = 5.0;
 
 /// A small ring: its middle, and how far it reaches from there, mm.
@@ -22,16 +24,27 @@ pub(super) struct SmallRing {
     reach: f32,
 }
 
-/// The small rings among lines.
+/// The small rings among lines, and the points on them.
 pub(super) fn rings(lines: &[Line]) -> Vec<SmallRing> {
     let closed = lines.iter().flat_map(|line| &line.runs).filter(|run| run.closed);
+    // filled ones on lines are beads there, and on lines of dots both kinds are dots of these
+    let on_dots = lines.iter().flat_map(Line::row_points).map(|point| SmallRing { at: point.at, reach: point.radius });
+    let beads = lines.iter().flat_map(Line::beads).filter_map(|run| {
+        let extent = MmRect::from_points(run.points.iter().copied());
+        run.points.first().map(|_| SmallRing { at: extent.center(), reach: 0.5 * run.width })
+    });
     let ring = closed.filter_map(|run| {
         let extent = MmRect::from_points(run.points.iter().copied());
         let (width, height) = (extent.width(), extent.height());
         let is_ring = width.max(height) <= LARGEST && (width - height).abs() <= ROUND && width.min(height) > 0.0;
         is_ring.then(|| SmallRing { at: extent.center(), reach: 0.5 * width.max(height) })
     });
-    ring.collect()
+    ring.chain(on_dots).chain(beads).collect()
+}
+
+/// The place of a ring on a line that the page lacks: what stands beside it in the drawing names it still.
+pub(super) fn missing(at: MmPoint) -> SmallRing {
+    SmallRing { at, reach: 0.5 * SMALLEST }
 }
 
 /// What each label names: the middle of the ring that it stands beside, as an empty box, or else its own anchor. Each
@@ -40,7 +53,7 @@ pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
     let gap = |label: &Wanted, ring: &SmallRing| {
         let far = distance_to_box(ring.at, label.anchor);
         // a ring around a text is a shape with a text in it
-        (far > 0.0 && far - ring.reach <= BESIDE).then_some(far)
+        (far > 0.0 && far - ring.reach <= BESIDE.max(label.anchor.height())).then_some(far)
     };
     let mut pairs: Vec<(f32, usize, usize)> = Vec::new();
     for (number, label) in wanted.iter().enumerate() {

@@ -14,6 +14,8 @@ pub struct Params {
     pub tiles: Vec<MmRect>,
     /// Boxes that they keep clear of as of lines.
     pub blocked: Vec<MmRect>,
+    /// Where small shapes are that texts may name and the page lacks.
+    pub points: Vec<MmPoint>,
     /// Blank to lines.
     pub clearance: f32,
     /// Blank between lines.
@@ -22,6 +24,8 @@ pub struct Params {
     pub least_strength: f32,
     /// Blank to textures.
     pub texture_clearance: f32,
+    /// Least height of what labels leave of a texture beside them.
+    pub least_texture: f32,
     /// Whether leader lines may cross others: among the few pins of a display they are lost.
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
@@ -37,6 +41,8 @@ impl Params {
             area,
             tiles: Vec::new(),
             blocked: Vec::new(),
+            points: Vec::new(),
+            least_texture: 0.0,
             clearance: 3.0,
             line_gap: 3.2,
             least_strength: 7.0,

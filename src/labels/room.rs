@@ -26,6 +26,10 @@ const BROADEST: f32 = 420.0;
 const SIDE_OF_TEXT: f32 = 4.0;
 /// Sides that are nearer than this to those above are the same ones, mm: a third of what labels keep from lines.
 const SAME_SIDE: f32 = 1.0;
+/// Lines run along a side of a box that are so near to it, mm, over so much of it: those between columns may stop short
+/// of those between rows, by twice the least blank.
+const OFF_SIDE: f32 = 1.0;
+const MOST_OF_SIDE: f32 = 0.6;
 /// Dots of a line that are no further apart are side by side, mm: across the diagonal of a grid of 2.5 mm.
 const SIDE_BY_SIDE: f32 = 3.6;
 /// Blank between a leader line and other lines, mm.
@@ -214,6 +218,25 @@ impl Room {
         (last - begin <= broadest).then_some(begin)
     }
 
+    /// The box of lines around a point, such as a cell of a table: what lies nearest to the point on the left, on the
+    /// right, above and below, if lines run along most of the sides of the box between. Where the page lacks the lines
+    /// between the columns of a table, it is the whole row. Faint lines, as of a grid behind a curve, part nothing.
+    pub(super) fn cell_around(&self, at: MmPoint) -> Option<MmRect> {
+        let ink = self.strong.as_ref().unwrap_or(&self.ink);
+        let to = |x: f32, y: f32| self.first_in(ink, at, MmVector::new(x, y), BROADEST);
+        let (low, high) = (MmVector::new(to(-1.0, 0.0)?, to(0.0, -1.0)?), MmVector::new(to(1.0, 0.0)?, to(0.0, 1.0)?));
+        let cell = MmRect::new(at - low, at + high);
+        let corners = corners(cell);
+        let is_side = |i: usize| {
+            let (from, to) = (corners[i], corners[(i + 1) % 4]);
+            let steps = ((to - from).length() / SQUARE).ceil().max(1.0);
+            let places = (0..=steps as u32).map(|step| from.lerp(to, step as f32 / steps));
+            places.filter(|at| self.nearest(MmRect::new(*at, *at), OFF_SIDE, ink).is_some()).count() as f32
+                >= MOST_OF_SIDE * (steps + 1.0)
+        };
+        ((0..4).all(is_side)).then_some(cell)
+    }
+
     /// How far the lines around a point reach that shut it in on all sides, mm; none if one side is open as far as
     /// `reach`.
     pub(super) fn shut_in(&self, at: MmPoint, reach: f32) -> Option<f32> {
@@ -266,9 +289,15 @@ impl Room {
 
     /// How far the first ink lies in a direction, mm.
     fn first_ink(&self, at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
+        self.first_in(&self.ink, at, direction, reach)
+    }
+
+    /// How far the first of these squares lies in a direction, mm.
+    fn first_in(&self, squares: &[u32], at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
         let steps = (2.0 * reach / SQUARE).ceil() as u32;
         let distances = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|distance| *distance <= reach);
-        distances.into_iter().find(|distance| self.is_ink(at + direction * *distance))
+        let is_in = |at: MmPoint| self.squares.index(at).is_some_and(|index| squares[index] > 0);
+        distances.into_iter().find(|distance| is_in(at + direction * *distance))
     }
 
     /// How much of a straight leader line lies near to other lines, mm, without the last `end` mm.

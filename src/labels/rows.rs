@@ -273,8 +273,8 @@ impl<'a> RowOfLabels<'a> {
         let (size, row) = (self.sizes[number], (number % rows) as f32);
         let corner = self.corner(number, start, offset, self.along[number].0 + moved);
         let place = self.context.cells.snapped(MmRect::new(corner, corner + size));
-        let anchor = self.context.wanted[self.group.members[number]].anchor;
-        let leader = (at == RowPlace::Led).then(|| leader(place, anchor.center()));
+        let anchor = self.context.around[self.group.members[number]].anchor;
+        let leader = (at == RowPlace::Led).then(|| leader(place, anchor));
         let cost = self.forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
         let stands = if at == RowPlace::Margin { PlacedAs::InMargin } else { PlacedAs::InRow };
         Candidate::of_row(self.numbers[number], place, leader, cost, stands)

@@ -5,7 +5,7 @@ use super::placed::{Params, Wanted};
 use super::room::Room;
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::distance_to_box;
-use crate::units::{MmPoint, MmRect};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
 /// beside what they name; chosen by us, because two cells on a line are a fingertip's width apart.
@@ -31,9 +31,13 @@ const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
 const FARTHEST_ARC: f32 = 25.0;
 /// A text or a label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
-pub(super) const FURTHEST_OUTLINE: f32 = 90.0;
+const FURTHEST_OUTLINE: f32 = 90.0;
 /// So far from its middle one is beside a line, mm: more than half of the widest.
 const OFF_LINE: f32 = 2.5;
+/// Print in a cell of a table reaches beyond its lines by at most this, mm: lines are moved, and are broader.
+const AROUND_CELL: f32 = 2.0;
+/// Points nearer than this are one, mm: a point that is given seldom lies exactly in the middle of its ring.
+const SAME: f32 = 3.0;
 /// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
 /// more exactly.
 const BELOW: f32 = 6.0;
@@ -51,6 +55,10 @@ pub(super) struct Surroundings<'a> {
     /// The place on its own side from which the line is reached on which its leader line ends, of a text that lines
     /// shut in: it may name what they surround.
     pub(super) side: Option<MmPoint>,
+    /// Whether it is a text that lines shut in.
+    pub(super) is_shut_in: bool,
+    /// The box of lines in which a text stands, such as a cell of a table: in another one it would say something else.
+    pub(super) cell: Option<MmRect>,
     /// Whether it names a point: one that is given, or a small ring that it stands beside as a text.
     pub(super) is_point: bool,
     /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
@@ -80,9 +88,11 @@ impl<'a> Surroundings<'a> {
         let (at, is_point) = (anchor.center(), anchor.is_empty());
         // a label without a leader line, and what lies no further from it than what it names
         let reach = 2.0 * NEAR + longest;
-        let others = anchors.iter().enumerate().filter(|(other, _)| *other != number);
+        let others = anchors.iter().enumerate().filter(|(other, _)| *other != number).map(|(_, of)| of.center());
+        // a ring without a name is one for which readers take the name beside it
+        let rings = room.rings().iter().map(|ring| ring.at).filter(|ring| is_point && (*ring - at).length() > SAME);
         let near = |other: &MmPoint| (*other - at).length() < reach;
-        let mut others: Vec<MmPoint> = others.map(|(_, other)| other.center()).filter(near).collect();
+        let mut others: Vec<MmPoint> = others.chain(rings).filter(near).collect();
         // of labels of one place one is enough
         others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         others.dedup();
@@ -95,8 +105,13 @@ impl<'a> Surroundings<'a> {
             if is_point || angle.is_some() { at } else { room.line_beside(anchor, BESIDE_LINE, NEAR).unwrap_or(at) };
         let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
         let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
-        let is_shut_in = || label.led_from.is_none() && room.shut_in(at, FURTHEST_OUTLINE).is_some();
-        let side = (!is_point && tip != at && is_blank(at) && is_shut_in()).then(|| {
+        let is_text = !is_point && label.led_from.is_none();
+        let is_shut_in = is_text && room.shut_in(at, FURTHEST_OUTLINE).is_some();
+        // what is written across the lines of a grid stands in none of its squares
+        let cell = if is_text { room.cell_around(at) } else { None };
+        let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
+        let cell = cell.filter(|cell| is_around(cell) && !is_squared_paper(*cell, wanted, room));
+        let side = (tip != at && is_blank(at) && is_shut_in).then(|| {
             let to_text = at - tip;
             tip + to_text.normalize() * to_text.length().min(OFF_LINE)
         });
@@ -106,6 +121,8 @@ impl<'a> Surroundings<'a> {
             end: if is_blank(tip) { 0.0 } else { end },
             beside: if is_blank(at) { 0.0 } else { end },
             side,
+            is_shut_in,
+            cell,
             is_point,
             is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR),
             line_on: if is_point { None } else { room.comes_up_to(anchor, BESIDE_TEXT) },
@@ -129,6 +146,19 @@ impl<'a> Surroundings<'a> {
         let is_near = distance_to_box(self.anchor, place) <= NEAR;
         let is_open = || is_near && !self.room.is_parted(nearest, self.anchor, AT_END);
         angle.holds_box(place) && self.is_own(place) && (is_open() || is_beyond_arc())
+    }
+
+    /// Whether a place is not shut in by lines.
+    pub(super) fn is_open(&self, place: MmRect) -> bool {
+        self.room.shut_in(place.center(), FURTHEST_OUTLINE).is_none()
+    }
+
+    /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text
+    /// that stands in none.
+    pub(super) fn is_in_cell_or_open(&self, place: MmRect) -> bool {
+        // a row of a table may be so long that it seems open
+        let is_open = || self.is_open(place) && self.room.cell_around(place.center()).is_none();
+        self.cell.is_none_or(|cell| cell.contains_box(&place) || is_open())
     }
 
     /// Whether a label and its leader line keep clear of what other labels name.
@@ -156,4 +186,14 @@ impl<'a> Surroundings<'a> {
             gap > own || gap >= own && middle >= from_middle
         })
     }
+}
+
+/// Whether a box of lines with a text is a square of squared paper, on which letters stand beside what is drawn over
+/// it: there are boxes right beside it, and all of these are empty.
+fn is_squared_paper(cell: MmRect, wanted: &[Wanted], room: &Room) -> bool {
+    let (across, down) = (MmVector::new(cell.width(), 0.0), MmVector::new(0.0, cell.height()));
+    let beside = [across, -across, down, -down].map(|to| cell.center() + to);
+    let boxes: Vec<MmRect> = beside.into_iter().filter_map(|at| room.cell_around(at)).collect();
+    let has_text = |of: &MmRect| wanted.iter().any(|label| of.contains(label.anchor.center()));
+    !boxes.is_empty() && !boxes.iter().any(has_text)
 }

@@ -41,6 +41,8 @@ const MOSTLY: f32 = 0.7;
 pub struct LegendEntry {
     pub(super) text: String,
     pub(super) class: Class,
+    /// Its patch; none on a page that is drawn anew.
+    pub(super) place: Option<MmRect>,
 }
 
 /// The legend of a drawing: patches of different colours, two and more, each with a
@@ -75,7 +77,7 @@ pub(super) fn of(edges: &Edges, texts: &[Text], raster: &Raster, layout: &Layout
     let least = |place: MmRect| (LARGER as f32 * px2(place)) as usize / (STEP * STEP);
     let entry = |(number, (text, place, at)): (usize, &(&Text, MmRect, usize))| {
         let class = class_at(raster, *at, &params).filter(|_| elsewhere[number] >= least(*place))?;
-        Some(LegendEntry { text: text.string.clone(), class })
+        Some(LegendEntry { text: text.string.clone(), class, place: Some(*place) })
     };
     let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
@@ -84,7 +86,7 @@ pub(super) fn of(edges: &Edges, texts: &[Text], raster: &Raster, layout: &Layout
 /// The legend of a page that was read, as its key told it.
 pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
     let told = ToldInKey::of(page).unwrap_or_default();
-    told.meanings().map(|(class, text)| LegendEntry { text: text.to_owned(), class }).collect()
+    told.meanings().map(|(class, text)| LegendEntry { text: text.to_owned(), class, place: None }).collect()
 }
 
 /// Whether a text stands at the side of a patch, at its height.

@@ -2,6 +2,7 @@
 //! legend: a label may stand beside them, so they are told by its name.
 
 use super::label::Label;
+use super::legend::LegendEntry;
 use super::texts::Text;
 use super::unwritten::named;
 use super::words::Words;
@@ -67,6 +68,12 @@ pub(super) fn of(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform, 
 /// The boxes around the filled points on a line.
 pub(super) fn beads(line: &Line) -> impl Iterator<Item = MmRect> {
     line.beads().map(|run| MmRect::from_points(&run.points).inflate(0.5 * run.width, 0.5 * run.width))
+}
+
+/// The places of those that are neither arrowheads nor patches of a legend.
+pub(super) fn points(lost: &[LostSign], legend: &[LegendEntry]) -> Vec<MmPoint> {
+    let is_patch = |at: MmPoint| legend.iter().filter_map(|entry| entry.place).any(|patch| patch.contains(at));
+    lost.iter().filter(|sign| !sign.is_arrowhead && !is_patch(sign.at)).map(|sign| sign.at).collect()
 }
 
 /// What is so near to the head of an arrow is part of it, mm.

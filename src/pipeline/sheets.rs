@@ -68,7 +68,8 @@ pub fn convert<'p>(
     let marks = draw(found, given, request, watch)?;
     let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
     let legend = if words.own_texts { legend } else { Vec::new() };
-    let words = &Words { legend: &legend, ..*words };
+    let lost_points = lost_signs::points(&lost_signs, &legend);
+    let words = &Words { legend: &legend, lost_points: &lost_points, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

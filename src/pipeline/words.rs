@@ -43,6 +43,8 @@ pub struct Words<'a> {
     pub translate: Option<&'a Translate>,
     /// What colours mean by the legend of a drawing, whose words are labels.
     pub legend: &'a [LegendEntry],
+    /// Where small shapes of a drawing are not on the page, such as a stop where routes meet.
+    pub lost_points: &'a [MmPoint],
     /// Of a page that is drawn anew, the figure that it had.
     pub before: Option<&'a Figure>,
     /// Boxes that labels keep clear of as of lines.
@@ -221,7 +223,8 @@ impl<'a> WrittenWords<'a> {
             return OnPage { braille: Vec::new(), notes, lines };
         };
         let cells = CellGrid::of(&layout.medium, cell);
-        let params = Params { blocked: words.blocked.to_vec(), ..params(layout, tiles, plan) };
+        let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
+        let params = Params { points, blocked, ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
@@ -369,6 +372,9 @@ pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
     }
 }
 
+/// From dot to dot of braille, mm, about.
+const BRAILLE_DOTS: f32 = 2.5;
+
 /// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
 pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
@@ -389,15 +395,22 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
     };
+    // three rows of dots are read as cells
+    let least_texture = match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => 3.0 * dots.pitch.max(BRAILLE_DOTS),
+    };
     let (tiles, lines) = (tiles.to_vec(), plan.lines());
     Params {
         area,
         tiles,
+        points: Vec::new(),
         blocked: Vec::new(),
         clearance: CLEARANCE,
         line_gap: lines.min_gap,
         least_strength: lines.least_strength,
         texture_clearance,
+        least_texture,
         may_cross,
         step,
         leader_off,

@@ -4,6 +4,7 @@ mod back;
 mod codes;
 mod key;
 mod labels;
+mod named;
 mod outputs;
 mod reading;
 mod rows;

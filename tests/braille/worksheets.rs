@@ -4,30 +4,30 @@ use super::labels::options;
 use std::fmt::Write as _;
 use tactograph::{Drawing, convert};
 
-const PROFILES: [&str; 4] = ["swell-a4", "index-basic-d", "viewplus-columbia", "dot-pad"];
+pub(super) const PROFILES: [&str; 4] = ["swell-a4", "index-basic-d", "viewplus-columbia", "dot-pad"];
 
 /// A drawing of this size around these marks.
-fn svg([width, height]: [f32; 2], marks: &str) -> String {
+pub(super) fn svg([width, height]: [f32; 2], marks: &str) -> String {
     format!(
         "<svg xmlns='http://www.w3.org/2000/svg' width='{width}' height='{height}' font-family='sans-serif' \
          font-size='18'><rect width='{width}' height='{height}' fill='#fff'/>{marks}</svg>"
     )
 }
 
-fn drawn(svg: &str, profile: &str) -> Drawing {
+pub(super) fn drawn(svg: &str, profile: &str) -> Drawing {
     convert(svg.as_bytes(), &options(profile).label_texts(true)).expect("a page")
 }
 
-fn notes(drawing: &Drawing) -> String {
+pub(super) fn notes(drawing: &Drawing) -> String {
     drawing.notes.iter().map(|note| format!("{note}\n")).collect()
 }
 
 /// A name, its place and that of its text.
-type Stop = (&'static str, (f32, f32), (f32, f32));
+pub(super) type Stop = (&'static str, (f32, f32), (f32, f32));
 
-const MAP: [f32; 2] = [800.0, 560.0];
+pub(super) const MAP: [f32; 2] = [800.0, 560.0];
 /// Name and place of each stop, and where its name is written.
-const STOPS: [Stop; 12] = [
+pub(super) const STOPS: [Stop; 12] = [
     ("Harbour", (60.0, 120.0), (60.0, 104.0)),
     ("Town Hall", (220.0, 120.0), (220.0, 104.0)),
     ("Central Station", (380.0, 240.0), (460.0, 226.0)),
@@ -43,7 +43,7 @@ const STOPS: [Stop; 12] = [
 ];
 
 /// A map of three routes, each in its colour, with names beside their stops.
-fn map(colours: [&str; 3]) -> String {
+pub(super) fn map(colours: [&str; 3]) -> String {
     let routes = [
         "60,120 220,120 380,240 560,240 740,400",
         "120,480 300,400 380,240 480,120 560,60",
@@ -77,10 +77,10 @@ fn routes_of_several_colours_are_told() {
     assert_eq!(count(&svg(MAP, outlines)), 0, "outlines of areas that have textures");
 }
 
-const PIE: [f32; 2] = [720.0, 480.0];
+pub(super) const PIE: [f32; 2] = [720.0, 480.0];
 
 /// A pie of these shares and colours, each with its name: in a legend, or in its sector.
-fn pie(parts: &[(&str, f32, &str)], has_legend: bool) -> String {
+pub(super) fn pie(parts: &[(&str, f32, &str)], has_legend: bool) -> String {
     let whole: f32 = parts.iter().map(|(_, share, _)| share).sum();
     let (x, y, radius) = (240.0, 240.0, 180.0);
     let mut marks = String::new();

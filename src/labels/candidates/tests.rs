@@ -179,12 +179,15 @@ fn the_best_places_are_kept_some_distance_apart() {
 fn the_name_of_an_angle_stays_between_its_legs() {
     let legs = room(&[(140.0, 120.0), (90.0, 120.0), (125.0, 60.0)], false);
     let anchor = MmRect::new(MmPoint::new(97.0, 112.0), MmPoint::new(101.0, 116.0));
-    let join_of = |text: &str, place: MmRect| {
+    let join_at = |text: &str, place: MmRect, anchor: MmRect| {
         let label = [Wanted { text: text.into(), anchor, led_from: None }];
         placed(&label, place, &legs, &params()).map(|found| (found.leader.is_some(), found.crosses))
     };
+    let join_of = |text: &str, place: MmRect| join_at(text, place, anchor);
     let place = |x: f32, y: f32| MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 6.0));
     assert_eq!(join_of("α", place(107.0, 108.0)), Some((false, false)), "in the angle");
     assert_eq!(join_of("α", place(95.0, 126.0)), Some((true, true)), "below its leg, which the leader line crosses");
-    assert_eq!(join_of("path", place(95.0, 126.0)), Some((false, false)), "a word names the leg");
+    let beside = |x: f32| anchor.translate(MmVector::new(x, 0.0));
+    assert_eq!(join_at("path", place(105.0, 126.0), beside(10.0)), Some((false, false)), "a word names the leg");
+    assert_eq!(join_of("path", place(95.0, 126.0)), Some((true, true)), "the other leg, which is nearer to it");
 }
