@@ -106,38 +106,4 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn text(string: &str, x: f32, y: f32) -> DrawnText {
-        let (min, max) = (PxPoint::new(x, y), PxPoint::new(x + 12.0 * string.chars().count() as f32, y + 24.0));
-        DrawnText { string: string.to_owned(), min, max, angle: 0.0, size: 20.0, hidden: false }
-    }
-
-    fn strings(texts: Vec<DrawnText>) -> Vec<String> {
-        sentences(texts).into_iter().map(|text| text.string).collect()
-    }
-
-    #[test]
-    fn lines_of_a_sentence_are_one_text() {
-        let lines = [text("The boiler", 10.0, 10.0), text("heats the", 10.0, 34.0), text("water.", 10.0, 58.0)];
-        let joined = sentences(lines.to_vec());
-        assert_eq!(joined.len(), 1);
-        assert_eq!(joined[0].string, "The boiler heats the water.");
-        assert_eq!((joined[0].min, joined[0].max), (lines[0].min, PxPoint::new(130.0, 82.0)));
-        let divided = [text("A spider-", 10.0, 10.0), text("ling", 10.0, 34.0)];
-        assert_eq!(strings(divided.to_vec()), ["A spiderling"]);
-    }
-
-    #[test]
-    fn lists_and_texts_apart_are_several() {
-        let list = [text("duck", 10.0, 10.0), text("sea gull", 10.0, 34.0), text("Great tit", 10.0, 58.0)];
-        assert_eq!(strings(list.to_vec()).len(), 3);
-        let apart = [text("The boiler", 10.0, 10.0), text("heats the water", 10.0, 60.0)];
-        assert_eq!(strings(apart.to_vec()).len(), 2, "too far below");
-        let beside = [text("The boiler", 10.0, 10.0), text("heats the water", 60.0, 34.0)];
-        assert_eq!(strings(beside.to_vec()).len(), 2, "not in line");
-        let ended = [text("The end.", 10.0, 10.0), text("not its own", 10.0, 34.0)];
-        assert_eq!(strings(ended.to_vec()).len(), 2, "the sentence has ended");
-    }
-}
+mod tests;

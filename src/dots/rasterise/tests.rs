@@ -1,0 +1,71 @@
+//! Tests of `rasterise`.
+
+use super::*;
+use crate::geom::polyline::Polyline;
+
+fn grid() -> Grid {
+    let even = |count: usize| (0..count).map(|i| 2.5 * i as f32).collect();
+    Grid { columns: even(60), rows: even(60) }
+}
+
+fn at(x: f32, y: f32) -> MmPoint {
+    MmPoint::new(2.5 * x, 2.5 * y)
+}
+
+fn ring(radius: f32, x: f32, y: f32) -> Vec<MmPoint> {
+    let angle = |i: i32| (i % 180) as f32 * std::f32::consts::TAU / 180.0;
+    (0..=180).map(|i| at(x + radius * angle(i).cos(), y + radius * angle(i).sin())).collect()
+}
+
+/// Each dot is a neighbour of the next and of no other than those before and after it.
+fn is_one_dot_wide(cells: &[Cell], closed: bool) -> bool {
+    let n = cells.len();
+    (0..n).all(|i| {
+        (0..i).all(|j| {
+            let steps = if closed { (i - j).min(n - (i - j)) } else { i - j };
+            (distance(cells[i], cells[j]) <= 1) == (steps == 1)
+        })
+    })
+}
+
+#[test]
+fn straight_lines_at_any_angle_are_one_dot_wide_and_near_the_line() {
+    for degrees in 0..360 {
+        let (sin, cos) = (degrees as f32).to_radians().sin_cos();
+        for (x, y) in [(30.0, 30.0), (30.3, 29.6), (30.5, 30.5)] {
+            let end = [x + 20.0 * cos, y + 20.0 * sin];
+            let cells = rasterise(Polyline::open(vec![at(x, y), at(end[0], end[1])]).view(), &grid());
+            assert!(is_one_dot_wide(&cells, false), "{degrees}: {cells:?}");
+            assert!(cells.len() >= 14 && cells.len() <= 22, "{degrees}: {}", cells.len());
+            for cell in cells {
+                let aside = (cell[0] as f32 - x) * sin - (cell[1] as f32 - y) * cos;
+                assert!(aside.abs() <= 0.72, "{degrees}: {cell:?} lies {aside} steps aside");
+            }
+        }
+    }
+}
+
+#[test]
+fn rings_close_and_are_one_dot_wide() {
+    for tenth in 25..200 {
+        for (x, y) in [(30.0, 30.0), (29.7, 30.2), (30.5, 30.5)] {
+            let radius = tenth as f32 / 10.0;
+            let cells = rasterise(Polyline::from_path(ring(radius, x, y)).view(), &grid());
+            assert!(is_one_dot_wide(&cells, true), "radius {radius}: {cells:?}");
+            for cell in &cells {
+                let off = (cell[0] as f32 - x).hypot(cell[1] as f32 - y) - radius;
+                assert!(off.abs() < 0.75, "radius {radius}: {cell:?} lies {off} steps off");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_rectangle_keeps_its_corners() {
+    let points = [at(10.0, 10.0), at(20.2, 10.0), at(20.2, 16.4), at(10.0, 16.4), at(10.0, 10.0)];
+    let cells = rasterise(Polyline::from_path(points.to_vec()).view(), &grid());
+    for corner in [[20, 10], [20, 16], [10, 16]] {
+        assert!(cells.contains(&corner), "{corner:?} is not in {cells:?}");
+    }
+    assert_eq!(cells.len(), 32);
+}

@@ -1,0 +1,57 @@
+//! Tests of `flatten`.
+
+use super::*;
+use resvg::tiny_skia::{PathBuilder, Stroke};
+
+const SIZE: Size = Size::new(100, 100);
+
+fn drawing(path: Path, width: Option<f32>) -> VectorDrawing {
+    let stroke = width.map(|width| Stroke { width, ..Stroke::default() });
+    VectorDrawing { paths: vec![PaintedPath { path, stroke, dashed: false }], ..VectorDrawing::default() }
+}
+
+#[test]
+fn of_a_shape_that_reaches_far_away_only_what_is_in_sight_has_points() {
+    let mut path = PathBuilder::new();
+    for (number, (x, y)) in [(20.0, 30.0), (60.0, 30.0), (60.0, 4e9), (20.0, 4e9)].into_iter().enumerate() {
+        if number == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+    }
+    path.close();
+    let proposals = proposals(&drawing(path.finish().expect("a path"), None), 8.0, SIZE);
+    let line = &proposals[0].line;
+    assert!(line.closed && (180..200).contains(&line.vertices.len()), "{} points", line.vertices.len());
+    let in_picture = line.vertices.iter().filter(|at| at.y <= 100.0);
+    assert!(in_picture.clone().all(|at| at.x > 19.9 && at.x < 60.1 && at.y > 29.9));
+    assert!(in_picture.count() > 170);
+}
+
+#[test]
+fn a_circle_is_closed_and_round() {
+    let circle = PathBuilder::from_circle(50.0, 50.0, 30.0).expect("a circle");
+    let proposals = proposals(&drawing(circle, None), 8.0, SIZE);
+    assert_eq!(proposals.len(), 1);
+    assert!(proposals[0].line.closed);
+    for at in &proposals[0].line.vertices {
+        assert!(((*at - PxPoint::new(50.0, 50.0)).length() - 30.0).abs() < 0.05, "{at:?}");
+    }
+}
+
+#[test]
+fn a_thin_stroke_has_one_line_and_a_wide_one_two_sides() {
+    let mut line = PathBuilder::new();
+    line.move_to(10.0, 50.0);
+    line.line_to(90.0, 50.0);
+    let line = line.finish().expect("a line");
+    let thin = proposals(&drawing(line.clone(), Some(3.0)), 8.0, SIZE);
+    assert!(matches!(&thin[..], [one] if one.stroke == Some(3.0) && !one.line.closed));
+    assert!((thin[0].line.length() - 80.0).abs() < 1e-3);
+    let wide = proposals(&drawing(line, Some(20.0)), 8.0, SIZE);
+    assert!(matches!(&wide[..], [one] if one.stroke.is_none() && one.line.closed));
+    assert!((wide[0].line.length() - 200.0).abs() < 1e-2);
+}
+
+#[test]
+fn what_lies_outside_the_picture_is_left_out() {
+    let circle = PathBuilder::from_circle(500.0, 50.0, 30.0).expect("a circle");
+    assert_eq!(proposals(&drawing(circle, None), 8.0, SIZE), []);
+}

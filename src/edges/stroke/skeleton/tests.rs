@@ -1,0 +1,65 @@
+//! Tests of `skeleton`.
+
+use super::*;
+
+fn skeleton(rows: &[&str]) -> (Vec<SkeletonPath>, Vec<SkeletonNode>) {
+    let size = Size::new(rows[0].len() as u32, rows.len() as u32);
+    let cells = rows.concat().into_bytes();
+    let mut mask = StrokeMask::new(size, (0..cells.len()).filter(|&cell| cells[cell] == b'#'));
+    mask.thin();
+    mask.paths()
+}
+
+#[test]
+fn a_bar_is_one_path_along_its_middle() {
+    let (paths, nodes) = skeleton(&["..........", ".########.", ".########.", ".########.", ".........."]);
+    assert!(nodes.is_empty() && paths.len() == 1 && !paths[0].closed);
+    assert!(paths[0].points.iter().all(|at| (at.y - 2.5).abs() < 1e-6), "{paths:?}");
+}
+
+#[test]
+fn a_diagonal_two_pixels_wide_stays() {
+    let rows: Vec<String> = (0..16)
+        .map(|y: i32| (0..18).map(|x: i32| if (0..=1).contains(&(x - y)) && y > 0 { '#' } else { '.' }).collect())
+        .collect();
+    let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+    let (paths, nodes) = skeleton(&rows);
+    assert!(nodes.is_empty(), "{nodes:?}");
+    assert!(matches!(&paths[..], [line] if line.points.len() >= 12), "{paths:?}");
+}
+
+#[test]
+fn a_ring_is_closed() {
+    let (paths, nodes) = skeleton(&[".........", ".#######.", ".#.....#.", ".#.....#.", ".#######.", "........."]);
+    assert!(nodes.is_empty(), "{nodes:?}");
+    assert!(matches!(&paths[..], [ring] if ring.closed && ring.points.len() >= 14), "{paths:?}");
+}
+
+#[test]
+fn a_loop_comes_back_to_its_junction_and_leaves_what_hangs_on_it() {
+    let rows = [
+        "....#....",
+        "....#....",
+        "....#....",
+        "...#.#...",
+        "..#...#..",
+        ".#.....#.",
+        ".#.....#.",
+        ".#######.",
+        ".........",
+    ];
+    let (paths, nodes) = skeleton(&rows);
+    assert_eq!(nodes.len(), 1, "{nodes:?}");
+    let mut at_node: Vec<usize> = paths.iter().map(|path| path.nodes.iter().flatten().count()).collect();
+    at_node.sort_unstable();
+    assert_eq!(at_node, [1, 2], "a loop and what hangs on it: {paths:?}");
+}
+
+#[test]
+fn a_cross_has_four_arms_from_one_junction() {
+    let rows = ["....#....", "....#....", "....#....", "....#....", "#########", "....#....", "....#....", "....#...."];
+    let (paths, nodes) = skeleton(&rows);
+    assert_eq!((paths.len(), nodes.len()), (4, 1));
+    assert!(paths.iter().all(|path| path.nodes.iter().flatten().count() == 1));
+    assert!((nodes[0].at - PxPoint::new(4.5, 4.5)).length() < 0.8, "{nodes:?}");
+}

@@ -1,0 +1,50 @@
+//! Tests of `nearby`.
+
+use super::*;
+use crate::geom::segment_distance;
+use crate::units::{MmPoint, MmRect, Px, PxPoint};
+use proptest::prelude::*;
+
+proptest! {
+    #[test]
+    fn points_within_reach_are_seen_once_wherever_they_lie(
+        raw in prop::collection::vec((-20.0_f32..60.0, -20.0_f32..60.0), 1..60),
+        at in (-20.0_f32..60.0, -20.0_f32..60.0),
+        reach in 0.0_f32..30.0,
+        cell in 0.1_f32..50.0,
+    ) {
+        let points: Vec<PxPoint> = raw.iter().map(|&at| at.into()).collect();
+        let mut index = Index::<usize, Px>::new(Box2D::new(PxPoint::zero(), PxPoint::new(40.0, 30.0)), cell);
+        for (number, &point) in points.iter().enumerate() {
+            index.put_at(point, number);
+        }
+        let at = PxPoint::from(at);
+        let mut seen = Vec::new();
+        index.around(at, at, reach, |&number| seen.push(number));
+        seen.sort_unstable();
+        prop_assert!(seen.is_sorted_by(|a, b| a < b), "a point is in one cell");
+        for (number, &point) in points.iter().enumerate() {
+            prop_assert!((point - at).length() > reach || seen.contains(&number), "{point:?} is missed");
+        }
+    }
+
+    #[test]
+    fn along_a_way_nothing_that_it_crosses_is_missed(
+        raw in prop::collection::vec((0.0_f32..40.0, 0.0_f32..30.0, -3.0_f32..3.0, -3.0_f32..3.0), 1..40),
+        ray in (0.0_f32..40.0, 0.0_f32..30.0, -9.0_f32..9.0, -9.0_f32..9.0),
+    ) {
+        let mut nearby = Nearby::new(MmRect::new(MmPoint::zero(), MmPoint::new(40.0, 30.0)), 1.0);
+        let inside = |x: f32, y: f32| MmPoint::new(x.clamp(0.0, 39.9), y.clamp(0.0, 29.9));
+        let segments: Vec<_> = raw.iter().map(|&(x, y, dx, dy)| (inside(x, y), inside(x + dx, y + dy))).collect();
+        for (index, &(a, b)) in segments.iter().enumerate() {
+            nearby.insert(Segment { a, b, half_width: 0.0, line: 0, index: index as u32, arc: 0.0 });
+        }
+        let (from, to) = (inside(ray.0, ray.1), inside(ray.0 + ray.2, ray.1 + ray.3));
+        let mut seen = Vec::new();
+        nearby.along(from, to, |segment| seen.push(segment.index as usize));
+        for (index, &segment) in segments.iter().enumerate() {
+            let crosses = segment_distance((from, to), segment) == 0.0;
+            prop_assert!(!crosses || seen.contains(&index), "segment {index} is missed");
+        }
+    }
+}

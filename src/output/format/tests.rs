@@ -1,0 +1,43 @@
+//! Tests of `format`.
+
+use super::*;
+
+#[test]
+fn extensions_lead_back_to_their_formats() {
+    for format in Format::ALL {
+        let back = Format::of_extension(&format.extension().to_uppercase());
+        let png = Format::Drawing(DrawingFormat::Png);
+        assert_eq!(back, Some(if format == Format::Dots(DotFormat::Pixels) { png } else { format }));
+    }
+    assert_eq!(Format::of_extension("jpg"), None);
+}
+
+#[test]
+fn names_lead_back_to_their_formats() {
+    for format in Format::ALL {
+        assert_eq!(Format::named(format.name()), Some(format));
+    }
+    for format in DotFormat::ALL {
+        assert_eq!(DotFormat::named(format.name()), Some(format));
+        assert_eq!(DrawingFormat::named(format.name()), None);
+    }
+    for format in DrawingFormat::ALL {
+        assert_eq!(DrawingFormat::named(format.name()), Some(format));
+    }
+}
+
+#[test]
+fn every_device_takes_a_format_and_says_which() {
+    for device in Device::ALL {
+        let takes = DotFormat::ALL.into_iter().filter(|format| format.goes_with(device)).count();
+        assert_eq!(takes, DotFormat::of(device).len(), "{}", device.id);
+        assert!(takes > 0, "{}", device.id);
+    }
+    let of = |id| Device::named(id).expect("in the table");
+    assert_eq!(
+        DotFormat::Brf.refusal(of("graphiti")).expect("it has no cells"),
+        "BRF is not for Orbit Graphiti, which takes pixels, ubrl, pef or txt; take one of these, or SVG, PDF or \
+             PNG to look at"
+    );
+    assert!(DotFormat::Txt.refusal(of("braillerap-a4")).is_some_and(|why| why.contains("which takes gcode; ")));
+}
