@@ -2,9 +2,9 @@
 
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::drawn_lines::DrawnLines;
 use super::hand_lines::{near_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
+use super::drawn_lines::DrawnLines;
 use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
@@ -190,7 +190,7 @@ impl OverviewSource<'_> {
         let params = self.plan.layout();
         let own = match (&self.layout.medium, params.overview) {
             (Medium::Print(_), Some(overview)) if self.edges.of_drawing() => overview.scale,
-            _ => return Vec::new(),
+            (Medium::Print(_), _) | (Medium::Dots(_), _) => return Vec::new(),
         };
         let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
         scales.filter_map(|scale| self.layout.overview_at(scale, &params)).collect()

@@ -231,23 +231,23 @@ fn outside(
             let away = (outer.at - *at).try_normalize()?;
             Some(Vertex { at: *at + away * *radius, ..*outer })
         };
-        let part = parts.last_mut();
-        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some(), part) {
-            (true, false, Some(part)) => {
+        let Some(part) = parts.last_mut() else { break };
+        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some()) {
+            (true, false) => {
                 part.0.extend(before.and_then(|before| side(before, vertex)).into_iter().chain([*vertex]));
                 part.1.extend([true, anchored[i]]);
             }
-            (false, true, Some(part)) => {
+            (false, true) => {
                 part.0.extend(before.and_then(|before| side(vertex, before)));
                 part.1.resize(part.0.len(), true);
                 parts.push(Default::default());
             }
-            (false, false, Some(part)) => {
+            (false, false) => {
                 part.0.push(*vertex);
                 part.1.push(anchored[i]);
             }
             // within a hole nothing is drawn
-            (true, true, _) | (_, _, None) => {}
+            (true, true) => {}
         }
         before = Some(vertex);
     }
