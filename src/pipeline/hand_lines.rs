@@ -95,8 +95,8 @@ impl HandLines {
         self.edges_of(size, ChainKind { exact: true, of_drawing: true, ..ChainKind::default() })
     }
 
-    /// The same, with those that a person drew first: along them others give way that are nearer than `reach`, px.
-    /// What only leads up to them or across ends on them, with a gap of `gap` px that is closed when lines are drawn.
+    /// The same. Those that a person drew come first; others are cut where they run along them within `reach` px, and
+    /// end `gap` px before those that they only meet, a gap that is closed when lines are drawn.
     /// Those of a person are all of full strength, however thin they are: they are meant.
     ///
     /// # Errors

@@ -30,7 +30,8 @@ const FREE: f32 = 1.5;
 const AT_TIP: f32 = 3.0;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
-/// A leader line is drawn at a place if a line is so near, mm (lines are moved apart by less), that has its direction
+/// A leader line is drawn at a place if a line is so near, mm (most lines are moved by less: see
+/// `lines::Params::farthest_moved`), that has its direction
 /// but for 40 degrees: the cosine.
 const DRAWN: f32 = 3.0;
 const ALONG: f32 = 0.77;

@@ -15,7 +15,8 @@ use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
 
-/// A mark ends on a line that is so near to its end, mm: lines are moved apart by less.
+/// A mark ends on a line that is so near to its end, mm: most lines are moved by less (see
+/// `lines::Params::farthest_moved`).
 const ENDS_ON: f32 = 2.5;
 /// A place of a mark is drawn if a line is so near, mm: the ends of a tick are on its axis.
 const DRAWN: f32 = 1.2;

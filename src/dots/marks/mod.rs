@@ -35,7 +35,7 @@ const TICK: f32 = 4.0;
 const TICK_DOTS: usize = 2;
 /// The blank between two ticks, mm: the least between any two marks (1/8 inch: Hasty).
 const BETWEEN: f32 = 3.2;
-/// How far lines are moved at most, mm: their marks go with them.
+/// Most lines are moved by no more than this, mm (see `lines::Params::farthest_moved`): their marks go with them.
 const MOVED: f32 = 3.2;
 /// Of two dots as near the one with the greater column and row is taken, as lines are: so much nearer, in steps.
 const MIDWAY: f32 = 1e-3;
