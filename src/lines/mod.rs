@@ -54,7 +54,7 @@ pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
 use outlines::Rank;
 pub use params::{PagePart, Params};
-pub use series::without_scraps;
+pub use series::whole_series;
 
 use crate::edges::Edges;
 use crate::geom::polyline::Polyline;
@@ -90,7 +90,7 @@ pub fn draw_with(
     let candidates = |params: &Params| LineCandidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     few::keep_beside_outlines(&mut cleared, outlines);
-    faint::without_scraps(&mut cleared, &candidates.lines, &params);
+    faint::drop_short_faint(&mut cleared, &candidates.lines, &params);
     // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about, and what a
     // person drew, stays.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);

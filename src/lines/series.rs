@@ -8,7 +8,7 @@ const MOSTLY: f32 = 0.75;
 
 /// Which points are drawn, where there is room for these: none of a series of which too few have room. `series` has the
 /// number of the series of each point.
-pub fn without_scraps(series: &[Option<usize>], has_room: &[bool]) -> Vec<bool> {
+pub fn whole_series(series: &[Option<usize>], has_room: &[bool]) -> Vec<bool> {
     let is_whole = |of: usize| {
         let own = || series.iter().zip(has_room).filter(|(series, _)| **series == Some(of));
         own().filter(|(_, has_room)| **has_room).count() as f32 >= MOSTLY * own().count() as f32
@@ -25,6 +25,6 @@ mod tests {
         let series = [Some(7), Some(7), None, Some(7), Some(7), Some(2), Some(2), Some(2), Some(2)];
         let has_room = [true, false, true, false, true, true, true, false, true];
         let drawn = [false, false, true, false, false, true, true, false, true];
-        assert_eq!(without_scraps(&series, &has_room), drawn);
+        assert_eq!(whole_series(&series, &has_room), drawn);
     }
 }

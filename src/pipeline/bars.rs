@@ -1,6 +1,6 @@
 //! Bars of a chart among the contours of a drawing: where they stand, and whether the lines on a page have them whole.
 
-use super::areas::index_of;
+use super::areas::index_of_lines;
 use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
@@ -300,7 +300,7 @@ pub(super) struct WantedPath {
 /// where lines join.
 pub(super) fn missing(wanted: &[WantedPath], lines: &[Line], transform: &PageTransform, least: f32) -> (f32, f32) {
     let area = MmRect::from_points(wanted.iter().flat_map(|wanted| &wanted.path).map(|&at| transform.to_mm(at)));
-    let index = index_of(lines, area, wanted.iter().map(|wanted| wanted.reach).fold(0.0, f32::max));
+    let index = index_of_lines(lines, area, wanted.iter().map(|wanted| wanted.reach).fold(0.0, f32::max));
     let is_drawn = |at: MmPoint, reach: f32| index.nearest(at, reach, |_| true).is_some();
     let (mut missing, mut all) = (0.0, 0.0);
     for WantedPath { path, reach, or_none, weight } in wanted {

@@ -3,7 +3,7 @@
 use super::decisions::Decisions;
 use super::given::{Given, blank_where};
 use super::hand_lines::without;
-use super::drawn_lines::DrawnLines;
+use super::lines_of_part::LinesOfPart;
 use super::named::NamedThings;
 use crate::classes::Classes;
 use crate::edges::{Edgel, Edges};
@@ -97,7 +97,7 @@ fn lacking(
     if decisions.borders.is_empty() {
         return None;
     }
-    let (at, drawn) = (PageTransform::new(picture, place), DrawnLines::of(lines, place, layout, plan));
+    let (at, drawn) = (PageTransform::new(picture, place), LinesOfPart::of(lines, place, layout, plan));
     let is_drawn = |border: &&Vec<PxPoint>| drawn.share(border.iter().map(|point| at.to_mm(*point))) >= DRAWN;
     let lacking = decisions.borders.iter().filter(|border| !is_drawn(border)).count();
     let (about, part, what_to_do) = match part {

@@ -22,7 +22,7 @@ use self::lattice::{DotDisc, LEAST_STEP, MarkField, Owner};
 use super::cell::GridPoint;
 use super::params::{LEAST_DOTS, Params};
 use crate::geom::right_of;
-use crate::lines::{LineMarks, PointMark, TickMark, without_scraps};
+use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use self::lattice::Lattice;
@@ -135,7 +135,7 @@ struct Places<'a> {
 pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, params: &Params) -> Placed {
     let placed = place_with(marks, &vec![true; marks.points.len()], rows, lattice, params);
     let series: Vec<Option<usize>> = marks.points.iter().map(|point| point.series).collect();
-    let whole = without_scraps(&series, &placed.shown.points);
+    let whole = whole_series(&series, &placed.shown.points);
     if whole == placed.shown.points { placed } else { place_with(marks, &whole, rows, lattice, params) }
 }
 

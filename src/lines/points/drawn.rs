@@ -7,7 +7,7 @@ use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
 use crate::lines::faint::is_faint;
 use crate::lines::params::{Params, RING_FARTHEST};
-use crate::lines::series::without_scraps;
+use crate::lines::series::whole_series;
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::units::{MmPoint, MmRect};
 
@@ -45,7 +45,7 @@ pub(in crate::lines) fn draw(
     let lines = AmongLines { segments, faint };
     let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
-    let whole = without_scraps(&series, &has_room);
+    let whole = whole_series(&series, &has_room);
     let drawn = if whole == has_room { drawn } else { draw_those(points, &whole, &lines, params).0 };
     DrawnPoints { lines: Some(lines), ..drawn }
 }
