@@ -1,4 +1,4 @@
-//! What a person gives beside the picture: lines that are drawn in place of those that would be found.
+//! What a person gives beside the picture, and the parts of it that are erased.
 
 use super::decisions::Decisions;
 use super::hand_lines::{HandLines, added, index_of_edges, outside, without};

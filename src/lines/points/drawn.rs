@@ -6,8 +6,8 @@ use crate::geom::nearest_on_segment;
 use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
 use crate::lines::faint::is_faint;
+use crate::lines::marks::whole_series;
 use crate::lines::params::{Params, RING_FARTHEST};
-use crate::lines::series::whole_series;
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::units::{MmPoint, MmRect};
 
