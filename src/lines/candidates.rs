@@ -131,7 +131,7 @@ fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Para
     // a page of few shapes has no marks
     match (params.hands_marks_on, params.most_shapes) {
         (true, None) => scales = ticks::take(polylines, area, params),
-        _ => ticks::lengthen(polylines, area, params),
+        (true, Some(_)) | (false, _) => ticks::lengthen(polylines, area, params),
     }
     crossbars::lengthen(polylines, area, params);
     scales

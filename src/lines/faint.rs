@@ -59,7 +59,7 @@ pub(super) fn take_gridlines(lines: &mut Vec<Polyline<Vertex>>) -> usize {
 }
 
 /// Leaves out short pieces of faint lines that were cut.
-pub(super) fn without_scraps(cleared: &mut Vec<Cleared>, lines: &[(Polyline<Vertex>, Rank)], params: &Params) {
+pub(super) fn drop_short_faint(cleared: &mut Vec<Cleared>, lines: &[(Polyline<Vertex>, Rank)], params: &Params) {
     let faint = lines.iter().filter(|(line, rank)| *rank == Rank::Faint && !line.closed);
     let ends: Vec<MmPoint> =
         faint.flat_map(|(line, _)| [line.vertices.first(), line.vertices.last()]).flatten().map(|end| end.at).collect();

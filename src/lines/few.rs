@@ -61,7 +61,7 @@ fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Bey
 /// The same of a drawing. There lines that meet are one shape, and are drawn together or not at all. `all` has the
 /// segments of the lines, under their places among them.
 fn keep_first_things(drawn: &mut Vec<&Cleared>, most: usize, all: &Nearby, params: &Params) -> Beyond {
-    let thing_of_line = things(drawn, all, params);
+    let thing_of_line = connected(drawn, all, params);
     let mut things = vec![Thing::default(); thing_of_line.len()];
     for (&thing, line) in thing_of_line.iter().zip(drawn.iter()) {
         things[thing].add(line);
@@ -129,7 +129,7 @@ impl Budget {
 
 /// For each line the number of a line that stands for all that it hangs together with: an end of one lies on another.
 /// `all` has their segments.
-fn things(drawn: &[&Cleared], all: &Nearby, params: &Params) -> Vec<usize> {
+fn connected(drawn: &[&Cleared], all: &Nearby, params: &Params) -> Vec<usize> {
     let reach = 0.5 * params.width_max;
     let mut sets = DisjointSets::default();
     drawn.iter().for_each(|_| {

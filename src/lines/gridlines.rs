@@ -10,8 +10,7 @@ const STRAIGHT: f32 = 0.5;
 /// How far they lie from even distances, as a share of these: lines keep apart, and on a grid of dots they lie up to
 /// half a step beside their places.
 const UNEVEN: f32 = 0.25;
-/// How far apart the ends are of those that end together, as a share of the length of the longest: bars stand before
-/// some.
+/// Ends count as together within this share of the longest line's length: bars hide the ends of some.
 const APART: f32 = 0.1;
 /// Share of them that end together on one side.
 const TOGETHER: f32 = 0.6;

@@ -3,6 +3,11 @@
 
 use crate::units::{MmPoint, MmRect, MmVector};
 
+/// So many points that are alike on one line are a series, as the months of a curve in a chart.
+pub(super) const SERIES: usize = 4;
+/// A series is drawn if there is room for at least this share of its points.
+const MOSTLY: f32 = 0.75;
+
 /// Points, ticks and heads of arrows on the lines of a drawing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LineMarks {
@@ -65,5 +70,29 @@ impl TickMark {
     /// Its first and its last place.
     pub fn segment(&self) -> (MmPoint, MmPoint) {
         (self.ends[0].unwrap_or(self.at), self.ends[1].unwrap_or(self.at))
+    }
+}
+
+/// Which points are drawn, where there is room for these: none of a series of which too few have room. A few of them
+/// are felt as special ones; without them the line still says where it bends. `series` has the number of the series of
+/// each point.
+pub fn whole_series(series: &[Option<usize>], has_room: &[bool]) -> Vec<bool> {
+    let is_whole = |of: usize| {
+        let own = || series.iter().zip(has_room).filter(|(series, _)| **series == Some(of));
+        own().filter(|(_, has_room)| **has_room).count() as f32 >= MOSTLY * own().count() as f32
+    };
+    series.iter().zip(has_room).map(|(of, has_room)| *has_room && of.is_none_or(is_whole)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_series_without_room_nothing_is_drawn() {
+        let series = [Some(7), Some(7), None, Some(7), Some(7), Some(2), Some(2), Some(2), Some(2)];
+        let has_room = [true, false, true, false, true, true, true, false, true];
+        let drawn = [false, false, true, false, false, true, true, false, true];
+        assert_eq!(whole_series(&series, &has_room), drawn);
     }
 }

@@ -29,7 +29,6 @@ mod params;
 mod points;
 mod row_marks;
 mod saliency;
-mod series;
 mod ticks;
 mod vertex;
 mod weight;
@@ -50,11 +49,10 @@ pub use few::Beyond;
 pub use gridlines::which_are_gridlines;
 pub use line::{Height, Line, Pen, Run};
 pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
-pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
+pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;
 use outlines::Rank;
 pub use params::{PagePart, Params};
-pub use series::without_scraps;
 
 use crate::edges::Edges;
 use crate::geom::polyline::Polyline;
@@ -90,7 +88,7 @@ pub fn draw_with(
     let candidates = |params: &Params| LineCandidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     few::keep_beside_outlines(&mut cleared, outlines);
-    faint::without_scraps(&mut cleared, &candidates.lines, &params);
+    faint::drop_short_faint(&mut cleared, &candidates.lines, &params);
     // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about, and what a
     // person drew, stays.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);

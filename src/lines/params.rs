@@ -119,8 +119,8 @@ impl Params {
         (self.max_spacing() - RING_FARTHEST).max(0.0)
     }
 
-    /// The farthest that a line is from the contours that it stands for, mm: it may be moved twice, together with
-    /// others and alone.
+    /// How far a line may be from the contours that it stands for, mm: it may be moved twice, together with others and
+    /// alone. Few are farther away: one that is judged again may be displaced again.
     pub fn farthest_moved(&self) -> f32 {
         self.max_offset().max(2.0 * RING_FARTHEST)
     }

@@ -12,9 +12,8 @@
 mod drawn;
 
 use super::junction::{extend_to, heading};
-use super::marks::PointMark;
+use super::marks::{PointMark, SERIES};
 use super::params::{HEADING, Params};
-use super::series::SERIES;
 use super::vertex::Vertex;
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::roundness;

@@ -14,8 +14,8 @@ const BROKEN: f32 = 1.6;
 const OPEN: f32 = 0.4;
 /// A point is as wide as high, within this.
 const AS_WIDE: f32 = 0.7;
-/// The line of a point comes nearer to its middle than its outermost dots and this, in steps: a second row lies beside
-/// its line.
+/// The row passes the middle of a point within the point's radius and this, in steps; a second row has its middle
+/// farther away.
 const NEARER: f32 = 0.3;
 /// Within a hollow point there are no dots of its line, but for this, in steps.
 const INSIDE: f32 = 0.5;

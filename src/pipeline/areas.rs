@@ -37,7 +37,7 @@ pub(super) fn of_page(page: &Page) -> Classes {
     for (region, texture) in (0..).zip(textures) {
         texture.glyphs.iter().for_each(|glyph| signs.put_at(glyph.at, (region, glyph.at)));
     }
-    let lines = index_of(&page.figure.lines, page.figure.place, REACH);
+    let lines = index_of_lines(&page.figure.lines, page.figure.place, REACH);
     let mut near: Vec<AreaCells> = vec![Vec::new(); textures.len()];
     for cell in 0..size.area() as usize {
         let at = middle(cell);
@@ -75,7 +75,7 @@ pub(super) fn of_page(page: &Page) -> Classes {
 const MOST_TRIED: usize = 12;
 
 /// Lines in an area, to be found by their places; mostly within `reach`, mm.
-pub(super) fn index_of(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
+pub(super) fn index_of_lines(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
     let mut index = Nearby::new(area, reach);
     for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
         index.insert_line(line, run.polyline(), 0.5 * run.width);

@@ -1,6 +1,6 @@
 //! Bars of a chart among the contours of a drawing: where they stand, and whether the lines on a page have them whole.
 
-use super::areas::index_of;
+use super::areas::index_of_lines;
 use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
@@ -118,8 +118,8 @@ impl Chart {
         let base = base(&sides, &levels)?;
         let mut chart = Self { direction, base, bars: Vec::new(), sides, grid: Vec::new() };
         chart.bars = chart.bars_below(&levels);
-        // lines between which a bar ends while both are there again above it may be those of squared paper, which what
-        // is drawn on that hides in part: its height says nothing
+        // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such tops
+        // do not count
         let is_above = |across: f32, top: f32| {
             chart.sides.iter().any(|side| (side.at - across).abs() <= SAME && side.to > top + 2.0 * SAME)
         };
@@ -300,7 +300,7 @@ pub(super) struct WantedPath {
 /// where lines join.
 pub(super) fn missing(wanted: &[WantedPath], lines: &[Line], transform: &PageTransform, least: f32) -> (f32, f32) {
     let area = MmRect::from_points(wanted.iter().flat_map(|wanted| &wanted.path).map(|&at| transform.to_mm(at)));
-    let index = index_of(lines, area, wanted.iter().map(|wanted| wanted.reach).fold(0.0, f32::max));
+    let index = index_of_lines(lines, area, wanted.iter().map(|wanted| wanted.reach).fold(0.0, f32::max));
     let is_drawn = |at: MmPoint, reach: f32| index.nearest(at, reach, |_| true).is_some();
     let (mut missing, mut all) = (0.0, 0.0);
     for WantedPath { path, reach, or_none, weight } in wanted {

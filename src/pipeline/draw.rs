@@ -165,7 +165,7 @@ pub(super) fn draw(
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
-    let legend = legend::of(&edges, &texts, &picture.raster, &layout, plan);
+    let legend = legend::entries(&edges, &texts, &picture.raster, &layout, plan);
     let of_drawing = edges.of_drawing();
     drop((picture.raster, edges));
     let classes = areas_of_colours.map(|areas| areas.classes);
@@ -387,14 +387,14 @@ fn draw_whole(
         // those beyond as many shapes as are asked for are left out on purpose
         let is_all = params.most_shapes.is_none();
         if is_all {
-            drawn.lost.signs = lost_signs::of(edges, &drawn, transform, params.max_spacing());
+            drawn.lost.signs = lost_signs::find(edges, &drawn, transform, params.max_spacing());
         }
         if matches!(layout.medium, Medium::Dots(_)) {
             drawn.lines = by_hand_first(drawn.lines, edges, transform);
         }
         let mut drawn = dots::pressed(drawn, layout.figure, layout, plan);
         if is_all {
-            drawn.lost.marks = lost_marks::of(edges, &drawn, layout.figure, transform, params.min_length);
+            drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
         }
         drawn
     };

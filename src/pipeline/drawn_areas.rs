@@ -23,6 +23,8 @@ const APART: f32 = 1.0;
 /// Most areas that are drawn on a page. Chosen by us: a fingertip's area (13 x 13 mm) fits 300 times on A4; thousands
 /// would keep a computer busy for long.
 const MOST: usize = 1000;
+const TOO_MANY: &str = "more than 1000, the most on a page";
+const _: () = assert!(MOST == 1000);
 
 /// What becomes of drawn areas.
 struct DrawnAreas {
@@ -53,7 +55,7 @@ impl DrawnAreas {
             let inside = if number < MOST { inside(&area.outlines, place, size) } else { Vec::new() };
             let count: usize = inside.iter().map(|(_, columns)| columns.len()).sum();
             let why = match class {
-                _ if number >= MOST => Some("more than 1000, the most on a page"),
+                _ if number >= MOST => Some(TOO_MANY),
                 None => Some("too light for a colour"),
                 _ if count == 0 => Some("outside the figure"),
                 _ if count as f32 * cell < plan.profile().colours.min_area => Some("too small for a texture"),

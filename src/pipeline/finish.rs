@@ -16,7 +16,7 @@ pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, 
     if let Medium::Print(print) = parts.medium {
         parts.narrowed(print.swell);
     }
-    parts.print = print_words::of(&parts, request.plan);
+    parts.print = print_words::beside_braille(&parts, request.plan);
     let page = Page::new(parts)?;
     let page = if request.fit.mirrored { page.mirrored() } else { page };
     Ok(described(page, Wording::nearest(request.language)))

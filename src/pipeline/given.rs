@@ -1,7 +1,7 @@
-//! What a person gives beside the picture: lines that are drawn in place of those that would be found.
+//! What a person gives beside the picture, and the parts of it that are erased.
 
 use super::decisions::Decisions;
-use super::hand_lines::{HandLines, added, near, outside, without};
+use super::hand_lines::{HandLines, added, index_of_edges, outside, without};
 use super::label::Position;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
@@ -153,7 +153,7 @@ pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges, decisions: 
     if decisions.erased.is_empty() && own.is_empty() {
         return outlines;
     }
-    let near = near(&own);
+    let near = index_of_edges(&own);
     let gone = |point: &TracePoint| {
         is_in(share(point.at, edges.size), &decisions.erased)
             || near.nearest(point.at, decisions.room_of_added, |_| true).is_some()

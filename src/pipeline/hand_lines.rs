@@ -95,8 +95,8 @@ impl HandLines {
         self.edges_of(size, ChainKind { exact: true, of_drawing: true, ..ChainKind::default() })
     }
 
-    /// The same, with those that a person drew first: along them others give way that are nearer than `reach`, px.
-    /// What only leads up to them or across ends on them, with a gap of `gap` px that is closed when lines are drawn.
+    /// The same. Those that a person drew come first; others are cut where they run along them within `reach` px, and
+    /// end `gap` px before those that they only meet, a gap that is closed when lines are drawn.
     /// Those of a person are all of full strength, however thin they are: they are meant.
     ///
     /// # Errors
@@ -122,7 +122,7 @@ impl HandLines {
         if first.is_empty() {
             return Ok(found);
         }
-        let near = near(&first);
+        let near = index_of_edges(&first);
         let mut edges = Edges::none(size);
         for range in &found.chains {
             let polyline = found.chain(range);
@@ -143,7 +143,7 @@ impl HandLines {
     /// As [`HandLines::edges`].
     pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<(), Error> {
         let own = self.edges_of(found.size, ChainKind { exact: true, added: true, ..ChainKind::default() })?;
-        let near = near(&own);
+        let near = index_of_edges(&own);
         let is_near = |at: PxPoint| near.nearest(at, reach, |_| true).is_some();
         without(found, |_, _, edgel| is_near(edgel.at));
         for range in &own.chains {
@@ -292,15 +292,15 @@ fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
 }
 
 /// The segments of contours, to be found by their places.
-pub(super) fn near(edges: &Edges) -> Nearby<Px> {
-    let mut near = index_of(edges.size);
+pub(super) fn index_of_edges(edges: &Edges) -> Nearby<Px> {
+    let mut near = empty_index(edges.size);
     (0..).zip(edges.chains()).for_each(|(line, chain)| near.insert_line(line, chain, 0.0));
     near
 }
 
 /// The segments of drawn lines, to be found by their places in a picture of this size.
-pub(super) fn near_drawn(lines: &[Line], size: Size, transform: &PageTransform) -> Nearby<Px> {
-    let mut near = index_of(size);
+pub(super) fn index_of_drawn(lines: &[Line], size: Size, transform: &PageTransform) -> Nearby<Px> {
+    let mut near = empty_index(size);
     for (line, run) in (0..).zip(lines).flat_map(|(number, line)| line.runs.iter().map(move |run| (number, run))) {
         let points: Vec<PxPoint> = run.points.iter().map(|&at| transform.to_px(at)).collect();
         near.insert_line(line, PolylineRef { vertices: &points, closed: run.closed }, 0.0);
@@ -309,7 +309,7 @@ pub(super) fn near_drawn(lines: &[Line], size: Size, transform: &PageTransform) 
 }
 
 /// An index for a picture of this size.
-fn index_of(size: Size) -> Nearby<Px> {
+fn empty_index(size: Size) -> Nearby<Px> {
     let area = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
     Nearby::new(area, CELL)
 }
@@ -384,7 +384,7 @@ pub(super) fn by_hand_first(lines: Vec<Line>, edges: &Edges, transform: &PageTra
     if own.is_empty() {
         return lines;
     }
-    let near = near(&own);
+    let near = index_of_edges(&own);
     let reach = BY_HAND / transform.mm_per_px();
     let is_there = |at: MmPoint| near.nearest(transform.to_px(at), reach, |_| true).is_some();
     let is_by_hand = |line: &Line| {

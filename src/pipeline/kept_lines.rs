@@ -19,7 +19,8 @@ pub struct LineName {
 
 /// Lines are looked at this often, mm.
 const STEP: f32 = 1.0;
-/// Farthest that a line lies from where it was, mm: lines are moved aside by less than this.
+/// Farthest that a line lies from where it was, mm: well beyond what lines are moved aside by
+/// (`lines::Params::farthest_moved`).
 const REACH: f32 = 8.0;
 /// A line that a person drew is lost in part where less than this share is there: every line of theirs is meant, and up
 /// to a step of dots and the width of a line is missing where lines meet.

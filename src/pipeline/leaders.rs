@@ -30,7 +30,8 @@ const FREE: f32 = 1.5;
 const AT_TIP: f32 = 3.0;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
-/// A leader line is drawn at a place if a line is so near, mm (lines are moved apart by less), that has its direction
+/// A leader line is drawn at a place if a line is so near, mm (most lines are moved by less: see
+/// `lines::Params::farthest_moved`), that has its direction
 /// but for 40 degrees: the cosine.
 const DRAWN: f32 = 3.0;
 const ALONG: f32 = 0.77;
@@ -72,12 +73,12 @@ pub(super) fn whole_or_none(
         Medium::Dots(dots) => GAP.max(DOTS_OF_GAP * dots.pitch),
     };
     for _ in 0..ROUNDS {
-        let leaders = of(edges, (texts, beside), &is_label, layout.figure, &transform);
+        let leaders = find(edges, (texts, beside), &is_label, layout.figure, &transform);
         if leaders.is_empty() {
             break;
         }
         let lines = draw(edges);
-        let index = index_of(&lines, layout.figure);
+        let index = index_of_pieces(&lines, layout.figure);
         let (whole, torn): (Vec<Leader>, Vec<Leader>) =
             leaders.into_iter().partition(|leader| is_whole(&leader.path, &index, gap));
         if torn.is_empty() {
@@ -111,7 +112,7 @@ fn told(texts: &[Text]) -> Option<Note> {
 }
 
 /// The leader lines of texts that become labels.
-fn of(
+fn find(
     edges: &Edges,
     (texts, beside): (&[Text], f32),
     is_label: impl Fn(&Text) -> bool,
@@ -198,7 +199,7 @@ fn ticks_on(number: usize, chains: &[Vec<MmPoint>], edges: &Edges) -> usize {
 }
 
 /// Lines in an area, to be found by their places; those of dots by pieces over several of them.
-fn index_of(lines: &[Line], area: MmRect) -> Nearby {
+fn index_of_pieces(lines: &[Line], area: MmRect) -> Nearby {
     let mut index = Nearby::new(area, DRAWN);
     for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
         let points: Vec<MmPoint> = run.polyline().path().copied().collect();
@@ -251,7 +252,7 @@ mod tests {
         let crossed = Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![at(20.0, 0.0), at(20.0, 90.0)])] };
         let lines: Vec<Line> = pieces.iter().map(line).chain([crossed]).collect();
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        is_whole(&[at(0.0, 50.0), at(40.0, 50.0)], &index_of(&lines, area), GAP)
+        is_whole(&[at(0.0, 50.0), at(40.0, 50.0)], &index_of_pieces(&lines, area), GAP)
     }
 
     #[test]

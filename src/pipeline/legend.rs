@@ -47,7 +47,13 @@ pub struct LegendEntry {
 
 /// The legend of a drawing: patches of different colours, two and more, each with a
 /// word at its side, whose colours larger areas have.
-pub(super) fn of(edges: &Edges, texts: &[Text], raster: &Raster, layout: &Layout, plan: &Plan) -> Vec<LegendEntry> {
+pub(super) fn entries(
+    edges: &Edges,
+    texts: &[Text],
+    raster: &Raster,
+    layout: &Layout,
+    plan: &Plan,
+) -> Vec<LegendEntry> {
     let transform = PageTransform::new(edges.size, layout.figure);
     let params = plan.classes(transform.px_per_mm());
     let mut patches: Vec<(&Text, MmRect, usize)> = Vec::new();

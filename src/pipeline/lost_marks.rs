@@ -3,7 +3,7 @@
 
 use std::f32::consts::FRAC_1_SQRT_2;
 
-use super::areas::index_of;
+use super::areas::index_of_lines;
 use super::lost_signs::{beads, extent, is_small_ring};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
@@ -15,7 +15,8 @@ use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
 
-/// A mark ends on a line that is so near to its end, mm: lines are moved apart by less.
+/// A mark ends on a line that is so near to its end, mm: most lines are moved by less (see
+/// `lines::Params::farthest_moved`).
 const ENDS_ON: f32 = 2.5;
 /// A place of a mark is drawn if a line is so near, mm: the ends of a tick are on its axis.
 const DRAWN: f32 = 1.2;
@@ -56,13 +57,13 @@ enum MarkKind {
 type OnLine = (f32, MmVector);
 
 /// The marks of a drawing that are shorter than `least`, mm, and not among its lines, which lie in `area`.
-pub(super) fn of(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTransform, least: f32) -> LostMarks {
+pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTransform, least: f32) -> LostMarks {
     let mut marks = LostMarks::default();
     if !edges.of_drawing() {
         return marks;
     }
     let Lines { lines, marks: handed_on, .. } = drawn;
-    let index = index_of(lines, area, ENDS_ON);
+    let index = index_of_lines(lines, area, ENDS_ON);
     let line_at = |at: MmPoint, reach: f32| -> Option<OnLine> {
         let (distance, _, Segment { a, b, .. }) = index.nearest(at, reach, |_| true)?;
         Some((distance, (b - a).try_normalize().unwrap_or_default()))

@@ -23,7 +23,7 @@ pub(super) const MOVED: f32 = 3.0;
 
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
-pub(super) fn of(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
+pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
     if !edges.of_drawing() {
         return Vec::new();
     }

@@ -24,7 +24,8 @@ const LOWER: f32 = 2.0;
 /// How often the room is computed: a smaller drawing has its words elsewhere. After three of them less than 0.1 mm
 /// is lacking; in one more, room that nothing stands in falls away.
 const ROUNDS: usize = 4;
-/// How far lines may lie beside where they are predicted, mm: they are moved apart, and labels with them.
+/// Most lines lie no farther than this beside where they are predicted, mm: they are moved apart, and labels with them
+/// (see `lines::Params::farthest_moved`).
 const MOVED: f32 = 2.0;
 /// What is no lack of room, mm.
 const SLACK: f32 = 0.1;
@@ -200,7 +201,7 @@ fn lacks(
     };
     let predicted = RowPrediction { wanted: &wanted, contours, line_width, longer_to, params: &params };
     let [left, top, right, bottom] = row_overhang(&predicted, &cells, translator, layout.room);
-    // ... and braille is brought on to it
+    // on a grid braille may move by a step, to where its cells can stand
     let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + step + MOVED);
     // a word above all else, such as a heading, is higher than its print
     let height = cells.extent(1, 1).y + step;

@@ -2,9 +2,9 @@
 
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::drawn_lines::DrawnLines;
-use super::hand_lines::{near_drawn, without};
+use super::hand_lines::{index_of_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
+use super::lines_of_part::LinesOfPart;
 use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
@@ -58,7 +58,7 @@ pub(super) fn draw_overview(
 pub(super) fn seen_in_figure(edges: &Edges, figure: &[Line], layout: &Layout, plan: &Plan) -> Edges {
     let transform = PageTransform::new(edges.size, layout.figure);
     let (near, reach) =
-        (near_drawn(figure, edges.size, &transform), plan.lines().max_spacing() * transform.px_per_mm());
+        (index_of_drawn(figure, edges.size, &transform), plan.lines().max_spacing() * transform.px_per_mm());
     let mut seen = edges.clone();
     without(&mut seen, |_, _, edgel| near.nearest(edgel.at, reach, |_| true).is_none());
     seen
@@ -169,7 +169,7 @@ impl OverviewSource<'_> {
                 drawn = plain;
             }
         }
-        drawn.lost.marks = lost_marks::of(edges, &drawn, place, &transform, params.min_length);
+        drawn.lost.marks = lost_marks::find(edges, &drawn, place, &transform, params.min_length);
         PlacedOverview { place, lines: drawn.lines, lost: drawn.lost }
     }
 
@@ -190,7 +190,7 @@ impl OverviewSource<'_> {
         let params = self.plan.layout();
         let own = match (&self.layout.medium, params.overview) {
             (Medium::Print(_), Some(overview)) if self.edges.of_drawing() => overview.scale,
-            _ => return Vec::new(),
+            (Medium::Print(_), _) | (Medium::Dots(_), _) => return Vec::new(),
         };
         let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
         scales.filter_map(|scale| self.layout.overview_at(scale, &params)).collect()
@@ -228,7 +228,7 @@ fn told_grid(lines: usize) -> Option<Note> {
 pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &Layout, plan: &Plan) -> Option<Note> {
     plan.lines().most_shapes?;
     let (place, lines) = overview.marks.as_ref()?;
-    let drawn = DrawnLines::of(lines, *place, layout, plan);
+    let drawn = LinesOfPart::of(lines, *place, layout, plan);
     let is_lacking = |line: &&Line| drawn.share_of_line(line, [layout.figure, *place]) < HALF;
     let count = figure.iter().filter(is_lacking).count();
     let (noun, it_has) = if count == 1 { ("line", "it has") } else { ("lines", "they have") };

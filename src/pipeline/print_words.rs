@@ -22,7 +22,7 @@ const LETTER: f32 = 0.56;
 const EDGE: f32 = 4.5;
 
 /// The print beside the braille of a page; none unless the profile asks for it and the page is printed.
-pub(super) fn of(parts: &Parts, plan: &Plan) -> Vec<PrintText> {
+pub(super) fn beside_braille(parts: &Parts, plan: &Plan) -> Vec<PrintText> {
     let wanted = plan.profile().braille.print && matches!(parts.medium, Medium::Print(_));
     if wanted { parts.braille.iter().filter_map(|text| beside(text, parts.sheet)).collect() } else { Vec::new() }
 }

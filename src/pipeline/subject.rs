@@ -1,14 +1,14 @@
 //! What the picture is about, as its maker says by places on it.
 
 use super::decisions::Decisions;
-use super::drawn_lines::DrawnLines;
 use super::given::{Given, blank_where};
 use super::hand_lines::without;
+use super::lines_of_part::LinesOfPart;
 use super::named::NamedThings;
 use crate::classes::Classes;
 use crate::edges::{Edgel, Edges};
 use crate::geom::polyline::Located;
-use crate::lines::Line;
+use crate::lines::{Line, PagePart};
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
@@ -79,11 +79,11 @@ pub(super) fn told_lacking(
     layout: &Layout,
     plan: &Plan,
 ) -> impl Iterator<Item = Note> {
-    let lacking = |lines: &[Line], place: MmRect, about: About| {
-        lacking(decisions, lines, (picture, place), (layout, plan), about)
+    let lacking = |lines: &[Line], place: MmRect, part: PagePart| {
+        lacking(decisions, lines, (picture, place), (layout, plan), part)
     };
-    let of_figure = lacking(figure, layout.figure, About::Lines);
-    of_figure.into_iter().chain(overview.and_then(|(place, lines)| lacking(lines, *place, About::Overview)))
+    let of_figure = lacking(figure, layout.figure, PagePart::Figure);
+    of_figure.into_iter().chain(overview.and_then(|(place, lines)| lacking(lines, *place, PagePart::Overview)))
 }
 
 /// The same of one part of the page, in which the picture lies at `place`.
@@ -92,17 +92,17 @@ fn lacking(
     lines: &[Line],
     (picture, place): (Size, MmRect),
     (layout, plan): (&Layout, &Plan),
-    about: About,
+    part: PagePart,
 ) -> Option<Note> {
     if decisions.borders.is_empty() {
         return None;
     }
-    let (at, drawn) = (PageTransform::new(picture, place), DrawnLines::of(lines, place, layout, plan));
+    let (at, drawn) = (PageTransform::new(picture, place), LinesOfPart::of(lines, place, layout, plan));
     let is_drawn = |border: &&Vec<PxPoint>| drawn.share(border.iter().map(|point| at.to_mm(*point))) >= DRAWN;
     let lacking = decisions.borders.iter().filter(|border| !is_drawn(border)).count();
-    let (part, what_to_do) = match about {
-        About::Overview => ("overview", "crop the picture around it"),
-        _ => ("figure", "make the figure larger, or crop the picture around it"),
+    let (about, part, what_to_do) = match part {
+        PagePart::Overview => (About::Overview, "overview", "crop the picture around it"),
+        PagePart::Figure => (About::Lines, "figure", "make the figure larger, or crop the picture around it"),
     };
     let subjects = match lacking {
         0 => return None,

@@ -123,9 +123,8 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, leading: &[u32], pre
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
         }
-        // A gain that was computed before the last choice is computed anew, and a region that is too near to what is
-        // chosen is out for good. (Gains fall as more is chosen but for an outline that was near to one and is the same
-        // as the next; it waits behind its older gain.)
+        // a gain that was computed before the last choice is computed anew, and a region that is too near to what is
+        // chosen is out for good
         if candidate.round < chosen.len() {
             if let Some(gain) = gain(score(candidate.node), &members.outline(tree, candidate.node), &near, tree, params)
             {
@@ -238,7 +237,9 @@ fn halved(cell: usize, cells: Size) -> usize {
     cell / width / 2 * half(cells).width as usize + cell % width / 2
 }
 
-/// What a region adds to those that are chosen; none if its outline is one of theirs or too near to them.
+/// What a region adds to those that are chosen; none if its outline is one of theirs or too near to them. It falls as
+/// more are chosen, but where an outline that was near to one of them is the same as the next: that waits behind its
+/// older gain.
 fn gain(score: f64, outline: &[Crack], near: &Nearness, tree: &Tree, params: &Params) -> Option<f64> {
     let (mut same, mut too_near) = (0_usize, 0_usize);
     for crack in outline {

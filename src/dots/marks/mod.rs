@@ -22,7 +22,7 @@ use self::lattice::{DotDisc, LEAST_STEP, MarkField, Owner};
 use super::cell::GridPoint;
 use super::params::{LEAST_DOTS, Params};
 use crate::geom::right_of;
-use crate::lines::{LineMarks, PointMark, TickMark, without_scraps};
+use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use self::lattice::Lattice;
@@ -35,7 +35,7 @@ const TICK: f32 = 4.0;
 const TICK_DOTS: usize = 2;
 /// The blank between two ticks, mm: the least between any two marks (1/8 inch: Hasty).
 const BETWEEN: f32 = 3.2;
-/// How far lines are moved at most, mm: their marks go with them.
+/// Most lines are moved by no more than this, mm (see `lines::Params::farthest_moved`): their marks go with them.
 const MOVED: f32 = 3.2;
 /// Of two dots as near the one with the greater column and row is taken, as lines are: so much nearer, in steps.
 const MIDWAY: f32 = 1e-3;
@@ -135,7 +135,7 @@ struct Places<'a> {
 pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, params: &Params) -> Placed {
     let placed = place_with(marks, &vec![true; marks.points.len()], rows, lattice, params);
     let series: Vec<Option<usize>> = marks.points.iter().map(|point| point.series).collect();
-    let whole = without_scraps(&series, &placed.shown.points);
+    let whole = whole_series(&series, &placed.shown.points);
     if whole == placed.shown.points { placed } else { place_with(marks, &whole, rows, lattice, params) }
 }
 

@@ -1,7 +1,6 @@
 //! Heads of arrows among the contours of a drawing.
 
-use super::measures::{HEADING, end};
-use super::shapes::{HeadTip, is_leg, tips};
+use super::shapes::{HEADING, HeadTip, end, is_leg, tips};
 use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;

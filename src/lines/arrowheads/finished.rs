@@ -1,6 +1,6 @@
 //! Arrows among finished lines: a head is two strokes, or rows of dots, that meet at the end of a line.
 
-use super::measures::{LENGTHS, SPREAD};
+use super::shapes::{LENGTHS, SPREAD};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::line::{Line, Pen, Run};

@@ -10,7 +10,6 @@
 
 mod find;
 mod finished;
-mod measures;
 mod place;
 mod shapes;
 mod shorten;

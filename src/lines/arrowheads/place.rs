@@ -1,6 +1,6 @@
 //! Room for the heads of arrows among the lines that are drawn.
 
-use super::measures::{HEADING, LENGTHS, SPREAD, end};
+use super::shapes::{HEADING, LENGTHS, SPREAD, end};
 use super::shorten::shortened;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;

@@ -1,4 +1,4 @@
-//! Which contours may be the head of an arrow, by their form alone.
+//! Which contours may be the head of an arrow, by their form alone; and the measures of those that are drawn.
 
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::simplify::simplify;
@@ -23,6 +23,19 @@ const AROUND: f32 = 0.75;
 const ALIKE: f32 = 0.65;
 /// Half the width of a head, as a share of its length.
 const WIDTHS: std::ops::RangeInclusive<f32> = 0.2..=1.5;
+
+/// Angle between each stroke of a head and its shaft, degrees: an open head.
+pub(super) const SPREAD: f32 = 35.0;
+/// Lengths of its strokes, mm, the first that has room: together as wide as a fingertip (8 mm), or a little less.
+pub(super) const LENGTHS: [f32; 3] = [7.0, 6.0, 5.0];
+/// The direction of a shaft is taken over this length, mm.
+pub(super) const HEADING: f32 = 2.0;
+
+/// One end of a line.
+pub(super) fn end(line: &Polyline<Vertex>, at_start: bool) -> Option<MmPoint> {
+    let vertex = if at_start { line.vertices.first() } else { line.vertices.last() };
+    vertex.map(|vertex| vertex.at)
+}
 
 /// A corner that may be the tip of a head, and the two others.
 #[derive(Debug, Clone, Copy)]

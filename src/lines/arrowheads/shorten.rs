@@ -1,7 +1,7 @@
 //! Shafts of arrows end before what they point at.
 
 use super::find::FoundHead;
-use super::measures::{HEADING, end};
+use super::shapes::{HEADING, end};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::junction::heading;

@@ -1,6 +1,6 @@
 //! Which contours are heads of arrows, and what is drawn of them.
 
-use super::measures::LENGTHS;
+use super::shapes::LENGTHS;
 use super::*;
 use crate::lines::vertex::{FoundIn, SPACING};
 use crate::lines::{Line, weight};

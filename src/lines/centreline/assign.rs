@@ -35,7 +35,7 @@ pub(super) fn assign(
 ) -> Vec<Assignment> {
     let rank = ranks(polylines, params);
     let winner = |stretch: &StrokeSide| rank[stretch.polyline].min(rank[stretch.other]);
-    let stays_whole = things(polylines, opposites, &stretches, params);
+    let stays_whole = rings_that_stay(polylines, opposites, &stretches, params);
     stretches.retain(|stretch| {
         let loser = if rank[stretch.polyline] == winner(stretch) { stretch.other } else { stretch.polyline };
         stretch.polyline == stretch.other || !stays_whole[loser]
@@ -67,7 +67,7 @@ fn ranks(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<usize> {
 
 /// Which polylines are rings that are a stroke's side on their lesser part and can give way. Such a ring stays
 /// whole: it is a thing beside another, as a pupil in an eye.
-fn things(
+fn rings_that_stay(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
     stretches: &[StrokeSide],

@@ -2,20 +2,11 @@
 
 use super::drawn::DrawnLines;
 use super::passage::TOUCH;
+use super::queue::Cleared;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::lines::outlines::Rank;
 use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
-
-/// A line that is drawn.
-pub(in crate::lines) struct Cleared {
-    pub(in crate::lines) polyline: Polyline<Vertex>,
-    pub(in crate::lines) saliency: f32,
-    pub(in crate::lines) rank: Rank,
-    /// For each vertex whether another line ends there.
-    pub(in crate::lines) anchored: Vec<bool>,
-}
 
 /// Puts a vertex into a line where another one ends on it, so that they still join after simplification.
 pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
@@ -76,6 +67,7 @@ fn is_end_beside(polyline: &Polyline<Vertex>, index: usize, at: MmPoint) -> bool
 mod tests {
     use super::super::tests::{drawn, polyline};
     use super::*;
+    use crate::lines::outlines::Rank;
 
     fn cleared(points: &[(f32, f32)], closed: bool) -> Cleared {
         let polyline = polyline(points, closed);

@@ -68,15 +68,15 @@ impl NearLine<'_> {
         // crosses and comes back, as a ring on a short stem, does not join where it is near again
         let of_polyline = |j: &Junction| self.passage.between(j.arc, self.arc);
         let of_line = |j: &Junction| arc_between(j.line_arc, self.line_arc, self.line_round);
-        let arc_between = |j: &Junction| match j.meeting {
+        let from_junction = |j: &Junction| match j.meeting {
             Meeting::LineEnds => of_line(j),
             Meeting::PolylineEnds => of_polyline(j),
             Meeting::Cross(_) => of_polyline(j).max(of_line(j)),
         };
-        let least = |arc_between: f32| arc_between * approach_sine(self.approach, self.clearance) - FLAT;
-        let comes_away = |arc_between: f32| !self.of_drawing || self.distance >= least(arc_between);
-        let joins =
-            |j: &Junction| j.line == self.segment.line && arc_between(j) <= self.approach && comes_away(arc_between(j));
+        let least = |length: f32| length * approach_sine(self.approach, self.clearance) - FLAT;
+        let comes_away = |length: f32| !self.of_drawing || self.distance >= least(length);
+        let is_close = |length: f32| length <= self.approach && comes_away(length);
+        let joins = |j: &Junction| j.line == self.segment.line && is_close(from_junction(j));
         self.passage.junctions.iter().any(joins)
     }
 }

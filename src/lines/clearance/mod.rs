@@ -18,7 +18,7 @@ mod shift;
 mod split;
 mod spread;
 
-pub(super) use anchor::Cleared;
+pub(super) use queue::Cleared;
 pub(super) use spread::spread;
 
 use self::displace::displaced;

@@ -1,4 +1,4 @@
-//! Lines that wait to be drawn, by rank and the most salient first.
+//! Lines that wait to be drawn, by rank and the most salient first, and those that are.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -17,6 +17,15 @@ const MOST_ROUNDS: u8 = 8;
 struct QueuedLine {
     polyline: Polyline<Vertex>,
     round: u8,
+}
+
+/// A line that is drawn.
+pub(in crate::lines) struct Cleared {
+    pub(in crate::lines) polyline: Polyline<Vertex>,
+    pub(in crate::lines) saliency: f32,
+    pub(in crate::lines) rank: Rank,
+    /// For each vertex whether another line ends there.
+    pub(in crate::lines) anchored: Vec<bool>,
 }
 
 /// By rank, then by saliency; of two that are equally salient, the one that came earlier goes first.

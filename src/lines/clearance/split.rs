@@ -39,7 +39,7 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     let is_tick = match (first, last) {
         (None, None) => return None,
         (Some(first), Some(last)) => first.line == last.line && (first.arc - last.arc).abs() < TIP,
-        _ => false,
+        (Some(_), None) | (None, Some(_)) => false,
     };
     // a tick across an axis is nothing but two stubs, and in a drawing it is meant
     if is_tick && drawn.params.of_drawing {

@@ -100,7 +100,7 @@ impl MovingLines<'_> {
     fn moves(&self, number: usize) -> Vec<MmVector> {
         let (line, passage, params) = (&self.lines[number], &self.passages[number], self.drawn.params);
         // of a bar or another ring the two sides may be too near to one another
-        let closed = is_held(line, passage, params);
+        let may_meet_itself = is_held(line, passage, params);
         let arcs = line.arc_lengths();
         let mut rivals: Vec<(usize, [[VertexPush; 2]; 2])> = Vec::new();
         let last = line.vertices.len().saturating_sub(1);
@@ -109,7 +109,7 @@ impl MovingLines<'_> {
             let tangent = line.tangent(i);
             // the worst rival on either side: of other lines, and of its own
             let mut worst: [[VertexPush; 2]; 2] = [[(0.0, MmVector::zero()); 2]; 2];
-            let is_rival_line = |other: u32| closed || other as usize != number;
+            let is_rival_line = |other: u32| may_meet_itself || other as usize != number;
             self.drawn.each_near_among(vertex, arc, passage, is_rival_line, |near| {
                 let other = near.segment.line as usize;
                 let is_rival = || match other == number {

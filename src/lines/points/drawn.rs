@@ -6,8 +6,8 @@ use crate::geom::nearest_on_segment;
 use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
 use crate::lines::faint::is_faint;
+use crate::lines::marks::whole_series;
 use crate::lines::params::{Params, RING_FARTHEST};
-use crate::lines::series::without_scraps;
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::units::{MmPoint, MmRect};
 
@@ -45,7 +45,7 @@ pub(in crate::lines) fn draw(
     let lines = AmongLines { segments, faint };
     let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
-    let whole = without_scraps(&series, &has_room);
+    let whole = whole_series(&series, &has_room);
     let drawn = if whole == has_room { drawn } else { draw_those(points, &whole, &lines, params).0 };
     DrawnPoints { lines: Some(lines), ..drawn }
 }
@@ -231,23 +231,23 @@ fn outside(
             let away = (outer.at - *at).try_normalize()?;
             Some(Vertex { at: *at + away * *radius, ..*outer })
         };
-        let part = parts.last_mut();
-        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some(), part) {
-            (true, false, Some(part)) => {
+        let Some(part) = parts.last_mut() else { break };
+        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some()) {
+            (true, false) => {
                 part.0.extend(before.and_then(|before| side(before, vertex)).into_iter().chain([*vertex]));
                 part.1.extend([true, anchored[i]]);
             }
-            (false, true, Some(part)) => {
+            (false, true) => {
                 part.0.extend(before.and_then(|before| side(vertex, before)));
                 part.1.resize(part.0.len(), true);
                 parts.push(Default::default());
             }
-            (false, false, Some(part)) => {
+            (false, false) => {
                 part.0.push(*vertex);
                 part.1.push(anchored[i]);
             }
             // within a hole nothing is drawn
-            (true, true, _) | (_, _, None) => {}
+            (true, true) => {}
         }
         before = Some(vertex);
     }

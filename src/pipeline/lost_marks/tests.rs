@@ -46,7 +46,7 @@ fn an_axis_is_not_the_tick_that_crosses_it() {
         strength: 1.0,
         runs: vec![crate::lines::Run::stroke(1.0, vec![MmPoint::new(10.0, 50.0), MmPoint::new(90.0, 50.0)])],
     };
-    let index = index_of(&[axis], area, ENDS_ON);
+    let index = index_of_lines(&[axis], area, ENDS_ON);
     let tick = [MmPoint::new(40.0, 49.0), MmPoint::new(40.0, 50.0), MmPoint::new(40.0, 51.0)];
     assert!((0..3).all(|i| !is_along(&index, tick[i], direction_at(&tick, i))));
     let piece = [MmPoint::new(40.0, 50.5), MmPoint::new(41.0, 50.5)];

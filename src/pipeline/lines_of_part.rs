@@ -13,12 +13,12 @@ const SMOOTHED: f32 = 1.0;
 const STEP: f32 = 2.0;
 
 /// The lines of a figure or of an overview.
-pub(super) struct DrawnLines {
+pub(super) struct LinesOfPart {
     index: Nearby,
     reach: f32,
 }
 
-impl DrawnLines {
+impl LinesOfPart {
     /// Those of a part of the page that lies at `place`.
     pub(super) fn of(lines: &[Line], place: MmRect, layout: &Layout, plan: &Plan) -> Self {
         let reach = plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED;
