@@ -254,7 +254,7 @@ impl Plan {
             density_blur: textures.density_blur,
             dense_from: textures.dense_from,
             white_from: colours.white_from,
-            palette: Palette { signs: [palette.blue, palette.green, palette.yellow, palette.red, palette.grey] },
+            palette: Palette { signs: palette.signs() },
         }
     }
 
