@@ -31,7 +31,7 @@ mod twins;
 mod verdict;
 mod words;
 
-pub use finding::Finding;
+pub use finding::{Finding, Render};
 pub use gaps::{Near, too_near};
 pub use limits::{MediumLimits, RuleLimits};
 pub use mark::{LAYER, marked};
@@ -58,8 +58,8 @@ pub struct Drawn<'a> {
     pub document: &'a Document<'a>,
     /// What is drawn.
     pub tree: &'a Tree,
-    /// Whether it is a page that `render` would write otherwise, by the profile whose numbers count.
-    pub mends: bool,
+    /// What `render` makes of it.
+    pub render: Render,
 }
 
 impl<'a> Drawn<'a> {
@@ -73,7 +73,7 @@ impl<'a> Drawn<'a> {
         if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
             found.extend(ink::blocks(self.tree));
         }
-        checked((found, self.mends), page, &read.names.rows, limits, felt)
+        checked((found, self.render), page, &read.names.rows, limits, felt)
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
@@ -81,7 +81,7 @@ impl<'a> Drawn<'a> {
         let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
         found.extend(drawn::findings(self.document, self.tree, &[], limits));
         found.extend(ink::findings(self.tree, limits));
-        checked((found, false), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
+        checked((found, Render::LeavesAsItIs), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
     }
 }
 
@@ -116,18 +116,18 @@ const MOST_TOLD: usize = 5;
 pub fn check(page: &Page, limits: &RuleLimits, felt: Option<&Report>) -> Checked {
     let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
     let names = Names::of(page);
-    checked((found(page, &names, limits), false), page, &names.rows, limits, felt)
+    checked((found(page, &names, limits), Render::LeavesAsItIs), page, &names.rows, limits, felt)
 }
 
-/// What was found, and whether `render` mends some of it. `rows` are the lines of the file in which objects stand.
+/// What was found, and what `render` makes of it. `rows` are the lines of the file in which objects stand.
 fn checked(
-    (found, mends): (Vec<FoundBreach>, bool),
+    (found, render): (Vec<FoundBreach>, Render),
     page: &Page,
     rows: &BTreeMap<String, u32>,
     limits: &RuleLimits,
     felt: Fingertip<'_>,
 ) -> Checked {
-    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends, rows)).collect());
+    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, render, rows)).collect());
     let verdict = Verdict::of(page, &findings, felt);
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
