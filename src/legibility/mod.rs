@@ -89,7 +89,7 @@ impl<'a> Drawn<'a> {
 pub fn overview_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Option<String> {
     let felt = page.risen();
     let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
-    let found = overview::findings(&felt, names, &paths, &paths.index(5.0), limits);
+    let found = overview::findings(&felt, names, &paths, &paths.index(CELL), limits);
     let (first, count) = (found.first()?, found.len());
     let told = and_more(&first.what, count - 1, "such place");
     Some(format!("the overview is as it was: {told}; change it there too, or delete it"))
@@ -109,6 +109,8 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Optio
     (!found.is_empty()).then(|| format!("braille stays where it is on the page: {told}; move one of them"))
 }
 
+/// Side of the cells in which segments are looked for, mm: about the clearance of two lines. Chosen by us.
+const CELL: f32 = 5.0;
 /// Most places that are told one by one.
 const MOST_TOLD: usize = 5;
 
@@ -148,7 +150,7 @@ fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
         found.extend(strokes::findings(&overview.lines, &names.overview_lines, None, &page.medium, limits));
     }
     let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
-    let index = paths.index(5.0);
+    let index = paths.index(CELL);
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));

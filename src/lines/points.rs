@@ -41,6 +41,7 @@ const MIDDLE: f32 = 0.4;
 const BESIDE: f32 = 1.0;
 /// Points are of one size if their radii differ by no more than this share.
 const SAME_SIZE: f32 = 0.2;
+
 /// A point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {

@@ -108,6 +108,7 @@ fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
 const WHOLE: f32 = 0.7;
+
 /// The lines of the overview: all of one width and, where there are heights, high.
 pub(super) fn of_overview(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else { return drawn };
