@@ -7,8 +7,8 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
 use super::finding::{FoundBreach, InFile};
+use super::layer::LAYER;
 use super::limits::{MediumLimits, RuleLimits};
-use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};

@@ -5,6 +5,7 @@
 //! ([`Decision`]): it is drawn, or what becomes of it goes back into the queue.
 
 mod anchor;
+mod apart;
 mod bases;
 mod branch;
 mod displace;
@@ -16,10 +17,9 @@ mod queue;
 mod self_distance;
 mod shift;
 mod split;
-mod spread;
 
+pub(super) use apart::move_apart;
 pub(super) use queue::Cleared;
-pub(super) use spread::spread;
 
 use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};
