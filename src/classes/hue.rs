@@ -29,7 +29,9 @@ struct Sector {
     typical: [f32; 2],
 }
 
-/// All classes but grey, in the order of the colour wheel. Boundaries: 24 separates pinkish orange (coral, 16) and red browns (sienna, 19, at
+/// All classes but grey, in the order of the colour wheel.
+///
+/// Boundaries: 24 separates pinkish orange (coral, 16) and red browns (sienna, 19, at
 /// most 23 when corrected) from light orange (sandy brown, 28) and brown (25); 70 a slightly dark yellow (66) from
 /// olive (80); 173 is where people separate green from blue (ismy.blue, an online test of 2024, found 174 as the
 /// median); 285 is half way from blue to red, by our eye: violet is bluish, purple reddish. Typical: half way from the

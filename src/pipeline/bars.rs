@@ -118,8 +118,8 @@ impl Chart {
         let base = base(&sides, &levels)?;
         let mut chart = Self { direction, base, bars: Vec::new(), sides, grid: Vec::new() };
         chart.bars = chart.bars_below(&levels);
-        // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such tops
-        // do not count
+        // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such
+        // tops do not count
         let is_above = |across: f32, top: f32| {
             chart.sides.iter().any(|side| (side.at - across).abs() <= SAME && side.to > top + 2.0 * SAME)
         };
