@@ -17,11 +17,11 @@ use crate::units::{MmPoint, MmRect};
 const STEP: f32 = 0.25;
 /// Two places of one line with this much arc length between them, in distances, lie on the two sides of a bend: a
 /// corner of 30 degrees has the factor 1 / sin 15 = 3.9.
-const BEND: f32 = 4.0;
+pub(crate) const BEND: f32 = 4.0;
 /// The factor of a corner with straight sides, which lie on two sides down to 19 degrees: 1 / sin 9.5 = 6.1. Straight
 /// are sides if the length over the tip is nearly as long as the line.
-const CORNER: f32 = 6.1;
-const STRAIGHTNESS: f32 = 0.92;
+pub(crate) const CORNER: f32 = 6.1;
+pub(crate) const STRAIGHTNESS: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
 const ROUNDING: f32 = 0.015;
 /// Most stretches that are looked at: a hundred times what the worst page of a person has. More lie where hundreds of

@@ -32,7 +32,9 @@ mod verdict;
 mod words;
 
 pub use finding::{Finding, Render};
+pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
+pub(crate) use joins::{APPROACH, BEND_LEAST, SMALL_RING};
 pub use layer::{LAYER, marked};
 pub use limits::{MediumLimits, RuleLimits};
 pub use report::{Checked, rules_as_text};

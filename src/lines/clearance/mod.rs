@@ -20,6 +20,7 @@ mod split;
 
 pub(super) use apart::move_apart;
 pub(super) use queue::Cleared;
+pub(crate) use self_distance::{BEND, BEND_LEAST};
 
 use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};
