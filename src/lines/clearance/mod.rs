@@ -101,7 +101,7 @@ pub(super) fn clear(
 }
 
 /// What is to be done with a line, which was judged in so many rounds before, among those that are drawn. `own` is an
-/// empty grid, and empty again afterwards.
+/// empty index, and empty again afterwards.
 fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);

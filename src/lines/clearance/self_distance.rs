@@ -18,8 +18,8 @@ use crate::units::MmPoint;
 pub(crate) const BEND: f32 = 3.5;
 pub(crate) const BEND_LEAST: f32 = 1.5;
 
-/// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty grid, and empty
-/// again afterwards.
+/// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty index, and
+/// empty again afterwards.
 pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &mut Nearby) -> Option<Range<usize>> {
     let arcs = polyline.arc_lengths();
     let total = arcs.last().copied().unwrap_or(0.0);
