@@ -4,7 +4,7 @@ use usvg::{ImageHrefResolver, Tree};
 
 use super::feeling::feel;
 use crate::description::{self, Description};
-use crate::legibility::{self, Checked, Drawn, Fingertip};
+use crate::legibility::{self, Checked, Drawn, Fingertip, Render};
 use crate::page::{Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::checked_document;
@@ -58,8 +58,9 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
     let tree = Tree::from_xmltree(&document, &options).map_err(|fault| undecodable(fault.to_string()))?;
-    let mends = profile.is_none() && read.as_ref().is_some_and(|read| read.is_changed);
-    let drawn = Drawn { document: &document, tree: &tree, mends };
+    let is_written_anew = profile.is_none() && read.as_ref().is_some_and(|read| read.is_changed);
+    let render = if is_written_anew { Render::Mends } else { Render::LeavesAsItIs };
+    let drawn = Drawn { document: &document, tree: &tree, render };
     let limits = |page: &Page| match profile {
         Some(profile) => Ok::<_, Error>(Plan::new(profile)?.limits()),
         None => Ok(Plan::new(&Profile::of_page(&page.origin)?.0)?.limits()),

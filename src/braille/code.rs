@@ -60,6 +60,7 @@ impl Code {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::classes::Class;
 
     #[test]
     fn every_table_of_the_program_can_be_read() {
@@ -67,8 +68,8 @@ mod tests {
             let table = parse::table(code.text).unwrap_or_else(|fault| panic!("{}: {fault}", code.language));
             let alphabet = ('a'..='z').all(|letter| table.letters.contains_key(&letter));
             assert!(alphabet && !table.name.is_empty(), "{}", code.language);
-            let words = ["key", "blue", "green", "yellow", "red", "grey"];
-            assert!(words.iter().all(|&word| table.words.contains_key(word)), "{}", code.language);
+            let mut words = ["key"].into_iter().chain(Class::ALL.map(Class::name));
+            assert!(words.all(|word| table.words.contains_key(word)), "{}", code.language);
             for (sign, rules) in &table.signs {
                 let is_general = rules.last().is_some_and(|rule| (rule.left, rule.right) == ('*', '*'));
                 assert!(is_general, "{}: {sign}", code.language);

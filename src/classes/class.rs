@@ -20,7 +20,10 @@ pub enum Class {
 
 impl Class {
     /// All five, in the order in which they are written.
-    pub const ALL: [Self; 5] = [Self::Blue, Self::Green, Self::Yellow, Self::Red, Self::Grey];
+    pub const ALL: [Self; Self::COUNT] = [Self::Blue, Self::Green, Self::Yellow, Self::Red, Self::Grey];
+
+    /// How many there are: what has a value for each class is an array of this length.
+    pub(crate) const COUNT: usize = 5;
 
     /// Its name in lower case.
     pub fn name(self) -> &'static str {
@@ -108,7 +111,7 @@ pub struct Region {
 #[cfg(test)]
 impl Classes {
     /// For tests of textures: the cells of a square of `side` by `side`, each in the area of the nearest of some seats
-    /// (in cells). A seat has a class by its number in [`Class::ALL`]; from 5 on it is blank.
+    /// (in cells). A seat has a class by its number in [`Class::ALL`]; beyond that it is blank.
     pub(crate) fn of_seats(seats: &[(f32, f32, u8)], side: u32, lightness: f32) -> Self {
         let size = Size::new(side, side);
         let nearest = |i: u32| {
@@ -117,7 +120,8 @@ impl Classes {
             (0..seats.len()).min_by(|a, b| far(&seats[*a]).total_cmp(&far(&seats[*b]))).unwrap_or(0)
         };
         let owners: Vec<usize> = (0..side * side).map(nearest).collect();
-        let with_texture: Vec<usize> = (0..seats.len()).filter(|&seat| seats[seat].2 < 5).collect();
+        let with_texture: Vec<usize> =
+            (0..seats.len()).filter(|&seat| usize::from(seats[seat].2) < Class::COUNT).collect();
         let number = |seat: usize| with_texture.iter().position(|other| *other == seat).map(|number| number as u32);
         let of = |seat: &usize| Region {
             class: Class::ALL[usize::from(seats[*seat].2)],

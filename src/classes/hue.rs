@@ -29,12 +29,14 @@ struct Sector {
     typical: [f32; 2],
 }
 
-/// In the order of the colour wheel. Boundaries: 24 separates pinkish orange (coral, 16) and red browns (sienna, 19, at
+/// All classes but grey, in the order of the colour wheel.
+///
+/// Boundaries: 24 separates pinkish orange (coral, 16) and red browns (sienna, 19, at
 /// most 23 when corrected) from light orange (sandy brown, 28) and brown (25); 70 a slightly dark yellow (66) from
 /// olive (80); 173 is where people separate green from blue (ismy.blue, an online test of 2024, found 174 as the
 /// median); 285 is half way from blue to red, by our eye: violet is bluish, purple reddish. Typical: half way from the
 /// middle of the class as we see it (blue 215, green 120, yellow 54, red 0) to its boundaries.
-const SECTORS: [Sector; 4] = [
+const SECTORS: [Sector; Class::COUNT - 1] = [
     Sector { class: Class::Yellow, from: 24.0, typical: [39.0, 62.0] },
     Sector { class: Class::Green, from: 70.0, typical: [95.0, 146.0] },
     Sector { class: Class::Blue, from: 173.0, typical: [194.0, 250.0] },
@@ -68,12 +70,12 @@ const WHITE_TRANSITION: f32 = 0.03;
 pub(super) struct Membership {
     pub(super) white: f32,
     /// In the order of [`SECTORS`].
-    hues: [f32; 4],
+    hues: [f32; SECTORS.len()],
 }
 
 impl Membership {
     /// How many numbers a membership has.
-    pub(super) const PARTS: usize = 5;
+    pub(super) const PARTS: usize = 1 + SECTORS.len();
 
     pub(super) fn parts(self) -> [f32; Self::PARTS] {
         let [a, b, c, d] = self.hues;
@@ -128,7 +130,7 @@ pub(super) fn membership(rgb: [f32; 3], params: &Params) -> Membership {
         transition((saturation / bound.max(f32::MIN_POSITIVE)).ln() / GREY_TRANSITION.ln())
     };
     let coloured = coloured * (1.0 - white);
-    let mut hues = [0.0; 4];
+    let mut hues = [0.0; SECTORS.len()];
     if coloured > 0.0 {
         let hue = corrected(hue(rgb, least, value), saturation, value);
         let own = sector_of(hue);
@@ -145,7 +147,7 @@ pub(super) fn membership(rgb: [f32; 3], params: &Params) -> Membership {
 
 /// The membership of a grey given as an sRGB value 0..=1; no hue is looked at.
 pub(super) fn membership_of_grey(value: f32, params: &Params) -> Membership {
-    Membership { white: transition((value - params.white_from) / WHITE_TRANSITION), hues: [0.0; 4] }
+    Membership { white: transition((value - params.white_from) / WHITE_TRANSITION), hues: [0.0; SECTORS.len()] }
 }
 
 /// A linear transition from 0 at -1 to 1 at 1.

@@ -7,9 +7,9 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
 use super::finding::{FoundBreach, InFile};
+use super::layer::LAYER;
 use super::limits::{MediumLimits, RuleLimits};
-use super::mark::LAYER;
-use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, MARGIN, PICTURE};
+use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
@@ -145,7 +145,7 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = FoundBreach>
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
         let what = "a picture of pixels lies on the page".into();
-        FoundBreach { rule: PICTURE, what, at, extent, measured: None, mended: None, in_file: row(node) }
+        FoundBreach { rule: PICTURE, what, at, extent, measured: None, becomes_braille: false, in_file: row(node) }
     })
 }
 
@@ -164,14 +164,22 @@ fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<FoundBreach> {
         let of_typed = || typed.iter().find(|typed| typed.string == whole).map(|typed| typed.at);
         let at = place(&node, document).or_else(of_typed);
         let extent = at.map(|at| MmRect::new(at, at));
-        let mended = is_written(node, &whole).then_some(IN_BRAILLE);
+        let becomes_braille = is_written(node, &whole);
         let (rule, what) = match is_braille(&whole) {
             true => {
                 (BRAILLE_CELL, format!("\"{text}\" is braille in a font, whose dots are not those of standard cells"))
             }
             false => (LETTERS, format!("\"{text}\" is written in letters, which fingers do not read")),
         };
-        (!text.is_empty()).then_some(FoundBreach { rule, what, at, extent, measured: None, mended, in_file: row(node) })
+        (!text.is_empty()).then_some(FoundBreach {
+            rule,
+            what,
+            at,
+            extent,
+            measured: None,
+            becomes_braille,
+            in_file: row(node),
+        })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
 }

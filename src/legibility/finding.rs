@@ -29,6 +29,15 @@ pub struct Finding {
     pub line: Option<u32>,
 }
 
+/// What `render` makes of a page by the profile whose numbers count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Render {
+    /// It would write the page otherwise, and puts some breaches right.
+    Mends,
+    /// It writes the page as it is, or is not asked.
+    LeavesAsItIs,
+}
+
 /// A finding before its place has words.
 pub(super) struct FoundBreach {
     pub(super) rule: Rule,
@@ -36,8 +45,8 @@ pub(super) struct FoundBreach {
     pub(super) at: Option<MmPoint>,
     pub(super) extent: Option<MmRect>,
     pub(super) measured: Option<f32>,
-    /// What `render` makes of it, where that puts it right.
-    pub(super) mended: Option<&'static str>,
+    /// Whether it is a text that `render` writes in braille; of all else the rule says what `render` makes of it.
+    pub(super) becomes_braille: bool,
     /// Where to look for it in the file.
     pub(super) in_file: InFile,
 }
@@ -56,14 +65,13 @@ pub(super) enum InFile {
 impl FoundBreach {
     /// A breach at one place.
     pub(super) fn at(rule: Rule, at: MmPoint, extent: MmRect, measured: f32, what: String) -> Self {
-        let mended = rules::mended(&rule);
-        Self { rule, what, at: Some(at), extent: Some(extent), measured: Some(measured), mended, in_file: InFile::Page }
+        let (at, extent, measured) = (Some(at), Some(extent), Some(measured));
+        Self { rule, what, at, extent, measured, becomes_braille: false, in_file: InFile::Page }
     }
 
     /// A breach by the whole page.
     pub(super) fn of_page(rule: Rule, measured: Option<f32>, what: String) -> Self {
-        let mended = rules::mended(&rule);
-        Self { rule, what, at: None, extent: None, measured, mended, in_file: InFile::Page }
+        Self { rule, what, at: None, extent: None, measured, becomes_braille: false, in_file: InFile::Page }
     }
 
     /// The same of the object of this name.
@@ -71,15 +79,19 @@ impl FoundBreach {
         Self { in_file: InFile::Object(object.to_owned()), ..self }
     }
 
-    /// `mends` says whether `render` would write the page otherwise; `rows` where objects stand in the file.
-    pub(super) fn placed(self, page: &Page, mends: bool, rows: &BTreeMap<String, u32>) -> Finding {
-        let Self { rule, what, at, extent, measured, mended, in_file } = self;
+    /// `rows` says where objects stand in the file.
+    pub(super) fn placed(self, page: &Page, render: Render, rows: &BTreeMap<String, u32>) -> Finding {
+        let Self { rule, what, at, extent, measured, becomes_braille, in_file } = self;
         let line = match in_file {
             InFile::Object(name) => rows.get(&name).copied(),
             InFile::Row(row) => Some(row),
             InFile::Page => None,
         };
-        let mended = mended.filter(|_| mends);
+        let mended = match render {
+            Render::Mends if becomes_braille => Some(rules::IN_BRAILLE),
+            Render::Mends => rules::mended(&rule),
+            Render::LeavesAsItIs => None,
+        };
         let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));
         Finding { rule, what, at, place, extent, measured, mended, line }
     }

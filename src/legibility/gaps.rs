@@ -17,11 +17,11 @@ use crate::units::{MmPoint, MmRect};
 const STEP: f32 = 0.25;
 /// Two places of one line with this much arc length between them, in distances, lie on the two sides of a bend: a
 /// corner of 30 degrees has the factor 1 / sin 15 = 3.9.
-const BEND: f32 = 4.0;
+pub(crate) const BEND: f32 = 4.0;
 /// The factor of a corner with straight sides, which lie on two sides down to 19 degrees: 1 / sin 9.5 = 6.1. Straight
 /// are sides if the length over the tip is nearly as long as the line.
-const CORNER: f32 = 6.1;
-const STRAIGHTNESS: f32 = 0.92;
+pub(crate) const CORNER: f32 = 6.1;
+pub(crate) const STRAIGHTNESS: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
 const ROUNDING: f32 = 0.015;
 /// Most stretches that are looked at: a hundred times what the worst page of a person has. More lie where hundreds of
@@ -121,10 +121,11 @@ fn between(
     clearance: f32,
     found: &mut Vec<NearStretch>,
 ) {
-    let round = |path: u32| Some(&paths.paths[path as usize]).filter(|path| path.closed).map(|path| path.length);
+    let ring_length = |path: u32| Some(&paths.paths[path as usize]).filter(|path| path.closed).map(|path| path.length);
     let line = |of: &Segment| paths.paths[of.line as usize].line;
-    let parts =
-        |of: &Segment, with: &Segment| free_parts(&joins[of.line as usize], round(of.line), of, line(with), clearance);
+    let parts = |of: &Segment, with: &Segment| {
+        free_parts(&joins[of.line as usize], ring_length(of.line), of, line(with), clearance)
+    };
     for own in parts(segment, other) {
         let (a, b) = (point_at(segment, own.0), point_at(segment, own.1));
         for theirs in parts(other, segment) {
@@ -194,7 +195,7 @@ fn returns(
     if farthest <= BEND * least + BEND_LEAST {
         return;
     }
-    let round = path.closed.then_some(path.length);
+    let ring_length = path.closed.then_some(path.length);
     let steps = (length / STEP).ceil().max(1.0);
     for k in 0..steps as u32 {
         let middle = (k as f32 + 0.5) / steps;
@@ -206,7 +207,7 @@ fn returns(
         let along = path.between(here, there);
         let bend = along <= BEND * distance + BEND_LEAST
             || (along <= CORNER * distance + BEND_LEAST && has_corner(paths, path, (here, at), (there, point)));
-        let joined = [here, there].iter().any(|arc| arrives(joins, round, *arc, path.line, clearance));
+        let joined = [here, there].iter().any(|arc| arrives(joins, ring_length, *arc, path.line, clearance));
         if !bend && !joined {
             let share = |k: u32| (k as f32 / steps).min(1.0);
             let ends = (segment.a.lerp(segment.b, share(k)), segment.a.lerp(segment.b, share(k + 1)));

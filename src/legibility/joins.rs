@@ -7,13 +7,13 @@ use crate::units::MmPoint;
 
 /// Where a line joins another it must have come from beyond the clearance within this length, in clearances: at 19.5
 /// degrees or steeper, as the lines of drawings do.
-const APPROACH: f32 = 3.0;
+pub(crate) const APPROACH: f32 = 3.0;
 /// A line that comes back to itself within this length is bent, not joined, mm.
-pub(super) const BEND_LEAST: f32 = 2.0;
+pub(crate) const BEND_LEAST: f32 = 2.0;
 /// Lines cross in a vertex of both if it is on both within this, mm: a page has hundredths.
 const VERTEX: f32 = 0.005;
 /// The largest ring that stands for a point of a drawing, across in distances of two lines.
-const SMALL_RING: f32 = 2.5;
+pub(crate) const SMALL_RING: f32 = 2.5;
 /// Lines that cross twice are looked at this often between the crossings, mm.
 const STEP: f32 = 0.5;
 

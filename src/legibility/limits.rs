@@ -1,6 +1,7 @@
 //! The numbers that a page is held against: those of its profile, and a few that no profile has.
 
 use crate::braille::CellSize;
+use crate::page::Class;
 
 /// What a page must keep, in millimetres on the sheet as it is felt.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +49,7 @@ pub enum MediumLimits {
 
 /// Most textures that readers keep apart (BANA, as quoted by others).
 pub(super) const MOST_TEXTURES: usize = 5;
+const _: () = assert!(Class::COUNT <= MOST_TEXTURES, "a page of all classes would break the rule");
 /// Blank around braille, mm: as other programs leave around braille on graphics (MapGen).
 pub(super) const BRAILLE_GAP: f32 = 3.0;
 /// Least side of a closed shape that an overview must show, in its own mm: a fingertip's width. Smaller ones are left

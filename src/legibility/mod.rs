@@ -17,9 +17,9 @@ mod finding;
 mod gaps;
 mod ink;
 mod joins;
+mod layer;
 mod leaders;
 mod limits;
-mod mark;
 mod marks;
 mod overview;
 mod paths;
@@ -31,10 +31,12 @@ mod twins;
 mod verdict;
 mod words;
 
-pub use finding::Finding;
+pub use finding::{Finding, Render};
+pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
+pub(crate) use joins::{APPROACH, BEND_LEAST, SMALL_RING};
+pub use layer::{LAYER, marked};
 pub use limits::{MediumLimits, RuleLimits};
-pub use mark::{LAYER, marked};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
@@ -58,8 +60,8 @@ pub struct Drawn<'a> {
     pub document: &'a Document<'a>,
     /// What is drawn.
     pub tree: &'a Tree,
-    /// Whether it is a page that `render` would write otherwise, by the profile whose numbers count.
-    pub mends: bool,
+    /// What `render` makes of it.
+    pub render: Render,
 }
 
 impl<'a> Drawn<'a> {
@@ -73,7 +75,7 @@ impl<'a> Drawn<'a> {
         if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
             found.extend(ink::blocks(self.tree));
         }
-        checked((found, self.mends), page, &read.names.rows, limits, felt)
+        checked((found, self.render), page, &read.names.rows, limits, felt)
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
@@ -81,7 +83,7 @@ impl<'a> Drawn<'a> {
         let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
         found.extend(drawn::findings(self.document, self.tree, &[], limits));
         found.extend(ink::findings(self.tree, limits));
-        checked((found, false), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
+        checked((found, Render::LeavesAsItIs), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
     }
 }
 
@@ -89,7 +91,7 @@ impl<'a> Drawn<'a> {
 pub fn overview_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Option<String> {
     let felt = page.risen();
     let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
-    let found = overview::findings(&felt, names, &paths, &paths.index(5.0), limits);
+    let found = overview::findings(&felt, names, &paths, &paths.index(CELL), limits);
     let (first, count) = (found.first()?, found.len());
     let told = and_more(&first.what, count - 1, "such place");
     Some(format!("the overview is as it was: {told}; change it there too, or delete it"))
@@ -109,6 +111,8 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Optio
     (!found.is_empty()).then(|| format!("braille stays where it is on the page: {told}; move one of them"))
 }
 
+/// Side of the cells in which segments are looked for, mm: about the clearance of two lines. Chosen by us.
+const CELL: f32 = 5.0;
 /// Most places that are told one by one.
 const MOST_TOLD: usize = 5;
 
@@ -116,18 +120,18 @@ const MOST_TOLD: usize = 5;
 pub fn check(page: &Page, limits: &RuleLimits, felt: Option<&Report>) -> Checked {
     let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
     let names = Names::of(page);
-    checked((found(page, &names, limits), false), page, &names.rows, limits, felt)
+    checked((found(page, &names, limits), Render::LeavesAsItIs), page, &names.rows, limits, felt)
 }
 
-/// What was found, and whether `render` mends some of it. `rows` are the lines of the file in which objects stand.
+/// What was found, and what `render` makes of it. `rows` are the lines of the file in which objects stand.
 fn checked(
-    (found, mends): (Vec<FoundBreach>, bool),
+    (found, render): (Vec<FoundBreach>, Render),
     page: &Page,
     rows: &BTreeMap<String, u32>,
     limits: &RuleLimits,
     felt: Fingertip<'_>,
 ) -> Checked {
-    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends, rows)).collect());
+    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, render, rows)).collect());
     let verdict = Verdict::of(page, &findings, felt);
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
@@ -148,7 +152,7 @@ fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
         found.extend(strokes::findings(&overview.lines, &names.overview_lines, None, &page.medium, limits));
     }
     let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
-    let index = paths.index(5.0);
+    let index = paths.index(CELL);
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));

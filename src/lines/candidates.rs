@@ -29,7 +29,7 @@ pub(super) struct LineCandidates {
     /// How many of them are contours.
     contours: usize,
     /// How many gridlines an overview leaves out.
-    grid: usize,
+    gridlines: usize,
     /// What is too short for a line.
     pub(super) short: LossTally,
     /// Points on lines.
@@ -51,7 +51,7 @@ impl LineCandidates {
         let mut polylines = on_the_sheet(edges, transform, params);
         // an overview is felt for its shapes
         let is_overview = params.in_overview_of_drawing();
-        let grid = if is_overview { faint::take_gridlines(&mut polylines) } else { 0 };
+        let gridlines = if is_overview { faint::take_gridlines(&mut polylines) } else { 0 };
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
@@ -93,7 +93,7 @@ impl LineCandidates {
             lines: polylines.into_iter().zip(ranks).collect(),
             saliencies,
             contours,
-            grid,
+            gridlines,
             short,
             points,
             scales,
@@ -121,7 +121,7 @@ impl LineCandidates {
         // an overview is told as a whole, and a line that is too short for one by what it is
         let may_lack = params.of_drawing && params.part == PagePart::Figure && lost.lost >= params.min_length;
         let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
-        Lost { gone: if may_lack { gone() } else { Vec::new() }, grid: self.grid, ..lost }
+        Lost { gone: if may_lack { gone() } else { Vec::new() }, gridlines: self.gridlines, ..lost }
     }
 }
 

@@ -7,12 +7,12 @@ use crate::units::MmPoint;
 
 /// The length along a corner of 20 degrees is at most this many times the distance between its sides: 1 / sin 10.
 /// Sharper ones are felt as one line, and in photographs they are the wobble of a contour.
-const SHARPEST: f32 = 5.8;
+pub(crate) const SHARPEST: f32 = 5.8;
 /// Where the tip is rounded, the length along a corner may be this much longer, mm.
 const ROUNDED: f32 = 1.5;
 /// The sides are straight if the length over the tip is at least this share of the length along the line. Strokes with
 /// a square end have 0.86 at most, with a round end 0.92.
-const STRAIGHTNESS: f32 = 0.94;
+pub(crate) const STRAIGHTNESS: f32 = 0.94;
 
 /// Whether between two places of a line there is nothing but a sharp corner with straight sides. `arcs` are the arc
 /// lengths of the line's path; it is a ring if `ring`; each place is given as its arc length and its point.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::candidates::LineCandidates;
-use super::clearance::{Cleared, clear, spread};
+use super::clearance::{Cleared, clear, move_apart};
 use super::junction;
 use super::outlines::Rank;
 use super::params::Params;
@@ -128,7 +128,7 @@ fn apart(lines: &LineCandidates, area: MmRect, params: &Params) -> (Vec<(Polylin
     // faint lines, such as an even grid, stay where they are
     let (mut faint, strong): (Vec<_>, Vec<_>) = lines.lines.iter().cloned().partition(|(_, rank)| *rank == Rank::Faint);
     let (mut polylines, ranks): (Vec<_>, Vec<_>) = strong.into_iter().unzip();
-    if let Some(apart) = spread(&polylines, area, params) {
+    if let Some(apart) = move_apart(&polylines, area, params) {
         polylines = apart;
         // an end may have come off the line on which it lay
         junction::extend(&mut polylines, area, params.join_gap);

@@ -27,7 +27,7 @@ pub struct Lost {
     /// Lines of a drawing of which nothing is drawn.
     pub gone: Vec<LostLine>,
     /// How many lines a grid has that is left out as a whole: a squared one that is torn on dots, and any in overviews.
-    pub grid: usize,
+    pub gridlines: usize,
 }
 
 /// A line of which nothing is drawn, or so little that nobody would know it.
@@ -117,8 +117,8 @@ impl Lost {
     }
 
     /// A squared grid of so many lines, of which this length was drawn, is left out as a whole, and told as such.
-    pub fn without_grid(&mut self, lines: usize, length: f32) {
-        self.grid = lines + self.gone.iter().filter(|line| line.is_faint).count();
+    pub fn without_gridlines(&mut self, lines: usize, length: f32) {
+        self.gridlines = lines + self.gone.iter().filter(|line| line.is_faint).count();
         self.gone.retain(|line| !line.is_faint);
         self.wanted = (self.wanted - length).max(self.lost);
     }

@@ -44,6 +44,8 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use vertex::Vertex;
 
 pub use arrowheads::{Arrow, arrows, is_triangle};
+pub(crate) use clearance::{BEND, BEND_LEAST};
+pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
 pub use few::Beyond;
 pub use gridlines::which_are_gridlines;
@@ -52,7 +54,9 @@ pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;
 use outlines::Rank;
+pub(crate) use params::APPROACH_OF_DRAWINGS;
 pub use params::{PagePart, Params};
+pub(crate) use points::LARGEST_HOLLOW;
 
 use crate::edges::Edges;
 use crate::geom::polyline::Polyline;

@@ -62,7 +62,7 @@ pub struct Params {
 const APPROACH: f32 = 1.7;
 /// The same of drawings, where every crossing is meant: the curves of a chart, a connector between boxes. A straight
 /// line needs as much at 19.5 degrees.
-const APPROACH_OF_DRAWINGS: f32 = 3.0;
+pub(crate) const APPROACH_OF_DRAWINGS: f32 = 3.0;
 /// What is taken off an approach, mm: a line may be drawn by a step of width thinner than its vertices say.
 const APPROACH_MARGIN: f32 = 0.2;
 /// What rounding, and the vertices where lines meet, may take from a distance, mm.

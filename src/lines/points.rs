@@ -31,7 +31,7 @@ const SMALLEST: f32 = 0.6;
 /// The largest filled point, in distances of two lines: a larger shape has room as it is.
 const LARGEST: f32 = 1.25;
 /// The largest hollow point, in the same: up to about here the lines that end at a ring would take its place.
-const LARGEST_HOLLOW: f32 = 2.5;
+pub(crate) const LARGEST_HOLLOW: f32 = 2.5;
 /// Area of a point at least, as a share of that of a circle with its circumference: a square has 0.79, an equal-sided
 /// triangle, as the head of an arrow, 0.60, a hexagon 0.91.
 const ROUND: f32 = 0.85;
@@ -41,6 +41,7 @@ const MIDDLE: f32 = 0.4;
 const BESIDE: f32 = 1.0;
 /// Points are of one size if their radii differ by no more than this share.
 const SAME_SIZE: f32 = 0.2;
+
 /// A point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {

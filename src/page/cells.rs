@@ -43,6 +43,8 @@ fn span(centres: &[f32], steps: usize) -> Option<f32> {
     Some(centres.get(steps)? - centres.first()?)
 }
 
+/// Dots of a cell that are farther apart than this many standard distances are those of jumbo braille. Chosen by us.
+const JUMBO: f32 = 1.15;
 /// Nearest dots of a cell that fingers still tell apart, mm: those of small braille.
 const LEAST_DOT: f32 = 1.5;
 
@@ -140,7 +142,7 @@ impl<'m> CellSteps<'m> {
         let nearest = |mm: f32| ((mm / medium.pitch).round() as usize).max(1);
         let mut dot = nearest(size.dot);
         // further apart than standard is jumbo braille, which few read; rather small
-        if dot as f32 * medium.pitch > 1.15 * size.dot && (dot - 1) as f32 * medium.pitch >= LEAST_DOT {
+        if dot as f32 * medium.pitch > JUMBO * size.dot && (dot - 1) as f32 * medium.pitch >= LEAST_DOT {
             dot -= 1;
         }
         // a wider step between cells than within them, and a wider one between lines

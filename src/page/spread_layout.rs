@@ -70,6 +70,7 @@ pub(super) const TICK: f32 = 5.0;
 /// Blank between ticks and the window, and between them and what lies above, mm: the 1/8 inch rule (L. Hasty), the
 /// least between any two things.
 pub(super) const GAP: f32 = 3.2;
+
 /// Where a picture lies on its sheets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spread {

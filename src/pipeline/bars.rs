@@ -84,7 +84,7 @@ pub(super) struct Chart {
     /// Straight pieces along bars.
     pub(super) sides: Vec<BaseSpan>,
     /// Where gridlines are.
-    pub(super) grid: Vec<f32>,
+    pub(super) gridlines: Vec<f32>,
 }
 
 impl Chart {
@@ -116,10 +116,10 @@ impl Chart {
         }
         let levels = joined(levels);
         let base = base(&sides, &levels)?;
-        let mut chart = Self { direction, base, bars: Vec::new(), sides, grid: Vec::new() };
+        let mut chart = Self { direction, base, bars: Vec::new(), sides, gridlines: Vec::new() };
         chart.bars = chart.bars_below(&levels);
-        // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such tops
-        // do not count
+        // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such
+        // tops do not count
         let is_above = |across: f32, top: f32| {
             chart.sides.iter().any(|side| (side.at - across).abs() <= SAME && side.to > top + 2.0 * SAME)
         };
@@ -132,7 +132,7 @@ impl Chart {
         }
         // in a bitmap the top of a bar that ends on a gridline is a part of that, and is missing without it
         if edges.chains.iter().all(|chain| chain.kind.exact) {
-            chart.grid = chart.gridlines(edges);
+            chart.gridlines = chart.gridlines(edges);
         }
         Some(chart)
     }
@@ -232,7 +232,8 @@ impl Chart {
 
     /// Whether a chain is a gridline or a part of one.
     pub(super) fn is_gridline(&self, edges: &Edges, chain: &ChainRange) -> bool {
-        self.level(edges, chain).is_some_and(|level| self.grid.iter().any(|at| (at - level.at).abs() <= 2.0 * SAME))
+        self.level(edges, chain)
+            .is_some_and(|level| self.gridlines.iter().any(|at| (at - level.at).abs() <= 2.0 * SAME))
     }
 
     /// The outline of a bar, from the base to the base.

@@ -30,13 +30,13 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
     };
     let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &plan.dots(medium));
     let (mut lines, mut shown) = press(&drawn);
-    let grid = torn_grid(&drawn.lines, &lines, area, plan.lines().least_strength);
+    let grid = torn_gridlines(&drawn.lines, &lines, area, plan.lines().least_strength);
     if !grid.is_empty() {
         let (of_grid, others): (Vec<_>, Vec<_>) =
             std::mem::take(&mut drawn.lines).into_iter().enumerate().partition(|(number, _)| grid.contains(number));
         drawn.lines = others.into_iter().map(|(_, line)| line).collect();
         (lines, shown) = press(&drawn);
-        drawn.lost.without_grid(grid.len(), of_grid.iter().map(|(_, line)| line.length()).sum());
+        drawn.lost.without_gridlines(grid.len(), of_grid.iter().map(|(_, line)| line.length()).sum());
     }
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
@@ -79,7 +79,7 @@ const GRID_LINES: usize = 4;
 
 /// The numbers of the lines of a squared grid, thin and pale ones level and upright, if too little of it is among
 /// `pressed`.
-fn torn_grid(lines: &[Line], pressed: &[Line], area: MmRect, least_strength: f32) -> Vec<usize> {
+fn torn_gridlines(lines: &[Line], pressed: &[Line], area: MmRect, least_strength: f32) -> Vec<usize> {
     let way = |line: &Line| {
         let size = extent(line).size();
         (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
@@ -108,6 +108,7 @@ fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
 const WHOLE: f32 = 0.7;
+
 /// The lines of the overview: all of one width and, where there are heights, high.
 pub(super) fn of_overview(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else { return drawn };
@@ -195,9 +196,9 @@ mod tests {
         let all = |to: f32| -> Vec<Line> {
             std::iter::once(axis.clone()).chain(places().map(|y| level(y, to))).chain(places().map(upright)).collect()
         };
-        assert_eq!(torn_grid(&all(90.0), &all(90.0), area, 7.0), [0; 0], "it is whole");
-        assert_eq!(torn_grid(&all(90.0), &all(30.0), area, 7.0), (1..=10).collect::<Vec<_>>());
+        assert_eq!(torn_gridlines(&all(90.0), &all(90.0), area, 7.0), [0; 0], "it is whole");
+        assert_eq!(torn_gridlines(&all(90.0), &all(30.0), area, 7.0), (1..=10).collect::<Vec<_>>());
         let only_level: Vec<Line> = places().map(|y| level(y, 90.0)).collect();
-        assert_eq!(torn_grid(&only_level, &[], area, 7.0), [0; 0], "gridlines of a chart are each told");
+        assert_eq!(torn_gridlines(&only_level, &[], area, 7.0), [0; 0], "gridlines of a chart are each told");
     }
 }

@@ -187,11 +187,14 @@ impl HandLines {
     }
 }
 
+/// Places that differ by less are one but for rounding, in shares of the figure.
+const ROUNDED: f32 = 1e-5;
+
 impl HandLine {
     /// A line of several widths that comes back to where it began is a ring.
     fn close(&mut self) {
         let (Some((first, _)), Some((last, _))) = (self.vertices.first(), self.vertices.last()) else { return };
-        let near = (first[0] - last[0]).abs() < 1e-5 && (first[1] - last[1]).abs() < 1e-5;
+        let near = (first[0] - last[0]).abs() < ROUNDED && (first[1] - last[1]).abs() < ROUNDED;
         if !self.closed && near && self.vertices.len() > 3 {
             self.vertices.pop();
             self.closed = true;

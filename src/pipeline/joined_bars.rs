@@ -19,7 +19,7 @@ const ALONG: f32 = 0.9;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct BarStyle {
     bars: Bars,
-    has_grid: bool,
+    has_gridlines: bool,
     /// How many bars are too low for an outline.
     low: usize,
     /// Whether a bar beside an axis is drawn as standing at it.
@@ -40,17 +40,18 @@ enum Bars {
 struct Variant {
     bars: Bars,
     /// Whether its gridlines are drawn.
-    has_grid: bool,
+    has_gridlines: bool,
     /// Penalty of the variant itself, as a share of the length of the chart's lines.
     lacks: f32,
 }
 
-const fn variant(bars: Bars, has_grid: bool, lacks: f32) -> Variant {
-    Variant { bars, has_grid, lacks }
+const fn variant(bars: Bars, has_gridlines: bool, lacks: f32) -> Variant {
+    Variant { bars, has_gridlines, lacks }
 }
 
 /// What else is tried, in this order: what says most comes first. Where none has all bars whole, what lacks least is
-/// taken.
+/// taken. The penalties are chosen by us, in the order of what a reader loses: gridlines least, then the blank between
+/// bars, then the sides by which bars are counted.
 const VARIANTS: [Variant; 6] = [
     variant(Bars::Apart, true, 0.0),
     variant(Bars::Apart, false, 0.02),
@@ -135,7 +136,7 @@ impl<T> Redraw<'_, T> {
         let mut least = self.lacking(&chart.wanted(tolerances, at), all_lines.as_ref().unwrap_or(&first), at);
         let mut best = None;
         'variants: for variant in VARIANTS {
-            for transform in self.transforms.iter().filter(|_| variant.has_grid || !chart.grid.is_empty()) {
+            for transform in self.transforms.iter().filter(|_| variant.has_gridlines || !chart.gridlines.is_empty()) {
                 if least <= 0.0 {
                     break 'variants;
                 }
@@ -196,7 +197,7 @@ impl BarStyle {
             let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
             Note::TakenAs(about, told)
         });
-        let grid = (!self.has_grid).then(|| {
+        let grid = (!self.has_gridlines).then(|| {
             let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
             Note::NotOnPage(about, told)
         });
@@ -262,7 +263,7 @@ impl Chart {
     fn drawn(
         &self,
         edges: &Edges,
-        Variant { bars, has_grid, .. }: Variant,
+        Variant { bars, has_gridlines, .. }: Variant,
         tolerances: BarTolerances,
         transform: &PageTransform,
     ) -> Option<Redrawn> {
@@ -277,10 +278,10 @@ impl Chart {
         let mut rows: Vec<BarRow> = high.chunk_by(|a, b| joins && b.from - a.to <= gap_px).map(row).collect();
         let is_at_axis = |row: &BarRow| row.ends.iter().any(|end| end.is_axis);
         let apart: Vec<BarRow> = rows.extract_if(.., |row| !joins && !is_at_axis(row)).collect();
-        if rows.is_empty() && low.is_empty() && has_grid {
+        if rows.is_empty() && low.is_empty() && has_gridlines {
             return None;
         }
-        let Kept { edges: mut kept, replaced, ground } = self.kept(edges, has_grid, &rows, &low);
+        let Kept { edges: mut kept, replaced, ground } = self.kept(edges, has_gridlines, &rows, &low);
         let paths = self.paths(&rows, bars == Bars::Touching);
         if let Some((kind, strength)) = replaced {
             // like the middle of a stroke, which has no other side
@@ -293,7 +294,7 @@ impl Chart {
                 kept.push_as(kind, path.vertices.into_iter().map(edgel), false);
             }
         }
-        let instead = BarStyle { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
+        let instead = BarStyle { bars, has_gridlines, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
         let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
         let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
@@ -304,11 +305,11 @@ impl Chart {
 
     /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be
     /// no grid.
-    fn kept(&self, edges: &Edges, has_grid: bool, rows: &[BarRow], low: &[Bar]) -> Kept {
+    fn kept(&self, edges: &Edges, has_gridlines: bool, rows: &[BarRow], low: &[Bar]) -> Kept {
         let mut others = Edges { dashed: edges.dashed, ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
-            let is_grid = !has_grid && self.is_gridline(edges, chain);
+            let is_grid = !has_gridlines && self.is_gridline(edges, chain);
             let view = edges.chain(chain);
             // a bar may end on a gridline
             let is_out = |i: usize| {

@@ -212,12 +212,12 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
         false => Note::NoRoomForOverview,
     });
     let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
-    let grid = if is_drawn { told_grid(lost.grid) } else { None };
+    let grid = if is_drawn { told_gridlines(lost.gridlines) } else { None };
     shapes.into_iter().chain(marks).chain(grid).chain(lines)
 }
 
 /// What the maker is told of gridlines that an overview has not.
-fn told_grid(lines: usize) -> Option<Note> {
+fn told_gridlines(lines: usize) -> Option<Note> {
     // how many says little: bars part them
     let told = "thin, pale gridlines are in the figure only, as they would hide the shapes of the overview";
     (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))

@@ -113,7 +113,7 @@ fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option
     (Read { picture: decode::Decoded { raster, notes, ..picture }, content }, paper)
 }
 
-/// A photograph without the rim that a scanner gave it: it would be lines along the frame, and sides of all that
+/// A photograph without the rim that a scanner gave it: it would be lines along the edge, and sides of all that
 /// touches it.
 fn without_rim(picture: decode::Decoded) -> decode::Decoded {
     let Some(rim) = Rim::of(&picture.raster) else { return picture };

@@ -24,6 +24,7 @@ const MARGIN: f32 = 3.0;
 /// An outline is there if lines run along this share of the border of its region: they cut its thin arms off and go
 /// around no holes.
 const DRAWN: f32 = 0.4;
+
 /// Finds the subjects among regions, or within closed contours, and writes them into the decisions; where a calm
 /// background is asked for, takes what is not of them out of the contours.
 pub(super) fn prepare(

@@ -50,7 +50,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
 
 /// What the maker is told of lines of a drawing that are not on the page as a whole.
 pub(super) fn told_whole(lost: &Lost) -> impl Iterator<Item = Note> {
-    told_gone(lost).into_iter().chain(told_grid(lost))
+    told_gone(lost).into_iter().chain(told_gridlines(lost))
 }
 
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
@@ -68,9 +68,10 @@ fn told_gone(lost: &Lost) -> Option<Note> {
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.
-fn told_grid(lost: &Lost) -> Option<Note> {
+fn told_gridlines(lost: &Lost) -> Option<Note> {
     let why = "pieces of it would be felt as lines; say the scale in a label, or make the figure larger";
-    (lost.grid > 0).then(|| Note::NotOnPage(About::Lines, format!("the squared grid, {} lines: {why}", lost.grid)))
+    (lost.gridlines > 0)
+        .then(|| Note::NotOnPage(About::Lines, format!("the squared grid, {} lines: {why}", lost.gridlines)))
 }
 
 /// What the maker is told of dashed lines.

@@ -244,9 +244,7 @@ impl Profile {
         if !self.figure.textures {
             return faults;
         }
-        let Self { palette, .. } = self;
-        let signs = [palette.blue, palette.green, palette.yellow, palette.red, palette.grey];
-        let signs: Vec<(&str, Sign)> = PALETTE.iter().copied().zip(signs).collect();
+        let signs: Vec<(&str, Sign)> = PALETTE.into_iter().zip(self.palette.signs()).collect();
         for (i, &(second, sign)) in signs.iter().enumerate() {
             for &(first, other) in signs[..i].iter().filter(|(_, other)| !sign.differs_from(*other)) {
                 let keys = [first, second];

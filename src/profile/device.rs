@@ -1,12 +1,12 @@
 //! What the device of a profile of dots cannot do.
 
 use super::fault::Fault;
-use super::keys::Profile;
+use super::keys::{PaletteSettings, Profile};
 use crate::classes::Class;
 use crate::devices::{Device, DotArea, Family};
 use crate::dots::textures::carried;
 use crate::page::layout::Orientation;
-use crate::textures::Palette;
+use crate::textures::{Palette, Sign};
 
 /// The keys that a device may refuse.
 const PRESSED: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device", "dots.pitch"];
@@ -19,13 +19,26 @@ const SHEET: &[&str] = &["page.width", "page.height", "page.orientation", "dots.
 const PITCH: &[&str] = &["dots.pitch", "dots.device"];
 
 /// The keys of the signs of colours, in the order of the classes.
-pub(super) const PALETTE: [&str; 5] = [
+pub(super) const PALETTE: [&str; Class::COUNT] = [
     "textures.palette.blue",
     "textures.palette.green",
     "textures.palette.yellow",
     "textures.palette.red",
     "textures.palette.grey",
 ];
+
+impl PaletteSettings {
+    /// The signs, in the order of the classes.
+    pub(super) fn signs(&self) -> [Sign; Class::COUNT] {
+        Class::ALL.map(|class| match class {
+            Class::Blue => self.blue,
+            Class::Green => self.green,
+            Class::Yellow => self.yellow,
+            Class::Red => self.red,
+            Class::Grey => self.grey,
+        })
+    }
+}
 
 impl Profile {
     /// What the device cannot do that the profile asks for.
@@ -72,9 +85,9 @@ impl Profile {
     /// The classes that the patterns of a grid cannot tell apart. Cells of text carry few directions whatever the
     /// palette; the maker of such a page is told, and not refused.
     fn carried_faults(&self, device: &Device, area: &DotArea) -> Vec<Fault> {
-        let palette = [self.palette.blue, self.palette.green, self.palette.yellow, self.palette.red, self.palette.grey];
+        let palette = self.palette.signs();
         // those that no device tells apart are told as such
-        let told = (0..5).any(|i| (0..i).any(|j| !palette[i].differs_from(palette[j])));
+        let told = (0..palette.len()).any(|i| (0..i).any(|j| !palette[i].differs_from(palette[j])));
         if told || device.family == Family::Cells {
             return Vec::new();
         }

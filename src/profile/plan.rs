@@ -8,7 +8,7 @@ use crate::dots::textures::Least;
 use crate::legibility::{MediumLimits, RuleLimits};
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
-use crate::{classes, dots, edges, lines, regions, textures};
+use crate::{classes, dots, edges, legibility, lines, regions, textures};
 
 /// Cells of mean colour, and how far from an edge they are compared, mm. On photographs of 481 pixels, which have 0.4
 /// mm for a pixel on an A4 sheet, 5 and 8 pixels scored best, 2.0 and 3.2 mm. A little less here, which costs about
@@ -25,6 +25,17 @@ const STRENGTH_WINDOW: f32 = 1.0;
 const PIECE: f32 = 0.25;
 /// Least length of a line by which ticks of a drawing are found for dots, mm: that of swell paper.
 const TICKS: f32 = 8.0;
+
+// What joins and what bends is judged of finished marks, whose numbers are rounded, as laxly as of lines that are
+// being drawn or more so: otherwise the check would find fault with what was drawn in accord with its stage.
+const _: () = assert!(
+    legibility::BEND >= lines::BEND
+        && legibility::BEND_LEAST >= lines::BEND_LEAST
+        && legibility::CORNER >= lines::SHARPEST
+        && legibility::STRAIGHTNESS <= lines::STRAIGHTNESS
+        && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
+        && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
+);
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;
@@ -254,7 +265,7 @@ impl Plan {
             density_blur: textures.density_blur,
             dense_from: textures.dense_from,
             white_from: colours.white_from,
-            palette: Palette { signs: [palette.blue, palette.green, palette.yellow, palette.red, palette.grey] },
+            palette: Palette { signs: palette.signs() },
         }
     }
 

@@ -39,7 +39,7 @@ pub(super) fn borders(labels: &[u8], count: usize, size: Size) -> Vec<Border> {
         for outline in map.outlines(label, &starts) {
             let is_free = |&step: &(usize, usize)| {
                 let (corner, down) = side(step, size);
-                !map.on_frame(step) && !is_drawn[corner][down]
+                !map.on_picture_edge(step) && !is_drawn[corner][down]
             };
             let free: Vec<bool> = outline.iter().map(is_free).collect();
             for run in runs(&free) {
@@ -107,7 +107,7 @@ impl Map<'_> {
         [self.label(left.0, left.1), self.label(right.0, right.1)]
     }
 
-    fn on_frame(&self, step: (usize, usize)) -> bool {
+    fn on_picture_edge(&self, step: (usize, usize)) -> bool {
         self.beside(step)[0].is_none()
     }
 

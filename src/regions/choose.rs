@@ -56,8 +56,8 @@ const AREA: f64 = 0.33;
 const GROUND: f64 = 0.7;
 /// Below that share the ground fades out: a region counts fully from a share on that is less by this.
 const GROUND_RANGE: f64 = 0.3;
-/// What a region loses that lies along the frame.
-const FRAME: f64 = 0.8;
+/// What a region loses that lies along the edge of the picture.
+const ALONG_PICTURE_EDGE: f64 = 0.8;
 /// Cracks run in steps: an outline is shorter than its cracks by about this factor.
 const STEPS: f64 = 0.8;
 /// Least area, mm2, and least area of a region that is not strikingly clear.
@@ -207,7 +207,7 @@ pub(super) fn score(node: &Node, cells: usize, mm: f32) -> f64 {
     }
     let clear = node.outline.clearness();
     let seen = node.outline.seen / node.outline.length;
-    let compact = (2.0 * (std::f64::consts::PI * node.area).sqrt() / (length + node.frame)).min(1.0);
+    let compact = (2.0 * (std::f64::consts::PI * node.area).sqrt() / (length + node.picture_edge)).min(1.0);
     let [inside, outside] = node.outline.colours.map(|sum| sum.map(|v| v / node.outline.length));
     let difference = (0..3).map(|k| inside[k] - outside[k]).map(|d| d * d).sum::<f64>().sqrt();
     let contrast = difference / (difference + HALF_CONTRAST);
@@ -215,7 +215,7 @@ pub(super) fn score(node: &Node, cells: usize, mm: f32) -> f64 {
         return 0.0;
     }
     let not_ground = ((GROUND - share) / GROUND_RANGE).clamp(0.0, 1.0);
-    let along_frame = (node.frame / (length + node.frame)).min(0.9);
+    let along_picture_edge = (node.picture_edge / (length + node.picture_edge)).min(0.9);
     clear
         * seen
         * seen
@@ -223,7 +223,7 @@ pub(super) fn score(node: &Node, cells: usize, mm: f32) -> f64 {
         * contrast.sqrt()
         * share.powf(AREA)
         * not_ground
-        * (1.0 - FRAME * along_frame)
+        * (1.0 - ALONG_PICTURE_EDGE * along_picture_edge)
 }
 
 /// A grid of half as many columns and rows, in which distances of outlines are looked at.
@@ -253,10 +253,10 @@ fn gain(score: f64, outline: &[Crack], near: &Nearness, tree: &Tree, params: &Pa
     (same <= MOST_SAME && too_near <= 1.0).then_some(score * (1.0 - same) * (1.0 - NEAR * too_near))
 }
 
-/// Whether a region is more than a stroke. The frame narrows nothing.
+/// Whether a region is more than a stroke. The edge of the picture narrows nothing.
 pub(super) fn survives_opening(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
     let of = &tree.nodes[node as usize];
-    let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.frame);
+    let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.picture_edge);
     if mean_width >= WIDE * f64::from(2.0 * OPENING / mm) {
         return true;
     }

@@ -111,7 +111,7 @@ struct OpenedCell {
     is_in_reach: bool,
 }
 
-/// Opens every area with a disc of this radius, cells. The frame of the picture narrows nothing.
+/// Opens every area with a disc of this radius, cells. The edge of the picture narrows nothing.
 fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<OpenedCell> {
     let square = radius * radius;
     let (labels, padded, margin) = padded(labels, size, radius.ceil() as usize + 1);

@@ -1,11 +1,11 @@
-//! The main thing of a picture: what stands out in its middle and does not touch its frame.
+//! The main thing of a picture: what stands out in its middle and does not touch its edges.
 
 use super::choose::{score, survives_opening};
 use super::merge::Node;
 use super::tree::{Members, Tree};
 
 /// A region counts less by the factor e at this distance of its centre from that of the picture, in shares of its
-/// sides. In 284 photographs of BSDS500 (train and val) two people or more outlined the same thing away from the frame.
+/// sides. In 284 photographs of BSDS500 (train and val) two people or more outlined the same thing away from the edge.
 /// By these numbers it is the region that is chosen (more than half of both in common) in 37 percent of each; the
 /// region that tells most, wherever it lies, is that thing in 19. At .2 and .3 it is about the same. The numbers were
 /// chosen with both sets in view.
@@ -14,8 +14,8 @@ const MIDDLE: f64 = 0.25;
 /// count less, the sky between a rocket and its tower would be the thing, with a border along which nothing is seen.
 const LARGE: f64 = 0.7;
 const CLEAR: i32 = 2;
-/// Most of an outline that lies on the frame of the picture: a thing that is cut off there is seldom the main one.
-const ON_FRAME: f64 = 0.1;
+/// Most of an outline that lies on the edge of the picture: a thing that is cut off there is seldom the main one.
+const ON_PICTURE_EDGE: f64 = 0.1;
 
 /// The number of the region that is the main thing, if one of those that tell at least a share of what the most telling
 /// one does can be it. `mm` is the side of a cell on the sheet.
@@ -24,9 +24,9 @@ pub(super) fn main_thing(tree: &Tree, mm: f32, least_share: f32) -> Option<u32> 
     let scores: Vec<f64> = tree.nodes.iter().map(|node| score(node, cells, mm)).collect();
     let least = f64::from(least_share) * scores.iter().copied().fold(0.0, f64::max);
     let stands_out = |((node, score), centre): ((&Node, &f64), [f64; 2])| {
-        let on_frame = node.frame / (node.outline.length + node.frame).max(1.0);
+        let on_picture_edge = node.picture_edge / (node.outline.length + node.picture_edge).max(1.0);
         let from_middle = centre.iter().map(|at| (at - 0.5).powi(2)).sum::<f64>();
-        let may_be = *score > 0.0 && *score >= least && on_frame <= ON_FRAME;
+        let may_be = *score > 0.0 && *score >= least && on_picture_edge <= ON_PICTURE_EDGE;
         may_be.then(|| {
             score
                 * node.outline.clearness().powi(CLEAR)

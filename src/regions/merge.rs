@@ -22,9 +22,9 @@ pub(super) struct Node {
     pub(super) area: f64,
     /// Sum of the colours of its cells.
     pub(super) colour: [f64; 3],
-    /// Sides of its cells on the picture's frame.
-    pub(super) frame: f64,
-    /// Sums over its outline, frame excepted: its own side first.
+    /// Sides of its cells on the edge of the picture.
+    pub(super) picture_edge: f64,
+    /// Sums over its outline, the edge of the picture excepted: its own side first.
     pub(super) outline: Sums,
     /// The two regions that it was merged of.
     pub(super) children: Option<[u32; 2]>,
@@ -177,7 +177,7 @@ fn united(a: &Node, b: &Node, between: &Sums) -> Node {
     Node {
         area: a.area + b.area,
         colour: std::array::from_fn(|k| a.colour[k] + b.colour[k]),
-        frame: a.frame + b.frame,
+        picture_edge: a.picture_edge + b.picture_edge,
         outline,
         children: None,
         height: a.height.max(b.height),
@@ -193,7 +193,7 @@ mod tests {
     fn merged(basins: &[(f64, f64)], arcs: &[([u32; 2], f64, f64)]) -> Vec<Node> {
         let node = |&(area, lightness): &(f64, f64)| {
             let colour = [area * lightness, 0.0, 0.0];
-            Node { area, colour, frame: 1.0, outline: Sums::default(), children: None, height: 0.0 }
+            Node { area, colour, picture_edge: 1.0, outline: Sums::default(), children: None, height: 0.0 }
         };
         let arc = |&(ends, length, mean): &([u32; 2], f64, f64)| {
             let sums = Sums { length, strength: mean * length, ..Sums::default() };
@@ -219,7 +219,7 @@ mod tests {
         let nodes = merged(&EVEN, &[([0, 1], 10.0, 30.0), ([1, 2], 6.0, 2.0)]);
         assert_eq!(nodes.len(), 5);
         assert_eq!((basins_of(&nodes, 3), basins_of(&nodes, 4)), (vec![1, 2], vec![0, 1, 2]));
-        assert_eq!([nodes[3].area, nodes[4].area, nodes[4].frame], [200.0, 300.0, 3.0]);
+        assert_eq!([nodes[3].area, nodes[4].area, nodes[4].picture_edge], [200.0, 300.0, 3.0]);
         assert_eq!(nodes[4].colour, [300.0 * 50.0, 0.0, 0.0]);
         assert!(nodes[..3].iter().all(|basin| basin.height <= 0.0));
         assert!(0.0 < nodes[3].height && nodes[3].height < nodes[4].height);

@@ -21,8 +21,8 @@ const SPAN: usize = 3;
 impl Tree {
     /// The outlines of the chosen regions, the first first, for a sheet with so many millimetres for a pixel of
     /// the picture. Neighbours share one border, which belongs to the first of them; one that is not closed ends on the
-    /// frame or on others. The strength is the mean of what is seen along the line. Also returns the areas that the
-    /// outlines surround.
+    /// edge of the picture or on others. The strength is the mean of what is seen along the line. Also returns the
+    /// areas that the outlines surround.
     pub fn outlines(&self, mm_per_px: f32, params: &Params, chosen: &Chosen) -> (Vec<RegionOutline>, OutlineAreas) {
         let mm = self.mm_of_cell(mm_per_px);
         let Chosen { regions, beyond, .. } = chosen;

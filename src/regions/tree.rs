@@ -109,7 +109,8 @@ fn squared_gradient(colours: &[Plane], grid: RegionGrid) -> Vec<f32> {
 
 /// Basins with their areas and colours.
 fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: RegionGrid) -> Vec<Node> {
-    let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None, height: 0.0 };
+    let node =
+        Node { area: 0.0, colour: [0.0; 3], picture_edge: 0.0, outline: Sums::default(), children: None, height: 0.0 };
     let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     for &basin in basin {
@@ -124,7 +125,7 @@ fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: RegionGrid)
     let (first, last) = (0, width * height - width);
     let sides = (0..width).flat_map(|x| [first + x, last + x]);
     for cell in sides.chain((0..height).flat_map(|y| [y * width, y * width + width - 1])) {
-        nodes[basin[cell] as usize].frame += 1.0;
+        nodes[basin[cell] as usize].picture_edge += 1.0;
     }
     nodes
 }

@@ -33,7 +33,7 @@ fn descents(landscape: &Plane) -> Vec<u32> {
     let row = |y: usize| &landscape.values[y * width..][..width];
     let mut down = Vec::with_capacity(landscape.values.len());
     for y in 0..height {
-        // beyond the frame is the cell itself, which is not lower
+        // beyond the edge of the picture is the cell itself, which is not lower
         let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
         let start = (y * width) as u32;
         for x in 0..width {

@@ -87,7 +87,7 @@ impl FromStr for Sign {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Palette {
     /// In the order of [`Class::ALL`].
-    pub signs: [Sign; 5],
+    pub signs: [Sign; Class::COUNT],
 }
 
 impl Palette {

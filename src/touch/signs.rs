@@ -12,7 +12,7 @@ const NEAR_DEGREES: f32 = 4.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Signs {
     /// In the order of [`Class::ALL`].
-    of: [Option<Sign>; 5],
+    of: [Option<Sign>; Class::COUNT],
 }
 
 impl Signs {

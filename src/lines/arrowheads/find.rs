@@ -12,8 +12,10 @@ use crate::units::{Mm, MmPoint, MmRect, MmVector};
 const BESIDE: f32 = 1.0;
 /// A head points as its shaft leads, but for 32 degrees: the cosine.
 const ALONG: f32 = 0.85;
-/// The tip lies no farther from the line of the shaft than this share of half its width.
+/// The tip lies no farther from the line of the shaft than this share of half its width, and this more, mm: a pixel or
+/// so of a small head.
 const ASIDE: f32 = 0.5;
+const OFF_LINE: f32 = 0.2;
 /// A shaft is at least so many times as long as its head.
 const SHAFT: f32 = 1.5;
 /// The ends of strokes of a head are free: no other line is so near, mm.
@@ -170,5 +172,5 @@ fn fits(tip: &HeadTip, shaft: &LineEnd) -> bool {
     let line = (shaft.at - shaft.heading * length, shaft.at + shaft.heading * (length + BESIDE));
     axis.dot(shaft.heading) >= ALONG
         && (-BESIDE..=length + BESIDE).contains(&along)
-        && nearest_on_segment(tip.apex, line.0, line.1).0 <= ASIDE * tip.half_width() + 0.2
+        && nearest_on_segment(tip.apex, line.0, line.1).0 <= ASIDE * tip.half_width() + OFF_LINE
 }

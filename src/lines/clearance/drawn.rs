@@ -57,7 +57,7 @@ pub(super) struct NearLine<'a> {
     arc: f32,
     passage: &'a Passage,
     /// The whole length of the line if it is closed, mm.
-    line_round: Option<f32>,
+    line_ring_length: Option<f32>,
     of_drawing: bool,
 }
 
@@ -67,7 +67,7 @@ impl NearLine<'_> {
         // it is the line that ends there, or both of two that cross, that must have come from far enough: one that
         // crosses and comes back, as a ring on a short stem, does not join where it is near again
         let of_polyline = |j: &Junction| self.passage.between(j.arc, self.arc);
-        let of_line = |j: &Junction| arc_between(j.line_arc, self.line_arc, self.line_round);
+        let of_line = |j: &Junction| arc_between(j.line_arc, self.line_arc, self.line_ring_length);
         let from_junction = |j: &Junction| match j.meeting {
             Meeting::LineEnds => of_line(j),
             Meeting::PolylineEnds => of_polyline(j),
@@ -95,7 +95,7 @@ impl DrawnLine {
     }
 
     /// The whole length of a closed line, mm.
-    fn round(&self) -> Option<f32> {
+    fn ring_length(&self) -> Option<f32> {
         self.closed.then(|| self.length())
     }
 }
@@ -204,10 +204,10 @@ impl<'a> DrawnLines<'a> {
         if !goes_round(polyline) {
             ends.append(&mut own_ends);
         }
-        let round = closed.then_some(length);
-        let back_and_forth = back_and_forth(&crossings, round);
+        let ring_length = closed.then_some(length);
+        let back_and_forth = back_and_forth(&crossings, ring_length);
         crossings.append(&mut ends);
-        let mut passage = Passage { arcs, round, junctions: crossings };
+        let mut passage = Passage { arcs, ring_length, junctions: crossings };
         let joins =
             |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.stays_beside(at, vertices, &passage);
         passage.junctions = passage.junctions.iter().enumerate().filter(|at| joins(*at)).map(|(_, at)| *at).collect();
@@ -221,7 +221,7 @@ impl<'a> DrawnLines<'a> {
         if let (Some(&arc), Some(tip)) = (arcs.last(), path.last()) {
             self.add_ends_on_lines(tip.at, arc, |_| true, &mut junctions);
         }
-        Passage { arcs, round: None, junctions }
+        Passage { arcs, ring_length: None, junctions }
     }
 
     /// Adds the junctions where the segment `a`-`b` of a polyline, which begins at `arc`, crosses lines.
@@ -407,7 +407,7 @@ impl<'a> DrawnLines<'a> {
             let approach = self.params.approach(half, segment.half_width);
             let line_arc = segment.arc + (at - segment.a).length();
             let of_drawing = self.params.of_drawing;
-            let line_round = self.lines[segment.line as usize].round();
+            let line_ring_length = self.lines[segment.line as usize].ring_length();
             let (away, missing) = (vertex.at - at, clearance - distance);
             let near = NearLine {
                 segment,
@@ -420,7 +420,7 @@ impl<'a> DrawnLines<'a> {
                 approach,
                 arc,
                 passage,
-                line_round,
+                line_ring_length,
                 of_drawing,
             };
             on = visit(&near);

@@ -5,6 +5,7 @@
 //! ([`Decision`]): it is drawn, or what becomes of it goes back into the queue.
 
 mod anchor;
+mod apart;
 mod bases;
 mod branch;
 mod displace;
@@ -16,10 +17,10 @@ mod queue;
 mod self_distance;
 mod shift;
 mod split;
-mod spread;
 
+pub(super) use apart::move_apart;
 pub(super) use queue::Cleared;
-pub(super) use spread::spread;
+pub(crate) use self_distance::{BEND, BEND_LEAST};
 
 use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};
@@ -100,7 +101,7 @@ pub(super) fn clear(
 }
 
 /// What is to be done with a line, which was judged in so many rounds before, among those that are drawn. `own` is an
-/// empty grid, and empty again afterwards.
+/// empty index, and empty again afterwards.
 fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);

@@ -63,21 +63,21 @@ pub(super) struct Passage {
     /// Arc length at each vertex, mm.
     pub(super) arcs: Vec<f32>,
     /// Its whole length if it is closed.
-    pub(super) round: Option<f32>,
+    pub(super) ring_length: Option<f32>,
     /// Its junctions with the lines.
     pub(super) junctions: Vec<Junction>,
 }
 
-/// Length along a line between two arcs, mm; of a closed one, which is so long `round`, along the shorter arc.
-pub(super) fn arc_between(s: f32, t: f32, round: Option<f32>) -> f32 {
+/// Length along a line between two arcs, mm; of a closed one, which is so long (`ring_length`), along the shorter arc.
+pub(super) fn arc_between(s: f32, t: f32, ring_length: Option<f32>) -> f32 {
     let apart = (s - t).abs();
-    round.map_or(apart, |round| apart.min(round - apart))
+    ring_length.map_or(apart, |ring_length| apart.min(ring_length - apart))
 }
 
 impl Passage {
     /// Length along the polyline between two arcs, of a ring along the shorter arc, mm.
     pub(super) fn between(&self, s: f32, t: f32) -> f32 {
-        arc_between(s, t, self.round)
+        arc_between(s, t, self.ring_length)
     }
 
     /// Whether there is a junction with a line within `reach` of a place of the polyline, mm along it.
@@ -87,7 +87,7 @@ impl Passage {
 }
 
 /// Numbers of the crossings that lead to no other side of a line. A polyline that crosses a line and is back within
-/// [`SPIKE`] has only touched it, and simplification may part the two; `round` is the length of a closed one.
+/// [`SPIKE`] has only touched it, and simplification may part the two; `ring_length` is the length of a closed one.
 ///
 /// ```text
 ///       line
@@ -95,7 +95,7 @@ impl Passage {
 ///         |    > spike: two crossings that are none
 ///   ------|---´
 /// ```
-pub(super) fn back_and_forth(crossings: &[Junction], round: Option<f32>) -> Vec<usize> {
+pub(super) fn back_and_forth(crossings: &[Junction], ring_length: Option<f32>) -> Vec<usize> {
     let mut numbers: Vec<usize> = (0..crossings.len()).collect();
     numbers.sort_by(|&a, &b| {
         let (a, b) = (&crossings[a], &crossings[b]);
@@ -107,8 +107,8 @@ pub(super) fn back_and_forth(crossings: &[Junction], round: Option<f32>) -> Vec<
         let mut spikes: Vec<Vec<usize>> =
             of_line.chunk_by(|a, b| arc(b) - arc(a) <= SPIKE).map(<[usize]>::to_vec).collect();
         // one over the start of a ring
-        if let (Some(round), [first, .., last]) = (round, of_line)
-            && arc(first) + round - arc(last) <= SPIKE
+        if let (Some(ring_length), [first, .., last]) = (ring_length, of_line)
+            && arc(first) + ring_length - arc(last) <= SPIKE
             && spikes.len() > 1
         {
             let before_the_start = spikes.pop().unwrap_or_default();
@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn round_a_ring_the_shorter_way_counts() {
-        let passage = |round| Passage { arcs: Vec::new(), round, junctions: Vec::new() };
+        let passage = |ring_length| Passage { arcs: Vec::new(), ring_length, junctions: Vec::new() };
         assert!((passage(None).between(2.0, 98.0) - 96.0).abs() < 1e-4);
         assert!((passage(Some(100.0)).between(2.0, 98.0) - 4.0).abs() < 1e-4);
         assert!((passage(Some(100.0)).between(30.0, 60.0) - 30.0).abs() < 1e-4);

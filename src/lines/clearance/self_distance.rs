@@ -15,11 +15,11 @@ use crate::units::MmPoint;
 /// A line that comes back to itself is its own rival where the length along it is more than the distance across by this
 /// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5), nor is a
 /// sharper one with straight sides.
-const BEND: f32 = 3.5;
-const BEND_LEAST: f32 = 1.5;
+pub(crate) const BEND: f32 = 3.5;
+pub(crate) const BEND_LEAST: f32 = 1.5;
 
-/// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty grid, and empty
-/// again afterwards.
+/// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty index, and
+/// empty again afterwards.
 pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &mut Nearby) -> Option<Range<usize>> {
     let arcs = polyline.arc_lengths();
     let total = arcs.last().copied().unwrap_or(0.0);

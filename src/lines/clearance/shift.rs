@@ -162,9 +162,9 @@ fn faded(arc: f32, pushes: &[LinePush], passage: &Passage) -> MmVector {
     let at = |arc: f32| pushes.partition_point(|(there, _)| *there < arc);
     let first = at(arc - FADE - TOUCH);
     let last = at(arc + FADE + TOUCH).max(first);
-    let over_start = passage.round.map(|round| {
-        let before = at(arc + FADE + TOUCH - round).min(first);
-        let after = at(arc - FADE - TOUCH + round).max(last);
+    let over_start = passage.ring_length.map(|ring_length| {
+        let before = at(arc + FADE + TOUCH - ring_length).min(first);
+        let after = at(arc - FADE - TOUCH + ring_length).max(last);
         (&pushes[..before], &pushes[after..])
     });
     let (before, after) = over_start.unwrap_or_default();

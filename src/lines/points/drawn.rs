@@ -13,6 +13,7 @@ use crate::units::{MmPoint, MmRect};
 
 /// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
 const BEAD_LENGTH: f32 = 0.1;
+
 /// The marks of those points that have room on the lines that are drawn.
 #[derive(Debug, Default)]
 pub(in crate::lines) struct DrawnPoints {

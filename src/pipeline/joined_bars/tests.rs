@@ -16,7 +16,7 @@ fn chart(axis: f32) -> Chart {
     let side = |at: f32, to: f32| BaseSpan { at, from: 0.0, to };
     let sides = BARS.iter().flat_map(|bar| [side(bar.from, bar.top), side(bar.to, bar.top)]);
     let sides = sides.chain([side(-10.0, axis)]).collect();
-    Chart { direction: Direction::Up, base: 0.0, bars: BARS.to_vec(), sides, grid: Vec::new() }
+    Chart { direction: Direction::Up, base: 0.0, bars: BARS.to_vec(), sides, gridlines: Vec::new() }
 }
 
 fn row(ends: [RowEnd; 2]) -> BarRow {
@@ -124,7 +124,7 @@ fn a_remainder_of_a_bar_goes_unless_it_is_of_the_base() {
 
 #[test]
 fn the_overview_tells_only_what_the_figure_does_not() {
-    let touching = BarStyle { bars: Bars::Touching, has_grid: false, low: 1, is_at_axis: false };
+    let touching = BarStyle { bars: Bars::Touching, has_gridlines: false, low: 1, is_at_axis: false };
     let outline = BarStyle { bars: Bars::Outline, ..touching };
     assert!(told(None, None).is_empty());
     let of_figure = told(Some(touching), None);

@@ -41,12 +41,12 @@ fn is_disc(tree: &Tree, region: u32, (x, y, radius, _): Disc) -> bool {
 }
 
 const IN_THE_MIDDLE: Disc = (85.0, 62.0, 20.0, 45.0);
-const AT_THE_FRAME: Disc = (0.0, 60.0, 36.0, 95.0);
+const AT_THE_EDGE: Disc = (0.0, 60.0, 36.0, 95.0);
 const IN_A_CORNER: Disc = (150.0, 26.0, 18.0, 95.0);
 
 #[test]
 fn what_is_in_the_middle_is_the_main_thing_though_others_tell_more() {
-    let tree = tree(&[AT_THE_FRAME, IN_A_CORNER, IN_THE_MIDDLE]);
+    let tree = tree(&[AT_THE_EDGE, IN_A_CORNER, IN_THE_MIDDLE]);
     let main = tree.main_thing(0.5, &PARAMS).expect("there is one");
     assert!(is_disc(&tree, main, IN_THE_MIDDLE));
     let most_telling = tree.chosen(0.5, &PARAMS, &[], &[]).regions[0];
@@ -55,7 +55,7 @@ fn what_is_in_the_middle_is_the_main_thing_though_others_tell_more() {
 
 #[test]
 fn it_comes_first_where_there_are_to_be_few() {
-    let tree = tree(&[AT_THE_FRAME, IN_A_CORNER, IN_THE_MIDDLE]);
+    let tree = tree(&[AT_THE_EDGE, IN_A_CORNER, IN_THE_MIDDLE]);
     let main = tree.main_thing(0.5, &PARAMS).expect("there is one");
     let chosen = tree.chosen(0.5, &Params { drawn: Some(1), ..PARAMS }, &[main], &[]);
     assert_eq!((chosen.regions, chosen.first, chosen.beyond), (vec![main], 1, 2));
@@ -63,13 +63,13 @@ fn it_comes_first_where_there_are_to_be_few() {
 
 #[test]
 fn what_the_frame_cuts_off_is_not_the_main_thing() {
-    assert_eq!(tree(&[AT_THE_FRAME]).main_thing(0.5, &PARAMS), None);
+    assert_eq!(tree(&[AT_THE_EDGE]).main_thing(0.5, &PARAMS), None);
 }
 
 #[test]
 fn what_tells_little_beside_others_is_not_the_main_thing() {
     let faint = (85.0, 62.0, 8.0, 26.0);
-    let tree = tree(&[AT_THE_FRAME, IN_A_CORNER, faint]);
+    let tree = tree(&[AT_THE_EDGE, IN_A_CORNER, faint]);
     let main = tree.main_thing(0.5, &PARAMS).expect("there is one");
     assert!(is_disc(&tree, main, IN_A_CORNER));
 }

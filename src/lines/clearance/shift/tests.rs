@@ -21,8 +21,8 @@ fn passage(polyline: &Polyline<Vertex>, junctions: Vec<Junction>) -> Passage {
     for (a, b) in polyline.segments() {
         arcs.push(arcs[arcs.len() - 1] + (b.at - a.at).length());
     }
-    let round = polyline.closed.then(|| arcs[arcs.len() - 1]);
-    Passage { arcs, round, junctions }
+    let ring_length = polyline.closed.then(|| arcs[arcs.len() - 1]);
+    Passage { arcs, ring_length, junctions }
 }
 
 /// A junction at an arc, with a line of this direction.

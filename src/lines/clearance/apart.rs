@@ -21,7 +21,7 @@ const ROUNDS: usize = 12;
 const LESS: f32 = 0.9;
 
 /// The lines, moved apart. None if no two are so little too near that this helps.
-pub(in crate::lines) fn spread(
+pub(in crate::lines) fn move_apart(
     polylines: &[Polyline<Vertex>],
     area: MmRect,
     params: &Params,
@@ -170,8 +170,8 @@ mod tests {
         (0..bars).map(bar).chain([axis]).collect()
     }
 
-    fn spread_chart(bars: usize, width: f32, gap: f32) -> Option<Vec<Polyline<Vertex>>> {
-        spread(&chart(bars, width, gap), area(), &PARAMS)
+    fn chart_moved_apart(bars: usize, width: f32, gap: f32) -> Option<Vec<Polyline<Vertex>>> {
+        move_apart(&chart(bars, width, gap), area(), &PARAMS)
     }
 
     /// The least and the greatest x of the vertices of a bar's left or right leg.
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn bars_with_narrow_gaps_become_narrower_stay_straight_and_stand_on_their_axis() {
         // lines of 1.5 mm must be 4.88 mm apart: each leg at a gap gives way by 0.64 mm
-        let (own, lines) = (chart(5, 6.5, 3.6), spread_chart(5, 6.5, 3.6).expect("they are too near"));
+        let (own, lines) = (chart(5, 6.5, 3.6), chart_moved_apart(5, 6.5, 3.6).expect("they are too near"));
         assert_eq!(lines[5], own[5], "nothing comes too near to the axis");
         for k in 0..5 {
             let (x, push) = (30.0 + 10.1 * k as f32, 0.65);
@@ -199,10 +199,10 @@ mod tests {
 
     #[test]
     fn a_bar_that_is_too_narrow_becomes_wider_and_lines_that_are_much_too_near_stay() {
-        let (own, lines) = (chart(1, 3.8, 0.0), spread_chart(1, 3.8, 0.0).expect("its legs are too near"));
+        let (own, lines) = (chart(1, 3.8, 0.0), chart_moved_apart(1, 3.8, 0.0).expect("its legs are too near"));
         let [(left, _), (right, _)] = [30.0, 33.8].map(|x| leg(&lines[0], &own[0], x));
         assert!(right - left > 4.88 && (right + left - 63.8).abs() < 0.02, "{left} {right}");
         let near = [50.0, 51.0].map(|y| polyline(&[(10.0, y), (90.0, y)], false));
-        assert!(spread(&near, area(), &PARAMS).is_none(), "each would have to give way by 1.9 mm");
+        assert!(move_apart(&near, area(), &PARAMS).is_none(), "each would have to give way by 1.9 mm");
     }
 }
