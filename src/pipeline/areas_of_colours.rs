@@ -78,6 +78,9 @@ fn without_remnants(classes: &mut Classes, boxes: &[[f32; 4]], layout: &Layout, 
     let before: Vec<u32> = classes.regions.iter().map(|region| region.cells).collect();
     blank(classes, boxes);
     let is_cut: Vec<bool> = classes.regions.iter().zip(&before).map(|(region, cells)| region.cells < *cells).collect();
+    if !is_cut.contains(&true) {
+        return None;
+    }
     let (least, width) = (plan.profile().colours.min_area, classes.size.width as usize);
     let mm_per_cell = layout.figure.width() / width as f32;
     let parts = of_labels(&classes.region, classes.size, Connectivity::Four);

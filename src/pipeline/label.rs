@@ -57,6 +57,12 @@ impl std::fmt::Display for Position {
 }
 
 impl Position {
+    /// Where a place on the sheet is in a figure, across and down; one outside is at its edge.
+    pub(super) fn in_figure(at: MmPoint, figure: MmRect) -> [Self; 2] {
+        let percent = |at: f32, low: f32, side: f32| Self::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
+        [percent(at.x, figure.min.x, figure.width()), percent(at.y, figure.min.y, figure.height())]
+    }
+
     /// Share of the side, 0 to 1 within the picture.
     pub(super) fn share(self, pixels: u32) -> f32 {
         match self {

@@ -133,7 +133,7 @@ fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &
     let told = leaders::whole_or_none(edges, (&mut texts, leaders::BESIDE_BRAILLE), is_label, layout, draw);
     for (label, text) in labels.iter_mut().zip(&texts) {
         if let Some((_, tip)) = text.led_over {
-            [label.x, label.y] = percent_of(tip, layout.figure);
+            [label.x, label.y] = Position::in_figure(tip, layout.figure);
         }
     }
     told
@@ -178,12 +178,6 @@ fn labels_of(page: &Page) -> impl Iterator<Item = &BrailleText> {
     page.braille.iter().filter(|text| text.role == TextRole::Label)
 }
 
-/// Where a place is in a figure.
-fn percent_of(at: MmPoint, figure: MmRect) -> [Position; 2] {
-    let percent = |at: f32, low: f32, side: f32| Position::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
-    [percent(at.x, figure.min.x, figure.width()), percent(at.y, figure.min.y, figure.height())]
-}
-
 /// The labels of a page as they would be given, each at what it names.
 pub(super) fn labels(page: &Page) -> Vec<Label> {
     let label = |text: &BrailleText| {
@@ -194,7 +188,7 @@ pub(super) fn labels(page: &Page) -> Vec<Label> {
             Some((Some(_), Some(&b))) => b,
             _ => middle,
         };
-        let [x, y] = percent_of(at, page.figure.place);
+        let [x, y] = Position::in_figure(at, page.figure.place);
         Label { x, y, text: text.text.clone() }
     };
     labels_of(page).map(label).collect()

@@ -38,11 +38,9 @@ pub(super) fn write(
         return Typed::default();
     }
     let place = parts.figure.place;
-    let percent = |at: f32, low: f32, side: f32| Position::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
-    let label = |text: &TypedText| Label {
-        x: percent(text.at.x, place.min.x, place.width()),
-        y: percent(text.at.y, place.min.y, place.height()),
-        text: text.string.clone(),
+    let label = |text: &TypedText| {
+        let [x, y] = Position::in_figure(text.at, place);
+        Label { x, y, text: text.string.clone() }
     };
     let (exact, beside): (Vec<&TypedText>, Vec<&TypedText>) = texts.iter().partition(|text| text.is_braille);
     let labels: Vec<Label> = beside.into_iter().map(label).collect();
