@@ -2,14 +2,14 @@
 //! `cargo run --example edited -- page.svg page`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
-use tactograph::{DotFormat, Embossing, Profile, RenderOptions};
+use tactograph::{DotFormat, Embossing, PageOptions, Profile, RenderOptions};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [page, name] = &args[..] else { return Err("give a page (SVG) and a name for the files of its dots".into()) };
     let svg = std::fs::read(page)?;
-    println!("{}", tactograph::describe(&svg, None, None)?);
-    for finding in tactograph::check(&svg, None)?.findings {
+    println!("{}", tactograph::describe(&svg, &PageOptions::new())?);
+    for finding in tactograph::check(&svg, &PageOptions::new())?.findings {
         println!("{finding}");
     }
     let drawing = tactograph::render(&svg, &RenderOptions::new().profile(Profile::named("dot-pad")?))?;

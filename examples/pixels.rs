@@ -1,7 +1,7 @@
 //! Pixels in memory to a page and to what a fingertip feels of it: `cargo run --example pixels`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
-use tactograph::{Error, Options, Picture, Profile};
+use tactograph::{Error, Options, PageOptions, Picture, Profile};
 
 fn main() -> Result<(), Error> {
     // A blue disc on white, as a canvas of a browser would have it.
@@ -13,6 +13,6 @@ fn main() -> Result<(), Error> {
     let options = Options::new(Profile::named("swell-a4")?).title("A blue disc");
     let page = tactograph::convert(picture, &options)?.page;
     println!("{}", page.description);
-    print!("{}", tactograph::feel(page.to_svg(), 1.0)?.report());
+    print!("{}", tactograph::feel(page.to_svg(), &PageOptions::new())?.report());
     Ok(())
 }

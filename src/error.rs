@@ -229,20 +229,6 @@ pub enum Error {
     /// A list of labels has rows that are none; every fault is listed, each with its line.
     #[error("{}", .0.join("; "))]
     NotLabels(Vec<String>),
-    /// The page to be felt is no SVG that can be drawn.
-    #[error("this is not an SVG page that can be read: {0}; give a page that tactograph made")]
-    NotASvgPage(String),
-    /// The page to be felt is plainly something else than SVG.
-    #[error(
-        "this is {0}, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"
-    )]
-    OtherFormat(&'static str),
-    /// The page to be felt has none of the ids of a page.
-    #[error(
-        "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
-         -grey); give a page that tactograph made"
-    )]
-    NoFigure,
     /// The page is larger than can be felt.
     #[error(
         "the figure is {width} x {height} mm, and at most {longest} x {longest} mm can be felt; \
@@ -263,15 +249,31 @@ pub enum Error {
         high = FINGERS.end()
     )]
     NoSuchFinger(f32),
-    /// What is to be read as a page is none.
-    #[error("this cannot be read as a page: {0}; give the SVG of a page")]
-    NotAPage(&'static str),
+    /// What is to be read as a page is none: another kind of file, an SVG without the layers of a page, or one of an
+    /// impossible size. What is an SVG and broken is [`Error::Undecodable`].
+    #[error("this cannot be read as a page: {why}; {remedy}")]
+    NotAPage {
+        /// What it is instead, or what it lacks.
+        why: &'static str,
+        /// What the user can do.
+        remedy: &'static str,
+    },
     /// What is to be converted is a page already.
     #[error(
         "this is a page that tactograph made, and no picture; render it to write it in another format or for \
          another device"
     )]
     IsAPage,
+    /// There is nothing of this name.
+    #[error("there is no {what} called {name:?}; take one of {known}")]
+    NoSuchName {
+        /// Of what kind it would be.
+        what: &'static str,
+        /// What was asked for.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
     /// A language in which nothing is said of pages.
     #[error("there are no sentences in the language {language}; take one of {known}")]
     NoSentences {
@@ -337,13 +339,11 @@ impl Error {
             Self::NotASign => "not-a-sign",
             Self::NotAPosition => "not-a-position",
             Self::NotLabels(..) => "not-labels",
-            Self::NotASvgPage(..) => "not-a-svg-page",
-            Self::OtherFormat(..) => "other-format",
-            Self::NoFigure => "no-figure",
             Self::TooLargeToFeel { .. } => "too-large-to-feel",
             Self::NoSuchFinger(..) => "no-such-finger",
-            Self::NotAPage(..) => "not-a-page",
+            Self::NotAPage { .. } => "not-a-page",
             Self::IsAPage => "is-a-page",
+            Self::NoSuchName { .. } => "no-such-name",
             Self::NoSentences { .. } => "no-sentences",
             Self::OtherShape { .. } => "other-shape",
             Self::NoMemory { .. } => "no-memory",
@@ -351,6 +351,23 @@ impl Error {
             Self::Profile(..) => "profile",
         }
     }
+}
+
+/// The one of `all` that is called `name`; `what` says of what kind they are.
+///
+/// # Errors
+/// [`Error::NoSuchName`] with the names that there are.
+pub(crate) fn named<T: Copy>(
+    name: &str,
+    what: &'static str,
+    all: impl IntoIterator<Item = T> + Clone,
+    name_of: impl Fn(T) -> &'static str,
+) -> Result<T, Error> {
+    let found = all.clone().into_iter().find(|one| name_of(*one) == name);
+    found.ok_or_else(|| {
+        let known: Vec<&str> = all.into_iter().map(name_of).collect();
+        Error::NoSuchName { what, name: name.to_owned(), known: known.join(", ") }
+    })
 }
 
 impl From<Vec<Fault>> for Error {

@@ -31,7 +31,7 @@
 //!
 //! let text = "inherits = \"swell-a4\"\n[page]\nmargin = 15.0\n[lines]\nwidth_max = 1.2";
 //! let mut profile = Profile::from_toml(text, "workshop.toml")?;
-//! profile.set("textures.across", "4.5")?; // what the option --set of the program does
+//! profile.set("textures.across", "4.5")?; // one value more
 //! let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &Options::new(profile))?;
 //! let widest = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width).fold(0.0, f32::max);
 //! assert!(widest <= 1.2);
@@ -66,11 +66,11 @@
 //! What a fingertip would feel of a page, also of one that was changed in an editor:
 //!
 //! ```
-//! use tactograph::{Options, Profile};
+//! use tactograph::{Options, PageOptions, Profile};
 //!
 //! let options = Options::new(Profile::named("swell-a4")?);
 //! let page = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page;
-//! let felt = tactograph::feel(page.to_svg(), 1.0)?;
+//! let felt = tactograph::feel(page.to_svg(), &PageOptions::new())?;
 //! println!("{}", felt.report());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -96,10 +96,11 @@
 //! # Wrapping it for other languages
 //!
 //! * What is given to [`Options::progress`], [`Options::cancelled`], [`Options::translator`] and
-//!   [`Options::text_reader`] is called while [`convert`], [`convert_to_sheets`] or [`trace`] runs, and what is given
-//!   to [`RenderOptions`] while [`render`] runs; progress also from threads of its own, one call at a time. A caller
+//!   [`Options::text_reader`] is called while [`convert`], [`convert_to_sheets`] or [`trace`] runs, what is given to
+//!   [`RenderOptions`] while [`render`] runs, and what is given to [`PageOptions`] while [`check`], [`describe`] or
+//!   [`feel`] runs; progress also from threads of its own, one call at a time. A caller
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
-//!   any of the four, or both wait for each other for ever. In a browser there are no threads, and a function
+//!   any of them, or both wait for each other for ever. In a browser there are no threads, and a function
 //!   of JavaScript needs a wrapper that promises so.
 //! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
 //!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
@@ -108,10 +109,13 @@
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
 //!   What is known to panic is refused before.
-//! * [`Options::cancelled`] and [`RenderOptions::cancelled`] end work that is no longer wanted: a button, a closed
-//!   window, a signal.
-//! * Profiles, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`], [`Profile::keys`] with
-//!   [what each takes](Key::choices), [`Rule::all`], [`Description::languages`]. A [`Fault`] names the keys that it is
+//! * [`Options::cancelled`], [`RenderOptions::cancelled`] and [`PageOptions::cancelled`] end work that is no longer
+//!   wanted: a button, a closed window, a signal. All else takes less than a second, but for a PNG ([`Page::to_png`])
+//!   at more than 300 dots per inch.
+//! * [`Event::Done`] is what a progress bar shows: a share of the work that never goes back.
+//! * Profiles, devices, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`],
+//!   [`Profile::keys`] with [what each takes](Key::choices), [`medium::Device::ALL`], [`Rule::all`],
+//!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is
 //!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
 //!   change.
 //!
@@ -125,8 +129,8 @@
 //! * What the library gives, and nobody gives to it by its name, has a `name` or an `id`: [`Stage`], [`About`],
 //!   [`Severity`], [`marks::Height`] and [`marks::TextRole`] with `ALL`, [`felt::FeltAs`], [`Error`], [`Note`],
 //!   [`Rule`].
-//! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) too; `named` gives none
-//!   where nothing has that name, but for [`Profile::named`], whose error says which profiles there are.
+//! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) and `named` too, whose
+//!   error says which names there are.
 //!
 //! # Words
 //!
@@ -183,16 +187,16 @@ mod wording;
 
 // Functions, and what they take.
 pub use api::{
-    Calibration, Felt, Fonts, Options, RenderOptions, calibrate, check, check_marked, convert, convert_to_sheets,
-    describe, feel, language_of_page, profile_of_page, render, rules, trace, write_pdf,
+    Calibration, Felt, Fonts, Options, PageOptions, RenderOptions, calibrate, check, convert, convert_to_sheets,
+    describe, feel, language_of_page, render, trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
 pub use page::spread::SheetGrid;
 pub use picture::Picture;
-pub use pipeline::trace::{Thresholds, Tracing};
+pub use pipeline::trace::Tracing;
 pub use pipeline::{Event, KeySheets, Label, Position, Stage};
-pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value};
+pub use profile::{BuiltIn, Fault, Key, NumberRange, Profile, Value};
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;
 // What they give.
@@ -220,7 +224,7 @@ pub mod marks {
 
 /// What a [`Page`] is made for: paper that is printed, or the dots of an embosser or a pin display.
 pub mod medium {
-    pub use crate::devices::{Device, DotArea, Family, Grid, Paper, Pitches};
+    pub use crate::devices::{Device, DotArea, Grid, Pitches};
     pub use crate::page::{DotMedium, Medium, Print};
 }
 
@@ -228,7 +232,7 @@ pub mod medium {
 pub mod felt {
     pub use crate::legibility::Textures;
     pub use crate::touch::report::{Areas, OfClass};
-    pub use crate::touch::{FINGERS, FeltAs, Report};
+    pub use crate::touch::{FeltAs, Report};
 }
 
 /// The stages, for this project's own tests, benchmarks and measuring programs. No part of the public interface:

@@ -55,7 +55,7 @@ pub use hand_lines::HandLines;
 pub use kept_lines::LineName;
 pub use key::{Key, KeySheets};
 pub use label::{Label, Position};
-pub use progress::{Event, Stage, Watch};
+pub use progress::{Event, Progress, Stage, Watch};
 pub use read_key::{KeyWanted, key_of_page};
 pub use redraw::dots_left_out;
 pub use request::{Fit, Request};

@@ -28,6 +28,26 @@ pub type MmRect = euclid::Box2D<f32, Mm>;
 /// Millimetres of a CSS pixel, in which SVG is computed.
 pub(crate) const MM_PER_CSS_PX: f32 = 25.4 / 96.0;
 
+/// The unit in which a person gives a place or a length on a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum WrittenUnit {
+    /// Of the picture; where no unit is written.
+    Pixels,
+    /// Of a side of the picture.
+    Percent,
+    /// Of the figure on the sheet.
+    Mm,
+}
+
+/// The number and the unit of a length as a person writes it: `412.5`, `412px`, `30%`, `12 mm`. Blanks around both do
+/// not matter. What numbers there are is for the caller to say.
+pub(crate) fn number_and_unit(text: &str) -> (&str, WrittenUnit) {
+    let text = text.trim();
+    let units = [("mm", WrittenUnit::Mm), ("%", WrittenUnit::Percent), ("px", WrittenUnit::Pixels)];
+    let written = units.into_iter().find_map(|(ending, unit)| Some((text.strip_suffix(ending)?.trim_end(), unit)));
+    written.unwrap_or((text, WrittenUnit::Pixels))
+}
+
 /// Width and height in whole pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Size {

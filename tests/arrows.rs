@@ -60,7 +60,7 @@ fn open(tip: [f32; 2], way: [f32; 2]) -> String {
 
 /// Which way the arrows of a page point, as its description tells.
 fn ways(svg: &str) -> Vec<String> {
-    let told = tactograph::describe(svg, None, Some("en")).expect("a page").to_string();
+    let told = tactograph::describe(svg, &tactograph::PageOptions::new().language("en")).expect("a page").to_string();
     let arrows = told.lines().filter(|line| line.starts_with("An arrow"));
     let way = |line: &str| line.split("points ").nth(1).unwrap_or_default().trim_end_matches('.').to_owned();
     let mut ways: Vec<String> = arrows.map(way).collect();
@@ -78,7 +78,7 @@ fn the_arrows_of_a_cycle_point_the_way_they_do_on_paper_and_as_dots() {
             let drawing = page_of(&drawn, name);
             let page = drawing.page.to_svg();
             assert_eq!(ways(&page), ALL_WAYS, "{head}, {name}");
-            let checked = tactograph::check(&page, None).expect("a page");
+            let checked = tactograph::check(&page, &tactograph::PageOptions::new()).expect("a page");
             assert_eq!(checked.errors(), 0, "{head}, {name}: {checked}");
             assert!(!drawing.notes.iter().any(|note| note.to_string().contains("arrowhead")), "{head}, {name}");
         }

@@ -238,7 +238,7 @@ fn letters_in_a_picture_of_lines_are_no_lines_and_are_told() {
     assert!(same(&drawing, &Canvas::chart().drawing(false)).iter().all(|share| *share > 0.97));
     let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("in the picture of lines"));
     assert!(told.is_some_and(|note| note.contains("6 texts")), "{:?}", drawing.notes);
-    let checked = tactograph::check(drawing.page.to_svg(), None).expect("a page");
+    let checked = tactograph::check(drawing.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
     assert_eq!(checked.errors(), 0, "{checked}");
     let kept = blank(&options().keep_text(true));
     assert!(!kept.notes.iter().any(|note| note.to_string().contains("in the picture of lines")));

@@ -118,7 +118,7 @@ fn a_number_line_of_dots_has_its_ticks_and_points() {
         assert!(words.contains(points) && words.contains(&format!("{ticks} ticks stand on lines.")), "{words}");
         let of_scale = told(&page).iter().filter(|note| note.contains(" ticks of a scale")).count();
         assert_eq!(of_scale, lost, "{device}: {:#?}", told(&page));
-        let checked = tactograph::check(page.page.to_svg(), None).expect("a page");
+        let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
         assert_eq!(checked.errors(), 0, "{device}: {:#?}", checked.findings);
     }
 }

@@ -178,7 +178,7 @@ fn a_mirrored_page_is_laid_out_anew_as_it_is_felt() {
     };
     for (from, to) in [("swell-a4", "swell-letter"), ("swell-a4", "index-basic-d")] {
         let (plain, mirrored) = (made(from, false), made(from, true));
-        let check = tactograph::check(mirrored.to_svg(), None).expect("it is a page");
+        let check = tactograph::check(mirrored.to_svg(), &tactograph::PageOptions::new()).expect("it is a page");
         assert_eq!(check.findings.iter().filter(|finding| finding.rule.id == "braille-cell").count(), 0);
         let (plain, mirrored) = (rendered(&plain, to), rendered(&mirrored, to));
         let is_for_dots = matches!(plain.page.medium, Medium::Dots(_));
@@ -360,7 +360,7 @@ fn what_is_no_page_or_beyond_a_limit_is_refused_in_one_line() {
         b"<svg xmlns='http://www.w3.org/2000/svg'><g id='lines'>",
     ] {
         let fault = read(bytes).expect_err("it is refused");
-        assert!(matches!(fault, Error::NotAPage(_) | Error::Undecodable { .. }), "{fault:?}");
+        assert!(matches!(fault, Error::NotAPage { .. } | Error::Undecodable { .. }), "{fault:?}");
         assert!(!fault.to_string().contains('\n'), "{fault}");
     }
 }
@@ -392,7 +392,7 @@ fn damaged_pages_are_refused_or_read() {
 #[test]
 fn sheets_beyond_all_paper_are_refused() {
     let svg = coffee().replacen("width=\"210mm\"", "width=\"900000mm\"", 1);
-    assert!(matches!(read(svg.as_bytes()), Err(Error::NotAPage(_))));
+    assert!(matches!(read(svg.as_bytes()), Err(Error::NotAPage { .. })));
     let wide = coffee().replacen("data-box=\"18 ", "data-box=\"-9e30 ", 1);
     let page = reading(&wide).page;
     assert!(page.figure.place.min.x >= 0.0 && page.figure.place.max.x <= 210.0);

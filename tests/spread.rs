@@ -93,7 +93,7 @@ fn sheets_of_dots_pass_the_check() {
         assert!(drawn.pages.len() >= 2, "{device}");
         for page in drawn.all() {
             let svg = page.to_svg();
-            let checked = tactograph::check(&svg, None).expect("a page");
+            let checked = tactograph::check(&svg, &tactograph::PageOptions::new()).expect("a page");
             let errors: Vec<String> = checked
                 .findings
                 .iter()

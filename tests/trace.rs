@@ -13,7 +13,7 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::Limits;
 use tactograph::internals::units::{PxPoint, Size};
 use tactograph::internals::{lines, units};
-use tactograph::{Error, Thresholds, Traced, Tracing};
+use tactograph::{Error, Traced, Tracing};
 
 /// Everything that can be traced.
 fn all() -> [Tracing; 3] {
@@ -181,9 +181,9 @@ fn higher_thresholds_leave_less() {
     for subject in all() {
         let mut last = f32::INFINITY;
         for (low, high) in [(0.0, 0.0), (0.0, 6.0), (3.0, 6.0), (6.0, 6.0), (6.0, 20.0), (20.0, 40.0), (900.0, 900.0)] {
-            let thresholds = Thresholds::new(low, high).expect("they make sense");
+            let tracing = subject.thresholds(low, high).expect("they make sense");
             let Traced { trace, notes, .. } =
-                try_trace(&photo, subject.thresholds(thresholds), Limits::default(), &mut |_| ()).expect("a trace");
+                try_trace(&photo, tracing, Limits::default(), &mut |_| ()).expect("a trace");
             let length = length(&trace);
             // What is nearer to its contour than to another takes its place, so lines may gain a little.
             let slack = if subject == Tracing::lines() { 1.1 } else { 1.0 };
@@ -197,7 +197,7 @@ fn higher_thresholds_leave_less() {
 #[test]
 fn thresholds_that_make_no_sense_cannot_be_made() {
     let bad = [(3.0, 2.0), (-1.0, 2.0), (-2.0, -1.0), (f32::NAN, 1.0), (1.0, f32::NAN), (1.0, f32::INFINITY)];
-    assert!(bad.iter().all(|&(low, high)| Thresholds::new(low, high).is_err()));
+    assert!(bad.iter().all(|&(low, high)| Tracing::contours().thresholds(low, high).is_err()));
 }
 
 #[test]

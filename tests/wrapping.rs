@@ -1,14 +1,14 @@
 //! The face as others see it: that its types can be wrapped for other languages, and that what it takes and gives agrees.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
     Calibration, Checked, Class, Crop, Description, DotFormat, Dpi, Drawing, Embossing, Error, Event, Fault, Felt,
-    Finding, Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, Picture, Position, Profile,
-    RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
+    Finding, Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, PageOptions, Picture,
+    Position, Profile, RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -19,6 +19,7 @@ fn can_be_wrapped<T: Send + Sync + 'static>() {}
 fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<Options>();
     can_be_wrapped::<RenderOptions>();
+    can_be_wrapped::<PageOptions>();
     can_be_wrapped::<Profile>();
     can_be_wrapped::<Label>();
     can_be_wrapped::<Drawing>();
@@ -54,6 +55,7 @@ fn can_be_copied<T: Clone>() {}
 fn what_is_asked_for_again_can_be_cloned() {
     can_be_copied::<Options>();
     can_be_copied::<RenderOptions>();
+    can_be_copied::<PageOptions>();
     can_be_copied::<Profile>();
     can_be_copied::<Label>();
     can_be_copied::<Page>();
@@ -142,7 +144,7 @@ fn question_marks_work_from_a_name_to_a_page() {
         profile.set("lines.width_max", "1.2")?;
         let options = Options::new(profile).crop("0,0,100%,50%".parse()?);
         let page = tactograph::convert(&png(), &options)?.page;
-        tactograph::feel(page.to_svg(), 1.0)?;
+        tactograph::feel(page.to_svg(), &PageOptions::new())?;
         page.to_png(Dpi::new(96)?, Default::default(), &Fonts::none())
     }
     assert!(all().is_ok_and(|png| png.starts_with(b"\x89PNG")));
@@ -160,7 +162,10 @@ fn question_marks_work_from_a_name_to_a_page() {
     }
     assert_eq!(labels().map(|labels| labels.len()), Ok(2));
     assert_eq!("here".parse::<Position>(), Err(Error::NotAPosition));
-    let no_finger = tactograph::feel(tactograph::convert(&png(), &options()).expect("a page").page.to_svg(), 9.0);
+    let no_finger = tactograph::feel(
+        tactograph::convert(&png(), &options()).expect("a page").page.to_svg(),
+        &PageOptions::new().finger_mm(9.0),
+    );
     assert_eq!(no_finger.err().map(|error| error.id()), Some("no-such-finger"));
     let refused = tactograph::convert(b"", &options()).expect_err("an empty file");
     assert_eq!(
@@ -201,6 +206,54 @@ fn progress_is_told_of_and_tracing_takes_the_same_options() {
     let crop: Crop = "60,0,60,90".parse().expect("a part");
     let part = tactograph::trace(&png(), &Tracing::contours(), &options.crop(crop)).expect("contours").trace;
     assert_eq!(part.size, Size::new(60, 90));
+}
+
+#[test]
+fn the_share_of_the_work_that_is_done_never_goes_back() {
+    let shares = |work: &dyn Fn(&Options)| {
+        let told = Arc::new(Mutex::new(Vec::new()));
+        let heard = Arc::clone(&told);
+        work(&options().progress(move |event| {
+            if let Event::Done(share) = event {
+                heard.lock().expect("nobody panicked").push(share);
+            }
+        }));
+        let shares = told.lock().expect("nobody panicked").clone();
+        assert!(shares.is_sorted() && shares.len() > 3, "{shares:?}");
+        assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)) && shares.last() == Some(&1.0), "{shares:?}");
+        shares
+    };
+    let photo = std::fs::read("samples/chelsea.png").expect("a sample");
+    let drawing = std::fs::read("samples/bars.svg").expect("a sample");
+    for picture in [&photo, &drawing, &png()] {
+        shares(&|options| drop(tactograph::convert(picture, options).expect("a page")));
+    }
+    shares(&|options| drop(tactograph::convert_to_sheets(&photo, None, options).expect("sheets")));
+    for tracing in [Tracing::contours(), Tracing::lines()] {
+        let shares = shares(&|options| drop(tactograph::trace(&photo, &tracing, options).expect("contours")));
+        // what no trace takes is not waited for
+        assert!(shares.len() < 2 || shares[shares.len() - 2] > 0.7, "{tracing:?}: {shares:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_lines_is_refused_when_it_is_given() {
+    let page = tactograph::convert(&png(), &options()).expect("a page").page.to_svg();
+    let broken = [&b"\x89PNG\r\n\x1a\n"[..], b"cut off"].concat();
+    let id = |given: Result<Options, Error>| given.err().map(|error| error.id());
+    for (bytes, lines, others) in [
+        (&b""[..], "empty", "not-a-page"),
+        (b"a letter to somebody", "unknown-format", "not-a-page"),
+        (&broken, "undecodable", "not-a-page"),
+        (b"<svg", "undecodable", "undecodable"),
+        (b"P1 2 2 1 0 0 1", "too-small", "not-a-page"),
+    ] {
+        let told = String::from_utf8_lossy(bytes);
+        assert_eq!(id(options().lines(bytes)), Some(lines), "{told}");
+        assert_eq!(id(options().add_lines(bytes)), Some(others), "{told}");
+        assert_eq!(id(options().areas(bytes)), Some(others), "{told}");
+    }
+    assert_eq!([id(options().lines(png())), id(options().lines(&page)), id(options().areas(&page))], [None; 3]);
 }
 
 #[test]
@@ -341,9 +394,21 @@ fn lines_that_a_profile_leaves_out_are_no_missing_contours() {
 }
 
 #[test]
+fn languages_are_listed_and_written() {
+    for language in Options::languages() {
+        let drawing = tactograph::convert(&png(), &options().language(language)).expect("a page");
+        let told = drawing.notes.iter().find(|note| note.id() == "no-braille-code");
+        assert!(told.is_none() && !drawing.page.braille.is_empty(), "{language}: {told:?}");
+    }
+    assert!(tactograph::Description::languages().all(|language| Options::languages().any(|other| other == language)));
+}
+
+#[test]
 fn classes_are_found_by_their_names() {
-    assert_eq!(Class::ALL.map(|class| Class::named(class.name())), Class::ALL.map(Some));
-    assert_eq!(Class::named("Blue"), None, "names are in lower case");
+    assert_eq!(Class::ALL.map(|class| Class::named(class.name())), Class::ALL.map(Ok));
+    let refused = Class::named("Blue").expect_err("names are in lower case");
+    let told = "there is no class of colours called \"Blue\"; take one of blue, green, yellow, red, grey";
+    assert_eq!((refused.id(), refused.to_string().as_str()), ("no-such-name", told));
 }
 
 #[test]
@@ -374,6 +439,30 @@ fn an_embosser_says_all_that_it_refuses() {
     assert_eq!(Embossing::default().check(device, A4, 2.0), Ok(()));
     let refused = Embossing { copies: 0, impact: 9 }.check(device, A4, 2.0);
     assert!(matches!(&refused, Err(Error::CannotPress(why)) if why.len() == 2), "{refused:?}");
+}
+
+#[test]
+fn what_looks_at_a_page_can_be_cancelled_between_any_two_questions() {
+    let svg = tactograph::convert(&png(), &options()).expect("a page").page.to_svg();
+    type Look = fn(&str, &PageOptions) -> Result<(), Error>;
+    let looks: [Look; 3] = [
+        |svg, options| tactograph::check(svg, options).map(drop),
+        |svg, options| tactograph::describe(svg, options).map(drop),
+        |svg, options| tactograph::feel(svg, options).map(drop),
+    ];
+    for (look, questions) in looks.into_iter().zip([12, 12, 4]) {
+        let mut asked = 0;
+        loop {
+            let left = AtomicUsize::new(asked);
+            let answer = move || left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |n| n.checked_sub(1)).is_err();
+            match look(&svg, &PageOptions::new().cancelled(answer)) {
+                Ok(()) => break,
+                Err(refused) => assert_eq!(refused, Error::Cancelled, "at question {asked}"),
+            }
+            asked += 1;
+        }
+        assert!(asked >= questions, "{asked} questions");
+    }
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! What a fingertip would feel of a page.
 
-use crate::Error;
+use super::page_options::PageOptions;
 use crate::touch::{self, Ink, Report};
+use crate::{Error, reading};
 
 /// What a fingertip feels of a page's textures; made by [`feel`].
 #[derive(Debug, Clone)]
@@ -11,18 +12,18 @@ pub struct Felt {
     report: Report,
 }
 
-/// Feels the textures of a page with a fingertip of `finger` mm (0.3 to 2.5; 1.0 is usual). `page` is an SVG file as
+/// Feels the textures of a page with [a fingertip](PageOptions::finger_mm). `page` is an SVG file as
 /// [`Page::to_svg`](crate::Page::to_svg) writes it, or as somebody changed it in an editor.
 ///
 /// The textures are blurred as by a fingertip, and then their direction is read. This is a model that compares
 /// textures well; it does not replace a reader.
 ///
 /// ```
-/// use tactograph::{Options, Profile};
+/// use tactograph::{Options, PageOptions, Profile};
 ///
 /// let options = Options::new(Profile::named("swell-a4")?);
 /// let page = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page;
-/// let felt = tactograph::feel(page.to_svg(), 1.0)?;
+/// let felt = tactograph::feel(page.to_svg(), &PageOptions::new())?;
 /// for class in &felt.report().classes {
 ///     let right = 100.0 * class.areas.right_of_judged();
 ///     println!("{}: {right:.0} % of what is judged is felt right", class.class.name());
@@ -31,11 +32,19 @@ pub struct Felt {
 /// ```
 ///
 /// # Errors
-/// [`Error::OtherFormat`], [`Error::NotASvgPage`] or [`Error::NoFigure`] if it is no such page,
-/// [`Error::TooLargeToFeel`], or [`Error::NoSuchFinger`].
-pub fn feel(page: impl AsRef<[u8]>, finger: f32) -> Result<Felt, Error> {
-    let ink = Ink::of(svg_text(page.as_ref())?)?;
+/// [`Error::NotAPage`] if it is no such page, [`Error::Undecodable`] if it is an SVG and broken,
+/// [`Error::TooLargeToFeel`] if a side of what is drawn is longer than 700 mm, [`Error::NoSuchFinger`], or
+/// [`Error::Cancelled`].
+pub fn feel(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Felt, Error> {
+    felt(page.as_ref(), options.finger, &|| options.go_on())
+}
+
+/// As [`feel`]; `go_on` is asked between the textures.
+pub(super) fn felt(page: &[u8], finger: f32, go_on: &dyn Fn() -> Result<(), Error>) -> Result<Felt, Error> {
+    let ink = Ink::of_page(reading::text_of(page)?, go_on)?;
+    go_on()?;
     let felt = ink.felt(finger)?;
+    go_on()?;
     let report = touch::report(&ink, &felt);
     Ok(Felt { ink, felt, report })
 }
@@ -56,27 +65,6 @@ impl Felt {
     }
 }
 
-/// The text of an SVG; what is plainly something else is called by its name.
-fn svg_text(page: &[u8]) -> Result<&str, Error> {
-    const OTHERS: [(&[u8], &str); 6] = [
-        (b"%PDF-", "a PDF"),
-        (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
-        (b"\xff\xd8\xff", "a JPEG picture"),
-        (b"RIFF", "a WebP picture"),
-        (b"GIF8", "a GIF picture"),
-        (b"\x1f\x8b", "a file compressed with gzip"),
-    ];
-    if let Some((_, what)) = OTHERS.iter().find(|(magic, _)| page.starts_with(magic)) {
-        return Err(Error::OtherFormat(what));
-    }
-    let text = std::str::from_utf8(page).map_err(|_| Error::OtherFormat("no text in UTF-8"))?;
-    if text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
-        Ok(text)
-    } else {
-        Err(Error::OtherFormat("no drawing in SVG"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,9 +75,9 @@ mod tests {
             (&b"%PDF-1.7"[..], "a PDF"),
             (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
             (b"\xc3\x28", "no text"),
-            (b"dots", "no drawing"),
+            (b"dots", "no SVG"),
         ] {
-            let told = feel(bytes, 1.0).expect_err("it is no SVG").to_string();
+            let told = feel(bytes, &PageOptions::new()).expect_err("it is no SVG").to_string();
             assert!(told.contains(what) && told.contains("SVG"), "{told}");
         }
     }

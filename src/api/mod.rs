@@ -6,14 +6,16 @@ mod checking;
 mod feeling;
 mod fonts;
 mod options;
+mod page_options;
 mod rendering;
 mod writing;
 
-pub use checking::{check, check_marked, describe, rules};
+pub use checking::{check, describe};
 pub use feeling::{Felt, feel};
 pub use fonts::Fonts;
 pub use options::Options;
-pub use rendering::{RenderOptions, language_of_page, profile_of_page, render};
+pub use page_options::PageOptions;
+pub use rendering::{RenderOptions, language_of_page, render};
 pub use writing::write_pdf;
 
 use crate::page::Page;
@@ -21,7 +23,7 @@ use crate::page::spread::SheetGrid;
 use crate::picture::{Picture, PixelSource};
 use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
-use crate::pipeline::{self, Drawing, Request};
+use crate::pipeline::{self, Drawing, Event, Progress, Request, Stage, Watch};
 use crate::profile::{Plan, Profile};
 use crate::{Error, calibration, reading};
 
@@ -43,10 +45,8 @@ use crate::{Error, calibration, reading};
 /// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
     let picture = not_a_page(picture)?;
-    let drawing = with_request(options, options.name(), |request| {
-        pipeline::convert_with_words(picture, &options.words(), &options.given, request, &mut |event| {
-            options.tell(event)
-        })
+    let drawing = with_request(options, options.name(), Stage::Page, |request, watch| {
+        pipeline::convert_with_words(picture, &options.words(), &options.given, request, watch)
     })?;
     let page = options.with_words(drawing.page, options.own_title());
     let of_overview = options.own_title().map(|title| pipeline::title_of_overview(title, options.own_language()));
@@ -69,8 +69,8 @@ pub fn convert_to_sheets<'p>(
     options: &Options,
 ) -> Result<Sheets, Error> {
     let picture = not_a_page(picture)?;
-    let drawn = with_request(options, options.document_title(), |request| {
-        sheets::convert(picture, &options.words(), &options.given, grid, request, &mut |event| options.tell(event))
+    let drawn = with_request(options, options.document_title(), Stage::Page, |request, watch| {
+        sheets::convert(picture, &options.words(), &options.given, grid, request, watch)
     })?;
     // The maker's words are about the picture, which all sheets show together.
     let worded = |page: Page| options.with_words(page, None);
@@ -99,8 +99,8 @@ pub fn convert_to_sheets<'p>(
 /// If the profile has faults, or the picture cannot be read, is a page, is over a limit or is too small; see [`Error`].
 pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &Options) -> Result<Traced, Error> {
     let picture = not_a_page(picture)?;
-    with_request(options, options.name(), |request| {
-        trace::trace(picture, tracing, &options.given, request, &mut |event| options.tell(event))
+    with_request(options, options.name(), tracing.last_stage(), |request, watch| {
+        trace::trace(picture, tracing, &options.given, request, watch)
     })
 }
 
@@ -137,11 +137,12 @@ fn not_a_page<'p>(picture: impl Into<Picture<'p>>) -> Result<Picture<'p>, Error>
     }
 }
 
-/// Calls `work` with what the pipeline needs.
+/// Calls `work`, which ends with the stage `last`, with what the pipeline needs, and whom it tells.
 fn with_request<T>(
     options: &Options,
     title: &str,
-    work: impl FnOnce(&Request<'_>) -> Result<T, Error>,
+    last: Stage,
+    work: impl FnOnce(&Request<'_>, &mut Watch<'_>) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let plan = options.given.plan(&options.profile)?;
     let fonts = || options.fonts.database();
@@ -156,5 +157,14 @@ fn with_request<T>(
         cancelled: &cancelled,
     };
     request.go_on()?;
-    work(&request)
+    let mut progress = Progress::until(last);
+    let done = work(&request, &mut |event| {
+        options.tell(event);
+        let share = progress.after(event);
+        if matches!(event, Event::End(_) | Event::Skip(..)) {
+            options.tell(Event::Done(share));
+        }
+    })?;
+    options.tell(Event::Done(1.0));
+    Ok(done)
 }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::fonts::Fonts;
-use crate::braille::Translate;
+use crate::braille::{Code, Translate};
 use crate::page::{LANGUAGE, Page};
 use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, Position, TextReader, Words};
 use crate::profile::{Plan, Profile};
@@ -100,9 +100,16 @@ impl Options {
         self
     }
 
-    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`; braille is written in its code.
-    /// The description that is made if none is given is in it too, if it is one of those of
-    /// [`describe`](crate::describe), else in English. Default: `en`.
+    /// The languages whose words can be written in braille without a [translator](Options::translator), as tags of BCP
+    /// 47: those that [`Options::language`] has a code for.
+    pub fn languages() -> impl Iterator<Item = &'static str> {
+        Code::all().iter().map(|code| code.language)
+    }
+
+    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`; braille is written in its code,
+    /// one of [`Options::languages`], unless `braille.code` of the profile names another. The description that is made
+    /// if none is given is in it too, if it is one of [`Description::languages`](crate::Description::languages), else
+    /// in English. Default: `en`.
     pub fn language(mut self, tag: impl Into<String>) -> Self {
         self.language = Some(tag.into());
         self
@@ -214,12 +221,16 @@ impl Options {
     /// `lines.shapes` as 0. The page has to show the same part of the picture.
     ///
     /// # Errors
-    /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
+    /// Of an SVG [`Error::NotAPage`] where its sheet is smaller than 5 mm or larger than 2500 mm, and
+    /// [`Error::Undecodable`] where it is broken or over a limit. Of a picture what its header says:
+    /// [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`] or [`Error::TooSmall`]. What only its pixels,
+    /// the [limits](Options::limits) or the other picture can tell is refused when that is converted:
+    /// [`Error::OtherShape`] above all.
     pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
         self.given.lines = Some(if reading::is_svg(lines.as_ref()) {
             GivenLines::Vectors(self.hand_lines(lines.as_ref())?)
         } else {
-            GivenLines::Picture(lines.as_ref().to_vec())
+            GivenLines::picture(lines.as_ref())?
         });
         Ok(self)
     }
@@ -228,7 +239,7 @@ impl Options {
     /// too near to them gives way.
     ///
     /// # Errors
-    /// As [`Options::lines`].
+    /// As [`Options::lines`] of an SVG; [`Error::NotAPage`] of anything else.
     pub fn add_lines(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         self.given.added = Some(self.hand_lines(svg.as_ref())?);
         Ok(self)
@@ -239,12 +250,13 @@ impl Options {
     /// and a shape that was drawn and filled with a colour is an area of it.
     ///
     /// # Errors
-    /// As [`Options::lines`].
+    /// [`Error::NotAPage`] if it is no SVG or has none of the layers of a page, and [`Error::Undecodable`] where it is
+    /// broken or over a limit.
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         let mut read = reading::read(svg.as_ref())?;
         let mut notes = std::mem::take(&mut read.notes);
         notes.extend(not_written(&std::mem::take(&mut read.texts)));
-        let (own, refused) = Profile::of_page(&read.page.origin)?;
+        let (own, refused) = Profile::of_origin(&read.page.origin)?;
         notes.extend(refused);
         let plan = Plan::new(&own)?;
         let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
@@ -297,8 +309,22 @@ impl Options {
         self
     }
 
-    /// Is told of every stage as it begins and ends, for progress bars and timings; from the threads that the stages
-    /// run on. Default: nobody is told.
+    /// Is told of every stage as it begins and ends, for timings, and of the share of the work that is done, for
+    /// progress bars ([`Event::Done`]); from the threads that the stages run on, one call at a time. Default: nobody is
+    /// told.
+    ///
+    /// ```
+    /// use tactograph::{Event, Options, Profile};
+    ///
+    /// let options = Options::new(Profile::named("swell-a4")?).progress(|event| {
+    ///     if let Event::Done(share) = event {
+    ///         println!("{:.0} %", 100.0 * share);
+    ///     }
+    /// });
+    /// let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?;
+    /// # let _ = drawing;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn progress(mut self, told: impl Fn(Event) + Send + Sync + 'static) -> Self {
         self.progress = Some(Arc::new(told));
         self
@@ -331,7 +357,7 @@ impl Options {
         let Reading { page, mut notes, texts, .. } = reading::read_any(svg)?;
         notes.extend(not_written(&texts));
         notes.extend(pipeline::dots_left_out(&page));
-        let (own, refused) = Profile::of_page(&page.origin)?;
+        let (own, refused) = Profile::of_origin(&page.origin)?;
         notes.extend(refused);
         self.given.texts_of_page = page.braille.len();
         let lines = HandLines::of_figure(&page, &Plan::new(&own)?);

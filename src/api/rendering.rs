@@ -95,8 +95,9 @@ impl fmt::Debug for RenderOptions {
 /// ```
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; faults of the profile;
-/// [`Error::Cancelled`].
+/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; [`Error::Profile`] with
+/// the faults of the profile; [`Error::TooSmall`] if the figure would have a side below its `figure.min_side` there;
+/// [`Error::OffSheet`] if a mark would lie off the sheet; [`Error::Cancelled`].
 pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing, Error> {
     rendered(svg.as_ref(), options)
 }
@@ -108,7 +109,7 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     if options.is_cancelled() {
         return Err(Error::Cancelled);
     }
-    let (own, refused) = Profile::of_page(&read.page.origin)?;
+    let (own, refused) = Profile::of_origin(&read.page.origin)?;
     notes.extend(refused);
     let own = Plan::new(&own)?;
     let was_mirrored = read.page.is_mirrored();
@@ -197,19 +198,21 @@ fn in_language(key: Vec<Page>, page: &Page) -> Vec<Page> {
     key.into_iter().map(|sheet| sheet.called(None, None, Some(&page.language))).collect()
 }
 
-/// The profile that a page was made with, as its SVG says: what [`render`] takes if no other is given. What the page
-/// does not say, or says of a profile that is not known, is that of the first of [`Profile::built_in`].
-///
-/// # Errors
-/// As [`render`].
-pub fn profile_of_page(svg: impl AsRef<[u8]>) -> Result<Profile, Error> {
-    Ok(Profile::of_page(&reading::read(svg.as_ref())?.page.origin)?.0)
+impl Profile {
+    /// The profile that a page was made with, as its SVG says: what [`render`] takes if no other is given. What the
+    /// page does not say, or says of a profile that is not known, is that of the first of [`Profile::built_in`].
+    ///
+    /// # Errors
+    /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit.
+    pub fn of_page(svg: impl AsRef<[u8]>) -> Result<Self, Error> {
+        Ok(Self::of_origin(&reading::read(svg.as_ref())?.page.origin)?.0)
+    }
 }
 
-/// The language of a page's words (BCP 47).
+/// The language of a page's words (BCP 47), such as `de`: what a [translator](RenderOptions::translator) is chosen by.
 ///
 /// # Errors
-/// As [`render`].
+/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit.
 pub fn language_of_page(svg: impl AsRef<[u8]>) -> Result<String, Error> {
     Ok(reading::read(svg.as_ref())?.page.language.clone())
 }

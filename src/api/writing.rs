@@ -61,7 +61,8 @@ impl Page {
     /// driver takes. For several pages, or other [`Embossing`] than the usual, there is [`write_dots`].
     ///
     /// # Errors
-    /// If the page is printed and not of dots, or its device does not take the format.
+    /// [`Error::CannotPress`] if the page is printed and not of dots, or its device does not take the format or cannot
+    /// reach all dots.
     pub fn to_dots(&self, format: DotFormat) -> Result<Vec<u8>, Error> {
         let files = write_dots(&self.title, std::slice::from_ref(self), format, Embossing::default())?;
         files.into_iter().next().ok_or(Error::NoPages)
@@ -69,7 +70,9 @@ impl Page {
 }
 
 /// One PDF document of several pages, such as those of [`convert_to_sheets`](super::convert_to_sheets) or
-/// [`calibrate`](super::calibrate). It has the language and the origin of the first.
+/// [`calibrate`](super::calibrate). It has the language and the origin of the first. `title` is what it is called as a
+/// whole, such as [`Options::document_title`](super::Options::document_title): viewers show it. Each page keeps its own
+/// title, such as that of an overview or a key, as the name of its figure for screen readers.
 ///
 /// # Errors
 /// [`Error::NoPages`] without pages: a PDF has at least one.

@@ -1,5 +1,6 @@
 //! What the colours are sorted into, and by which numbers.
 
+use crate::error::{self, Error};
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
@@ -36,9 +37,12 @@ impl Class {
         }
     }
 
-    /// The class of this name in lower case; none if there is none.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|class| class.name() == name)
+    /// The class of this name in lower case.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        error::named(name, "class of colours", Self::ALL, Self::name)
     }
 }
 

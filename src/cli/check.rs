@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::bail;
-use tactograph::{Checked, Profile, check_marked, rules};
+use tactograph::{Checked, PageOptions, Profile, Rule};
 
 use super::args::{Check, CheckFormat};
 use super::report::{Exit, Report};
@@ -56,8 +56,8 @@ pub(super) fn run(args: &Check) -> Exit {
 /// Checks one of the pages.
 fn one(args: &Check, page: &Path, profile: Option<&Profile>, report: &Report) -> Exit {
     let name = places::picture_name(page);
-    match checked(page, profile) {
-        Ok((checked, marked)) => tell(args, &name, &checked, &marked, report),
+    match checked(page, profile, args.mark.is_some()) {
+        Ok((checked, marked)) => tell(args, &name, &checked, marked.as_deref(), report),
         Err(error) => {
             report.error(&name, &format!("{error:#}"));
             Exit::Failed
@@ -67,7 +67,7 @@ fn one(args: &Check, page: &Path, profile: Option<&Profile>, report: &Report) ->
 
 fn list(profile: Option<Profile>, report: &Report) -> Exit {
     let profile = profile.map_or_else(|| Profile::named(Profile::built_in()[0].name), Ok);
-    match profile.and_then(|profile| rules(&profile)) {
+    match profile.and_then(|profile| Rule::listed(&profile)) {
         Ok(text) => written(&text, "rules", Exit::Done, report),
         Err(error) => {
             report.usage(&error.to_string());
@@ -76,16 +76,20 @@ fn list(profile: Option<Profile>, report: &Report) -> Exit {
     }
 }
 
-fn checked(page: &Path, profile: Option<&Profile>) -> anyhow::Result<(Checked, String)> {
+/// What is found on a page, and the page with marks if it is wanted.
+fn checked(page: &Path, profile: Option<&Profile>, mark: bool) -> anyhow::Result<(Checked, Option<String>)> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(page, MOST_BYTES, &too_long)?;
-    match (check_marked(bytes, profile), input::other_than_svg(page, "check")) {
+    let options = profile.cloned().into_iter().fold(PageOptions::new(), PageOptions::profile);
+    let checked = match (tactograph::check(&bytes, &options), input::other_than_svg(page, "check")) {
         (Err(_), Some(why)) => bail!("{why}"),
-        (checked, _) => Ok(checked?),
-    }
+        (checked, _) => checked?,
+    };
+    let marked = mark.then(|| checked.marked(&bytes)).transpose()?;
+    Ok((checked, marked))
 }
 
-fn tell(args: &Check, name: &str, checked: &Checked, marked: &str, report: &Report) -> Exit {
+fn tell(args: &Check, name: &str, checked: &Checked, marked: Option<&str>, report: &Report) -> Exit {
     checked.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note)));
     let text = match args.format {
         CheckFormat::Text if args.pages.len() > 1 => format!("{name}:\n{checked}\n"),
@@ -95,7 +99,7 @@ fn tell(args: &Check, name: &str, checked: &Checked, marked: &str, report: &Repo
     };
     let faulty = checked.errors() > 0 || (args.strict && checked.warnings() > 0);
     let exit = written(&text, "report", if faulty { Exit::Failed } else { Exit::Done }, report);
-    if let Some(path) = &args.mark {
+    if let Some((path, marked)) = args.mark.as_ref().zip(marked) {
         if let Err(error) = output::to_file(path, marked.as_bytes(), "marked page") {
             report.error(&path.display().to_string(), &format!("{error:#}"));
             return Exit::Failed;

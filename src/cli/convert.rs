@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use tactograph::{
-    Drawing, Error, Note, Options, Page, Profile, RenderOptions, convert, convert_to_sheets, profile_of_page, render,
+    Drawing, Error, Note, Options, Page, PageOptions, Profile, RenderOptions, convert, convert_to_sheets, render,
 };
 
 use super::args::{Chosen, Convert, Corrections, GivenLabels};
@@ -174,7 +174,7 @@ impl PagesOfPicture {
         let (notes, pages) = match drawn {
             // a page that is saved into a watched directory was changed by somebody
             Err(Error::IsAPage) if session.is_some() => {
-                let own = profile_of_page(bytes)?;
+                let own = Profile::of_page(bytes)?;
                 let rendering = RenderOptions::new().key(given.labels.key());
                 let drawing = if options.profile().name == own.name {
                     render(bytes, &rendering)?
@@ -193,7 +193,8 @@ impl PagesOfPicture {
     fn written(self, args: &Convert, chosen: Chosen, timings: &Timings) -> Result<Made, Error> {
         let Self { title, pages, mut notes } = self;
         notes.extend(sheets::not_in(&pages, [Some(chosen.format), chosen.preview.map(Format::Drawing)]));
-        let describe = |page: &Page| tactograph::describe(page.to_svg(), None, None).map(|told| told.to_string());
+        let describe =
+            |page: &Page| tactograph::describe(page.to_svg(), &PageOptions::new()).map(|told| told.to_string());
         let description = match args.describe {
             true => Some(pages.iter().map(describe).collect::<Result<Vec<_>, _>>()?.join("\n")),
             false => None,

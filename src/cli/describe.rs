@@ -1,5 +1,7 @@
 //! `tactograph describe`: a page in, sentences out.
 
+use tactograph::PageOptions;
+
 use super::args::Describe;
 use super::report::{Exit, Report};
 use super::{input, output, places};
@@ -32,7 +34,8 @@ fn described(args: &Describe) -> anyhow::Result<String> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
     let other = input::other_than_svg(&args.page, "describe");
-    let description = match (tactograph::describe(bytes, None, args.lang.as_deref()), other) {
+    let options = args.lang.iter().fold(PageOptions::new(), PageOptions::language);
+    let description = match (tactograph::describe(bytes, &options), other) {
         (Err(error), Some(why)) if !matches!(error, tactograph::Error::NoSentences { .. }) => anyhow::bail!("{why}"),
         (description, _) => description?,
     };

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::bail;
+use tactograph::PageOptions;
 
 use super::args::Feel;
 use super::report::{Exit, Report};
@@ -62,7 +63,10 @@ fn one(args: &Feel, page: &Path, report: &Report) -> Exit {
 fn feel(args: &Feel, page: &Path) -> anyhow::Result<(String, Option<Vec<u8>>)> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(page, MOST_BYTES, &too_long)?;
-    let felt = match (tactograph::feel(bytes, args.finger), input::other_than_svg(page, "feel")) {
+    let felt = match (
+        tactograph::feel(bytes, &PageOptions::new().finger_mm(args.finger)),
+        input::other_than_svg(page, "feel"),
+    ) {
         (Err(_), Some(why)) => bail!("{why}"),
         (felt, _) => felt?,
     };

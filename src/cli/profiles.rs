@@ -21,9 +21,35 @@ fn listing(profiles: &[BuiltIn]) -> String {
     text
 }
 
+/// How the page of all keys begins, before what the library says of them.
+const HEAD: &str = "\
+# Every key of a profile
+
+A profile is a paper with all the numbers that a page for it needs. `tactograph profiles` lists those that come with the
+program, and `tactograph profiles show NAME` prints one. One value can be changed on the command line, such as
+`--set lines.width_max=1.2`. For [a profile of your own](own-profile.md), write a TOML file with what differs, and give
+its name to `--profile`:
+
+```toml
+inherits = \"swell-a4\"
+description = \"Thin lines\"
+
+[lines]
+width_max = 1.2
+```
+
+";
+
+/// Where to read on, and who made the page, as its last lines.
+const FOOT: &str = "\
+[README](../README.md) · [A profile of your own](own-profile.md) · [Embossers and pin displays](embossers.md)
+
+This page is what `tactograph profiles keys` prints. It is made from `src/profile/keys.rs` and `profiles/swell-a4.toml`.
+";
+
 /// Prints what there is to know of every key on standard output, as Markdown.
 pub(super) fn keys(report: &Report) -> Exit {
-    print(&Profile::manual(), report)
+    print(&format!("{HEAD}{}\n{FOOT}", Profile::manual()), report)
 }
 
 /// Prints a profile on standard output: a built-in one as it was written, with its comments and the range of every key;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use serde_json::{Value, json};
-use tactograph::{Checked, Page, check};
+use tactograph::{Checked, Page, PageOptions, check};
 
 use super::places::{self, Job};
 use super::{output, panics};
@@ -104,7 +104,7 @@ impl Record {
 /// What `tactograph check` says of a page, as it says it with `--format json`, with the page's title.
 pub(super) fn checked(page: &Page) -> Value {
     let read = |checked: Checked| serde_json::from_str(&checked.to_json()).unwrap_or(Value::Null);
-    let mut sheet = match check(page.to_svg(), None) {
+    let mut sheet = match check(page.to_svg(), &PageOptions::new()) {
         Ok(checked) => read(checked),
         Err(error) => json!({ "verdict": null, "why": error.to_string() }),
     };

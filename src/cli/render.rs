@@ -1,6 +1,6 @@
 //! `tactograph render`: a page in, edited or not, the same page in any format out.
 
-use tactograph::{Page, Profile, RenderOptions, Value, language_of_page, profile_of_page};
+use tactograph::{Page, PageOptions, Profile, RenderOptions, Value, language_of_page};
 
 use super::args::Render;
 use super::dots;
@@ -64,7 +64,7 @@ fn read(
     let failed = |what: String| (Exit::Failed, vec![what]);
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long).map_err(|error| failed(format!("{error:#}")))?;
-    let own = profile_of_page(&bytes).map_err(|error| failed(error.to_string()))?;
+    let own = Profile::of_page(&bytes).map_err(|error| failed(error.to_string()))?;
     if other.is_none() {
         let (chosen, _) = args.writing.choose(Some(&args.output));
         let faults = dots::faults(chosen.format, &own, &args.embossing);
@@ -89,7 +89,7 @@ fn read(
 /// What is told of a page on which a check finds errors: what a person draws too near to something stays there. Its
 /// lines and areas have other numbers than in the file that was read, so places are told and no names.
 fn errors_left(page: &Page) -> Option<String> {
-    let checked = tactograph::check(page.to_svg(), None).ok()?;
+    let checked = tactograph::check(page.to_svg(), &PageOptions::new()).ok()?;
     let (errors, first) = (checked.errors(), checked.findings.first()?);
     (errors > 0).then(|| {
         let found = if errors == 1 { "1 error".to_owned() } else { format!("{errors} errors, such as") };

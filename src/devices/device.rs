@@ -19,7 +19,7 @@ pub struct Device {
     /// As its maker calls it.
     pub name: &'static str,
     /// How it takes dots.
-    pub family: Family,
+    pub(crate) family: Family,
     /// Widest sheet, mm.
     pub widest: f32,
     /// Longest sheet, mm.

@@ -1,14 +1,18 @@
 //! The devices.
 
 use super::device::{Device, Family, PIN, Paper};
+use crate::error::{self, Error};
 
 impl Device {
     /// All of them, in the order in which a list shows them.
     pub const ALL: &'static [Self] = DEVICES;
 
-    /// The device with this id.
-    pub fn named(id: &str) -> Option<&'static Self> {
-        Self::ALL.iter().find(|device| device.id == id)
+    /// The device with this id, such as `index-basic-d-v4`.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the ids that there are.
+    pub fn named(id: &str) -> Result<&'static Self, Error> {
+        error::named(id, "device", Self::ALL, |device| device.id)
     }
 }
 

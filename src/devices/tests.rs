@@ -17,10 +17,11 @@ fn size(grid: &Grid) -> (usize, usize) {
 fn ids_are_different_and_found() {
     for (i, device) in Device::ALL.iter().enumerate() {
         assert!(Device::ALL[..i].iter().all(|other| other.id != device.id), "{}", device.id);
-        assert_eq!(Device::named(device.id), Some(device));
+        assert_eq!(Device::named(device.id), Ok(device));
         assert!(device.id.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-'));
     }
-    assert_eq!(Device::named("index"), None);
+    let refused = Device::named("index").expect_err("it is none").to_string();
+    assert!(refused.contains("no device called \"index\"") && refused.contains("index-basic-d-v4"), "{refused}");
 }
 
 /// Every device, on its largest sheet, on a small one and on one between, with each of its pitches.
@@ -87,7 +88,7 @@ fn the_stylus_of_a_braillerap_reaches_what_its_program_says() {
         ("braillerap-xl", [210.0, 297.0], [208.4, 250.0]),
         ("braillerap-xl", [297.0, 420.0], [295.4, 373.0]),
     ] {
-        let room = Device::named(id).and_then(|device| device.dot_area(sheet, 2.4).ok());
+        let room = Device::named(id).ok().and_then(|device| device.dot_area(sheet, 2.4).ok());
         let bounds = room.expect("room").bounds();
         let size = [bounds.width(), bounds.height()];
         assert!((0..2).all(|i| (size[i] - want[i]).abs() < 1e-3), "{id}: {size:?}");

@@ -46,17 +46,12 @@ type Coloured = BTreeMap<(u8, u8, u8), (usize, MmRect)>;
 /// What reaches no farther beyond the sheet than this lies on it, mm: frames of other programs lie on its edge.
 const ON_EDGE: f32 = 0.5;
 
+#[derive(Default)]
 struct Seen {
     colours: Coloured,
     sheet: MmRect,
     /// What reaches beyond the sheet.
     beyond: Vec<FoundBreach>,
-}
-
-impl Default for Seen {
-    fn default() -> Self {
-        Self { colours: Coloured::default(), sheet: MmRect::zero(), beyond: Vec::new() }
-    }
 }
 
 impl Seen {

@@ -47,6 +47,7 @@ use std::collections::BTreeMap;
 use usvg::Tree;
 use usvg::roxmltree::Document;
 
+use crate::Error;
 use crate::listing::and_more;
 use crate::page::{InSet, Names, Page};
 use crate::reading::Reading;
@@ -66,16 +67,25 @@ pub struct Drawn<'a> {
 
 impl<'a> Drawn<'a> {
     /// Holds the SVG of a page against the rules, and the page that was read from it.
-    /// Where `render` puts a breach right, it is told as a warning.
-    pub fn check(&self, read: &Reading, limits: &RuleLimits, felt: Fingertip<'_>) -> Checked {
+    /// Where `render` puts a breach right, it is told as a warning. `go_on` is asked between the kinds of rules.
+    ///
+    /// # Errors
+    /// Those of `go_on`.
+    pub fn check(
+        &self,
+        read: &Reading,
+        limits: &RuleLimits,
+        felt: Fingertip<'_>,
+        go_on: &dyn Fn() -> Result<(), Error>,
+    ) -> Result<Checked, Error> {
         let page = &read.page;
-        let mut found = found(page, &read.names, limits);
+        let mut found = found(page, &read.names, limits, go_on)?;
         found.extend(drawn::findings(self.document, self.tree, &read.texts, limits));
         // dots of a device are pressed one by one, whatever is drawn
         if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
             found.extend(ink::blocks(self.tree));
         }
-        checked((found, self.render), page, &read.names.rows, limits, felt)
+        Ok(checked((found, self.render), page, &read.names.rows, limits, felt))
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
@@ -120,7 +130,9 @@ const MOST_TOLD: usize = 5;
 pub fn check(page: &Page, limits: &RuleLimits, felt: Option<&Report>) -> Checked {
     let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
     let names = Names::of(page);
-    checked((found(page, &names, limits), Render::LeavesAsItIs), page, &names.rows, limits, felt)
+    // who is never asked whether to go on refuses nothing
+    let found = found(page, &names, limits, &|| Ok(())).unwrap_or_default();
+    checked((found, Render::LeavesAsItIs), page, &names.rows, limits, felt)
 }
 
 /// What was found, and what `render` makes of it. `rows` are the lines of the file in which objects stand.
@@ -136,15 +148,25 @@ fn checked(
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
 
-fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
+/// All breaches of the rules over marks; `go_on` is asked between the kinds of rules.
+fn found(
+    page: &Page,
+    names: &Names,
+    limits: &RuleLimits,
+    go_on: &dyn Fn() -> Result<(), Error>,
+) -> Result<Vec<FoundBreach>, Error> {
+    go_on()?;
     let (page, names, twins) = twins::merged(page.clone(), names);
     let (page, names) = (&page, &names);
     let felt = page.risen();
     let marks = marks::marks_of(&felt);
     let mut found = twins;
+    go_on()?;
     found.extend(areas::findings(&felt, names, &marks, limits));
     found.extend(areas::black(page, limits));
+    go_on()?;
     found.extend(spaces::findings(&felt, names, &marks, limits));
+    go_on()?;
     let is_part = matches!(InSet::of(page), Some(InSet::One(..)));
     let window = is_part.then_some(page.figure.place);
     found.extend(strokes::findings(&felt.figure.lines, &names.lines, window, &page.medium, limits));
@@ -153,10 +175,14 @@ fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
     }
     let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
     let index = paths.index(CELL);
+    go_on()?;
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
+    go_on()?;
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));
+    go_on()?;
     found.extend(leaders::findings(&felt, names, &paths, &index));
     found.extend(overview::left_out(page));
-    found
+    go_on()?;
+    Ok(found)
 }

@@ -37,8 +37,9 @@ impl Embossing {
     }
 }
 
-/// The files of pages that belong together and are called `title`: one where the format holds them all, else one a
-/// page.
+/// The files of pages that belong together: one where the format holds them all, else one a page. `title` is what they
+/// are called as a whole, such as [`Options::document_title`](crate::Options::document_title). Only a PEF that holds
+/// them all says it; files of one page say that page's own title, and the other formats have no place for words.
 ///
 /// # Errors
 /// [`Error::NoPages`] without pages; [`Error::CannotPress`] if a page is not one of dots, pages are for different

@@ -1,6 +1,7 @@
 //! The formats that pages are written in: drawings of the marks, and files that hold dots and nothing else.
 
 use crate::devices::{Device, Family};
+use crate::error::{self, Error};
 
 /// A format of pages. There are these two kinds and no more: it is matched to choose the writer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -56,9 +57,12 @@ impl DrawingFormat {
         }
     }
 
-    /// The format of this name in lower case; none if there is none.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
+    /// The format of this name in lower case.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        error::named(name, "format of drawings", Self::ALL, Self::name)
     }
 }
 
@@ -79,9 +83,12 @@ impl DotFormat {
         }
     }
 
-    /// The format of this name in lower case; none if there is none.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
+    /// The format of this name in lower case.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        error::named(name, "format of dots", Self::ALL, Self::name)
     }
 
     /// How the names of its files end, without the point.
@@ -160,9 +167,12 @@ impl Format {
         }
     }
 
-    /// The format of this name in lower case; none if there is none.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
+    /// The format of this name in lower case.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        error::named(name, "format of pages", Self::ALL, Self::name)
     }
 
     /// How the names of its files end, without the point.

@@ -14,7 +14,7 @@ use resvg::usvg::fontdb::Database;
 use super::png_file::{self, PngFile};
 use super::svg;
 use super::text::origin_lines;
-use crate::Error;
+use crate::error::{self, Error};
 use crate::page::Page;
 use crate::units::Size;
 
@@ -73,9 +73,12 @@ impl Depth {
         }
     }
 
-    /// The one of this name; none if there is none.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|depth| depth.name() == name)
+    /// The one of this name.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        error::named(name, "depth of a picture", Self::ALL, Self::name)
     }
 }
 

@@ -17,7 +17,7 @@ use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{draw_overview, seen_in_figure, told_of_few, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
-use super::request::{Fit, LayoutOf, OverviewSize, Request};
+use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{draw_textures, told_bare};
@@ -33,9 +33,6 @@ use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
-
-/// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
-const MIN_PIXELS: u32 = 8;
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct DrawnMarks {
@@ -317,14 +314,6 @@ pub(super) fn working_size(source: Header, layout_of: &LayoutOf<'_>, fit: &Fit, 
         if is_drawing { wanted } else { wanted.min(own) }
     };
     Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
-}
-
-pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
-    if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
-        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
-        return Err(Error::TooSmall { size, why });
-    }
-    Ok(())
 }
 
 /// What becomes of the lines of a figure.

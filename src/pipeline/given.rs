@@ -3,11 +3,13 @@
 use super::decisions::Decisions;
 use super::hand_lines::{HandLines, added, index_of_edges, outside, without};
 use super::label::Position;
+use super::request::enough_pixels;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
+use crate::raster::decode;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
 use crate::{Error, Note};
@@ -44,6 +46,22 @@ pub enum GivenLines {
     Vectors(HandLines),
     /// A picture of them, black on white: the bytes of its file.
     Picture(Vec<u8>),
+}
+
+impl GivenLines {
+    /// A picture of them, of which the header can be read.
+    ///
+    /// # Errors
+    /// [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], and [`Error::TooSmall`] where there are too
+    /// few pixels. What it may cost is a matter of [`Request::limits`](super::Request::limits).
+    pub fn picture(bytes: &[u8]) -> Result<Self, Error> {
+        match decode::look_at(bytes, &|header| enough_pixels(header.size)) {
+            Ok(()) | Err(Error::TooManyPixels { .. } | Error::TooMuchMemory { .. } | Error::UnpacksTooFar { .. }) => {
+                Ok(Self::Picture(bytes.to_vec()))
+            }
+            Err(other) => Err(other),
+        }
+    }
 }
 
 impl Given {

@@ -22,7 +22,7 @@ use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
-use crate::{Error, Note};
+use crate::{Error, Note, error};
 
 /// When there is a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -49,9 +49,12 @@ impl KeySheets {
         }
     }
 
-    /// The one of this name; none if there is none.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|sheets| sheets.name() == name)
+    /// The one of this name.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchName`] with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        error::named(name, "choice of keys", Self::ALL, Self::name)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use crate::Error;
-use crate::units::{MmPoint, MmRect, Size};
+use crate::units::{MmPoint, MmRect, Size, WrittenUnit, number_and_unit};
 
 /// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
 pub(super) const CLEARANCE: f32 = 3.0;
@@ -32,17 +32,18 @@ pub enum Position {
 impl FromStr for Position {
     type Err = Error;
 
-    /// From "30%" or "412.5".
+    /// From "30%", "412.5" or "412.5px".
     ///
     /// # Errors
-    /// [`Error::NotAPosition`] if it is no number.
+    /// [`Error::NotAPosition`] if it is no number, or one of mm.
     fn from_str(text: &str) -> Result<Self, Error> {
-        let (number, position): (&str, fn(f32) -> Self) = match text.strip_suffix('%') {
-            Some(number) => (number.trim_end(), Self::Percent),
-            None => (text, Self::Pixels),
-        };
-        let number = number.parse().ok().filter(|number: &f32| number.is_finite());
-        number.map(position).ok_or(Error::NotAPosition)
+        let (number, unit) = number_and_unit(text);
+        let number = number.parse().ok().filter(|number: &f32| number.is_finite()).ok_or(Error::NotAPosition)?;
+        match unit {
+            WrittenUnit::Percent => Ok(Self::Percent(number)),
+            WrittenUnit::Pixels => Ok(Self::Pixels(number)),
+            WrittenUnit::Mm => Err(Error::NotAPosition),
+        }
     }
 }
 
@@ -81,7 +82,7 @@ impl Label {
     /// are parted by semicolons or tabs; a text may stand in quotation marks, with two for one.
     ///
     /// # Errors
-    /// Everything that is wrong, each with its line.
+    /// [`Error::NotLabels`] with everything that is wrong, each with its line.
     pub fn from_csv(text: &str) -> Result<Vec<Self>, Error> {
         let (mut labels, mut faults) = (Vec::new(), Vec::new());
         let rows = (1..).zip(text.trim_start_matches('\u{feff}').lines()).filter(|(_, row)| !row.trim().is_empty());
@@ -156,6 +157,9 @@ mod tests {
         for text in ["30%", "0.5%", "412.5", "-7"] {
             assert_eq!(text.parse::<Position>().map(|position| position.to_string()), Ok(text.to_owned()));
         }
+        assert_eq!(" 30 % ".parse(), Ok(Position::Percent(30.0)));
+        assert_eq!("412.5 px".parse(), Ok(Position::Pixels(412.5)));
+        assert_eq!("12mm".parse::<Position>(), Err(Error::NotAPosition));
     }
 
     #[test]

@@ -87,6 +87,19 @@ impl Fit {
     }
 }
 
+/// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
+const MIN_PIXELS: u32 = 8;
+
+/// # Errors
+/// [`Error::TooSmall`] if a picture of this size has too few pixels for a contour.
+pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
+    if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
+        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
+        return Err(Error::TooSmall { size, why });
+    }
+    Ok(())
+}
+
 /// How many times as large as the profile asks for the overview of a photograph is. At 0.5 of the figure it agrees with
 /// what people outline to an F of .55, at 0.4 of .53 (`docs/photographs.md`), and one hand still covers it: 85 mm of a
 /// figure as wide as an A4 sheet.

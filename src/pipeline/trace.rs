@@ -1,13 +1,13 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{Contours, FigureLines, contours_of, draw_lines, enough_pixels, lines_of, overview_of, working_size};
+use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of, working_size};
 use super::find_edges::edges_of;
 use super::given::Given;
 use super::joined_bars;
 use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
-use super::request::{Fit, OverviewSize, Request};
+use super::request::{Fit, OverviewSize, Request, enough_pixels};
 use super::told_lines::told_left_out;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
@@ -34,7 +34,8 @@ pub struct Traced {
 #[must_use]
 pub struct Tracing {
     target: Target,
-    thresholds: Option<Thresholds>,
+    /// Down to which strength a contour goes on, and which it has somewhere.
+    thresholds: Option<[f32; 2]>,
 }
 
 /// What becomes data.
@@ -63,30 +64,25 @@ impl Tracing {
         Self { target: Target::Lines, thresholds: None }
     }
 
-    /// Which contours are strong enough. Default: `edges.low` and `edges.high` of the profile; at full resolution 3.5
-    /// and 5. Widths of lines stay as the profile has them.
-    pub fn thresholds(self, thresholds: Thresholds) -> Self {
-        Self { thresholds: Some(thresholds), ..self }
-    }
-}
-
-/// Which contours are strong enough. Strength is the height of the colour step, in units of lightness with the colour
-/// axes of CIELAB counted twice: black against white is 100.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Thresholds {
-    low: f32,
-    high: f32,
-}
-
-impl Thresholds {
-    /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere.
-    /// With 0 and 0 everything is kept that is long enough (at full resolution 6 pixels).
+    /// Which contours are strong enough: a contour goes on as long as it has the strength `low`, and is kept if it has
+    /// the strength `high` somewhere. Strength is the height of the colour step, in units of lightness with the colour
+    /// axes of CIELAB counted twice: black against white is 100. With 0 and 0 everything is kept that is long enough
+    /// (at full resolution 6 pixels). Default: `edges.low` and `edges.high` of the profile; at full resolution 3.5 and
+    /// 5. Widths of lines stay as the profile has them.
     ///
     /// # Errors
     /// [`Error::NoSuchThresholds`] unless 0 <= `low` <= `high` and both are finite.
-    pub fn new(low: f32, high: f32) -> Result<Self, Error> {
+    pub fn thresholds(self, low: f32, high: f32) -> Result<Self, Error> {
         let fit = 0.0 <= low && low <= high && high.is_finite();
-        fit.then_some(Self { low, high }).ok_or(Error::NoSuchThresholds { low, high })
+        fit.then_some(Self { thresholds: Some([low, high]), ..self }).ok_or(Error::NoSuchThresholds { low, high })
+    }
+
+    /// The last stage that it takes.
+    pub(crate) fn last_stage(&self) -> Stage {
+        match self.target {
+            Target::Contours | Target::ContoursAtFullResolution => Stage::Regions,
+            Target::Lines => Stage::Lines,
+        }
     }
 }
 
@@ -163,7 +159,7 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         Target::ContoursAtFullResolution => edges::Params::default(),
         Target::Contours | Target::Lines => plan.edges(px_per_mm),
     };
-    if let Some(Thresholds { low, high }) = tracing.thresholds {
+    if let Some([low, high]) = tracing.thresholds {
         (params.low, params.high) = (low, high);
     }
     let detail = match tracing.target {

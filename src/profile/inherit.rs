@@ -18,7 +18,7 @@ const MOST_MISSING: usize = 6;
 const MOST_TEXTS: usize = 16;
 
 /// Gives the text of a profile file that another inherits, by its path, or says why it cannot.
-pub type FindFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
+pub(super) type FindFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
 
 /// Whose text a profile is read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

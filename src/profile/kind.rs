@@ -181,7 +181,7 @@ impl Setting for Option<&'static Device> {
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
         match value {
             Value::Text(text) if text == PRINTED => Some(None),
-            Value::Text(text) => Device::named(text).map(Some),
+            Value::Text(text) => Device::named(text).ok().map(Some),
             Value::Switch(_) | Value::Number(_) => None,
         }
     }

@@ -5,22 +5,8 @@ use super::built_in::built_in;
 use super::keys::{KEYS, Key, Profile, section_docs};
 use super::unused;
 
+/// What holds for all keys.
 const HEAD: &str = "\
-# Every key of a profile
-
-A profile is a paper with all the numbers that a page for it needs. `tactograph profiles` lists those that come with the
-program, and `tactograph profiles show NAME` prints one. One value can be changed on the command line, such as
-`--set lines.width_max=1.2`. For [a profile of your own](own-profile.md), write a TOML file with what differs, and give
-its name to `--profile`:
-
-```toml
-inherits = \"swell-a4\"
-description = \"Thin lines\"
-
-[lines]
-width_max = 1.2
-```
-
 Lengths are in millimetres on the sheet. The defaults are those of the profile `swell-a4`, which the others inherit;
 what they change is listed at the end. A section with a key `on` can be switched as a whole: `overview = false`.
 
@@ -28,22 +14,16 @@ what they change is listed at the end. A section with a key `on` can be switched
 blind readers.
 ";
 
-/// Where to read on, and who made the page, as its last lines.
-const FOOT: &str = "\
-[README](../README.md) · [A profile of your own](own-profile.md) · [Embossers and pin displays](embossers.md)
-
-This page is what `tactograph profiles keys` prints. It is made from `src/profile/keys.rs` and `profiles/swell-a4.toml`.
-";
-
 impl Profile {
-    /// A page to read, as Markdown: for every key its unit, range, default, meaning and the reason of its default.
+    /// A text to read, as Markdown, with a section for each of a profile: of every key its unit, range, default,
+    /// meaning and the reason of its default; which keys do not count on every page; and what the built-in profiles
+    /// change.
     pub fn manual() -> String {
         write()
     }
 }
 
-/// The page, as Markdown.
-pub fn write() -> String {
+fn write() -> String {
     let default = &built_in()[0];
     let reasons = reasons(default.text);
     let values = Profile::named(default.name).ok();
@@ -68,7 +48,7 @@ pub fn write() -> String {
     page += "\n## Keys that do not count on every page\n\n\
              Who sets one of these is told so.\n";
     page += &unused::listing();
-    page + &differences(values.as_ref()) + "\n" + FOOT
+    page + &differences(values.as_ref())
 }
 
 /// A reason begins with the unit, which the table has told already.

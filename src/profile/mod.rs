@@ -11,7 +11,7 @@ mod fault;
 mod inherit;
 mod keys;
 mod kind;
-pub mod manual;
+mod manual;
 mod nearest;
 mod parse;
 mod plan;
@@ -23,7 +23,6 @@ mod unused;
 pub use built_in::{BuiltIn, built_in};
 pub use fault::Fault;
 pub(crate) use fault::faults_in_one_line;
-pub use inherit::FindFile;
 pub use keys::{
     BrailleSettings, ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, Key, LinesSettings, MarkSettings,
     OverviewSettings, PageSettings, PaletteSettings, PrintSettings, Profile, SheetsSettings, TexturesSettings,
@@ -83,7 +82,11 @@ impl Profile {
     /// # Errors
     /// As [`Profile::from_toml`], with the faults of the inherited files too; and files that inherit one another in a
     /// circle.
-    pub fn from_toml_with(text: &str, place: &str, find: &FindFile<'_>) -> Result<Self, Error> {
+    pub fn from_toml_with(
+        text: &str,
+        place: &str,
+        find: &dyn Fn(&str) -> Result<String, String>,
+    ) -> Result<Self, Error> {
         Ok(inherit::load(text, place, ProfileOrigin::File, find)?)
     }
 
@@ -119,7 +122,7 @@ impl Profile {
     /// value that stands there. What is missing, or of an unknown name, is that of the default profile; values that do
     /// not go together (of another version) all give way to those of the profile of that name. Also says what was not
     /// taken.
-    pub(crate) fn of_page(origin: &[(String, String)]) -> Result<(Self, Option<Note>), Error> {
+    pub(crate) fn of_origin(origin: &[(String, String)]) -> Result<(Self, Option<Note>), Error> {
         let value = |value: &str| value.trim_matches('"').to_owned();
         let name = origin.iter().find(|(known, _)| known == "profile").map(|(_, name)| value(name));
         let named = name.as_deref().and_then(|name| Self::named(name).ok());

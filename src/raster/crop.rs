@@ -4,7 +4,7 @@ use std::fmt::{Display, Formatter};
 use std::str::FromStr;
 
 use crate::Error;
-use crate::units::Size;
+use crate::units::{Size, WrittenUnit, number_and_unit};
 
 /// A part of a picture: where it begins, from the left and from the top, its width and its height. Each is in pixels,
 /// in percent or, for what is [erased](crate::Options::erase) or [kept](crate::Options::keep), in mm of the figure on
@@ -74,6 +74,11 @@ impl Crop {
         Self::of([left, top, width, height].map(Length::Mm))
     }
 
+    /// Whether any of it is in mm of the figure, so that it can be erased or kept and not be the part that is drawn.
+    pub fn is_in_mm(&self) -> bool {
+        self.0.iter().any(|length| matches!(length, Length::Mm(_)))
+    }
+
     fn of(lengths: [Length; 4]) -> Result<Self, Error> {
         let is_fine = lengths.iter().all(Length::is_in_range) && !lengths[2..].iter().any(Length::is_nothing);
         if is_fine { Ok(Self(lengths)) } else { Err(Error::NotACrop) }
@@ -97,7 +102,7 @@ impl Crop {
             let (start, end) = (start.round(), (start + length).round());
             (end > start && end <= whole).then_some((start as u32, (end - start) as u32))
         };
-        if self.0.iter().any(|length| matches!(length, Length::Mm(_))) {
+        if self.is_in_mm() {
             return Err(Error::PartInMm { part: self.to_string() });
         }
         match (along(x, width, size.width), along(y, height, size.height)) {
@@ -147,8 +152,7 @@ impl FromStr for Crop {
     /// # Errors
     /// [`Error::NotACrop`] for a text that says no part of a picture, or one that is empty.
     fn from_str(text: &str) -> Result<Self, Error> {
-        let lengths: Vec<Length> =
-            text.split(',').map(|text| length(text.trim())).collect::<Option<_>>().ok_or(Error::NotACrop)?;
+        let lengths: Vec<Length> = text.split(',').map(length).collect::<Option<_>>().ok_or(Error::NotACrop)?;
         Self::of(lengths.try_into().map_err(|_| Error::NotACrop)?)
     }
 }
@@ -171,12 +175,11 @@ impl Length {
 }
 
 fn length(text: &str) -> Option<Length> {
-    if let Some(mm) = text.strip_suffix("mm") {
-        return mm.trim().parse().ok().map(Length::Mm);
-    }
-    match text.strip_suffix('%') {
-        Some(percent) => percent.trim().parse().ok().map(Length::Percent),
-        None => text.strip_suffix("px").unwrap_or(text).trim().parse().ok().map(Length::Pixels),
+    let (number, unit) = number_and_unit(text);
+    match unit {
+        WrittenUnit::Pixels => number.parse().ok().map(Length::Pixels),
+        WrittenUnit::Percent => number.parse().ok().map(Length::Percent),
+        WrittenUnit::Mm => number.parse().ok().map(Length::Mm),
     }
 }
 

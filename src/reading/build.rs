@@ -3,7 +3,7 @@
 use resvg::tiny_skia::{Point, Transform};
 
 use super::areas::{self, DrawnArea};
-use super::document::{Elements, numbers};
+use super::document::{Elements, not_a_page, numbers};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes};
 use super::names::{self, Name};
@@ -117,13 +117,13 @@ fn medium(words: &PageWords, sheet: [f32; 2]) -> Result<Medium, Error> {
             max_black: words.number("print.max_black").unwrap_or(0.0).max(0.0),
         })),
         Some(id) => {
-            let found = Device::named(id).and_then(|device| {
+            let found = Device::named(id).ok().and_then(|device| {
                 let pitch = device.pitches().find(words.number("dots.pitch")?)?;
                 DotMedium::on(device, pitch, sheet)
             });
-            found.map(Medium::Dots).ok_or(Error::NotAPage(
-                "it is a page of dots for a device that is not known, or that does not take its sheet",
-            ))
+            found.map(Medium::Dots).ok_or_else(|| {
+                not_a_page("it is a page of dots for a device that is not known, or that does not take its sheet")
+            })
         }
     }
 }

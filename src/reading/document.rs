@@ -20,25 +20,31 @@ const MOST_CLONES: usize = 20;
 /// Most digits before the point of a place or a length on a page: ten kilometres in mm.
 const MOST_DIGITS: usize = 7;
 
+/// What is told of what is no page, for this reason.
+pub(super) fn not_a_page(why: &'static str) -> Error {
+    Error::NotAPage { why, remedy: "give the SVG of a page that tactograph made" }
+}
+
 /// The text of an SVG.
 ///
 /// # Errors
-/// If the bytes are plainly something else, which is called by its name.
-pub(super) fn text_of(bytes: &[u8]) -> Result<&str, Error> {
-    const OTHERS: [(&[u8], &str); 6] = [
-        (b"%PDF-", "it is a PDF, and pages are read from their SVG"),
-        (b"\x89PNG\r\n\x1a\n", "it is a PNG picture, and pages are read from their SVG"),
-        (b"\xff\xd8\xff", "it is a JPEG picture"),
-        (b"RIFF", "it is a WebP picture"),
-        (b"GIF8", "it is a GIF picture"),
-        (b"\x1f\x8b", "it is compressed with gzip: unpack it first"),
+/// [`Error::NotAPage`] if the bytes are plainly something else, which is called by its name.
+pub fn text_of(bytes: &[u8]) -> Result<&str, Error> {
+    const OF_A_PICTURE: &str = "give the SVG of the page, or convert the picture to a page.svg";
+    const OTHERS: [(&[u8], &str, &str); 6] = [
+        (b"%PDF-", "it is a PDF, and pages are read from their SVG", OF_A_PICTURE),
+        (b"\x89PNG\r\n\x1a\n", "it is a PNG picture, and pages are read from their SVG", OF_A_PICTURE),
+        (b"\xff\xd8\xff", "it is a JPEG picture", OF_A_PICTURE),
+        (b"RIFF", "it is a WebP picture", OF_A_PICTURE),
+        (b"GIF8", "it is a GIF picture", OF_A_PICTURE),
+        (b"\x1f\x8b", "it is compressed with gzip", "unpack it first"),
     ];
-    if let Some((_, what)) = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
-        return Err(Error::NotAPage(what));
+    if let Some((_, why, remedy)) = OTHERS.iter().find(|(magic, ..)| bytes.starts_with(magic)) {
+        return Err(Error::NotAPage { why, remedy });
     }
-    let text = std::str::from_utf8(bytes).map_err(|_| Error::NotAPage("it is no text in UTF-8"))?;
+    let text = std::str::from_utf8(bytes).map_err(|_| not_a_page("it is no text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
-    if text.trim_start().starts_with('<') { Ok(text) } else { Err(Error::NotAPage("it is no SVG")) }
+    if text.trim_start().starts_with('<') { Ok(text) } else { Err(not_a_page("it is no SVG")) }
 }
 
 pub(super) fn undecodable(why: String) -> Error {

@@ -41,6 +41,7 @@ use build::Built;
 use document::Elements;
 
 pub use areas::DrawnArea;
+pub use document::text_of;
 pub use print::{is_light, is_print_words};
 pub use typed::{TypedText, is_braille, is_written};
 
@@ -110,7 +111,7 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let document = document::parse(&text)?;
     let elements = Elements::of(&document);
     if needs_layers && !elements.has_layer() {
-        return Err(Error::NotAPage("it has none of the layers of a page, such as lines or figure"));
+        return Err(document::not_a_page("it has none of the layers of a page, such as lines or figure"));
     }
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
@@ -120,7 +121,8 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let round = |px: f32| (f64::from(px * MM_PER_CSS_PX) * 1000.0).round() as f32 / 1000.0;
     let sheet = [round(tree.size().width()), round(tree.size().height())];
     if !sheet.iter().all(|side| (LEAST_SHEET..=LARGEST_SHEET).contains(side)) {
-        return Err(Error::NotAPage("its sheet is smaller than 5 mm or larger than 2500 mm; check its size in mm"));
+        let why = "its sheet is smaller than 5 mm or larger than 2500 mm";
+        return Err(Error::NotAPage { why, remedy: "check its size in mm" });
     }
     let words = words::of(&document);
     let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);

@@ -50,25 +50,44 @@ impl Ink {
     /// Draws the figure of a page.
     ///
     /// # Errors
-    /// If the text is no SVG, or has no group with the id of a figure or a texture, or is too large.
+    /// [`Error::Undecodable`] if the text is no SVG, [`Error::NotAPage`] if it has no group with the id of a figure or
+    /// of a texture, [`Error::TooLargeToFeel`].
     pub fn of(svg: &str) -> Result<Self, Error> {
-        let document = checked_document(svg).map_err(Error::NotASvgPage)?;
+        Self::of_page(svg, &|| Ok(()))
+    }
+
+    /// As [`Ink::of`]; `go_on` is asked before each texture.
+    ///
+    /// # Errors
+    /// As [`Ink::of`], and those of `go_on`.
+    pub fn of_page(svg: &str, go_on: &dyn Fn() -> Result<(), Error>) -> Result<Self, Error> {
+        let document = checked_document(svg).map_err(undecodable)?;
         let names: Vec<(Class, String)> = Class::ALL.map(|class| (class, format!("texture-{}", class.name()))).into();
         let group = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
         let present: Vec<(&(Class, String), Node<'_, '_>)> =
             names.iter().filter_map(|name| Some((name, group(&name.1)?))).collect();
         if present.is_empty() && group(FIGURE).is_none() {
-            return Err(Error::NoFigure);
+            return Err(Error::NotAPage {
+                why: "it has no group with the id figure or texture-blue (-green, -yellow, -red, -grey)",
+                remedy: "give a page that tactograph made",
+            });
         }
         let stated = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(Sign::named);
         let signs: Vec<(Class, Option<Sign>)> = present.iter().map(|(name, layer)| (name.0, stated(layer))).collect();
+        go_on()?;
         let lines = tree(&only(svg, &document, LINES))?;
         let trees = present
             .iter()
-            .map(|((class, id), _)| Ok((*class, tree(&only(svg, &document, id))?)))
+            .map(|((class, id), _)| {
+                go_on()?;
+                Ok((*class, tree(&only(svg, &document, id))?))
+            })
             .collect::<Result<Vec<_>, Error>>()?;
         let area = area(trees.iter().map(|(_, tree)| tree).chain([&lines]))?;
-        let textures = trees.iter().map(|(class, tree)| Ok((*class, draw(tree, area)?)));
+        let textures = trees.iter().map(|(class, tree)| {
+            go_on()?;
+            Ok((*class, draw(tree, area)?))
+        });
         let textures = textures.collect::<Result<_, Error>>()?;
         Ok(Self { area, textures, signs: Signs::of_layers(&signs), lines: draw(&lines, area)? })
     }
@@ -114,7 +133,11 @@ fn only(svg: &str, document: &Document<'_>, id: &str) -> String {
 fn tree(svg: &str) -> Result<Tree, Error> {
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    Tree::from_str(svg, &options).map_err(|fault| Error::NotASvgPage(fault.to_string().replace(['\n', '\r'], " ")))
+    Tree::from_str(svg, &options).map_err(|fault| undecodable(fault.to_string()))
+}
+
+fn undecodable(why: String) -> Error {
+    Error::Undecodable { format: "SVG", why: why.replace(['\n', '\r'], " ") }
 }
 
 /// All ink of the trees with blank around it; the sheet where there is none.

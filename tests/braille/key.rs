@@ -140,6 +140,6 @@ fn a_key_of_words_alone_is_no_empty_page() {
     let labels = vec![at(80.0, "a very large fir tree"), at(81.0, "twig")];
     let key = convert(&samples::read("landscape.svg"), &plain.labels(labels)).expect("a page").key;
     assert_eq!(key.len(), 1);
-    let checked = tactograph::check(key[0].to_svg(), None).expect("it can be read");
+    let checked = tactograph::check(key[0].to_svg(), &tactograph::PageOptions::new()).expect("it can be read");
     assert!(checked.findings.iter().all(|finding| finding.rule.id != "empty"), "{checked}");
 }

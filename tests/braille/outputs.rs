@@ -8,8 +8,8 @@ use tactograph::internals::braille::CellSize;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::marks::TextRole;
 use tactograph::{
-    Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, Position, Profile, check, convert,
-    write_dots,
+    Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, PageOptions, Position, Profile,
+    check, convert, write_dots,
 };
 
 const TITLE: &str = "Trees, 12 of them";
@@ -138,14 +138,14 @@ fn has(checked: &Checked, rule: &str, words: &str) -> bool {
 fn faults_of_braille_are_found() {
     let drawing = drawn("swell-a4", &[]);
     let svg = drawing.page.to_svg();
-    let good = check(&svg, None).expect("it can be read");
+    let good = check(&svg, &PageOptions::new()).expect("it can be read");
     for rule in ["braille-gap", "braille-cell"] {
         assert!(!has(&good, rule, ""), "{good}");
     }
     let with = |id: &str, transform: &str| {
         let changed = svg.replacen(&format!("id=\"{id}\""), &format!("id=\"{id}\" transform=\"{transform}\""), 1);
         assert_ne!(svg, changed, "{id}");
-        check(changed, None).expect("it can be read")
+        check(changed, &PageOptions::new()).expect("it can be read")
     };
     let label = drawing.page.braille.iter().find(|text| text.text == "pond").expect("a label");
     let (at, line) = (label.dots.at[0], &drawing.page.figure.lines[0].runs[0].points);
@@ -164,7 +164,7 @@ fn faults_of_braille_are_found() {
     let title = svg.find("braille-title-1").expect("the title");
     let dot = title + svg[title..].find(" d=\"M").expect("its dots") + 4;
     let end = dot + svg[dot + 1..].find('M').expect("a second dot") + 1;
-    let lost = check([&svg[..dot], &svg[end..]].concat(), None).expect("it can be read");
+    let lost = check([&svg[..dot], &svg[end..]].concat(), &PageOptions::new()).expect("it can be read");
     assert!(has(&lost, "braille-cell", "the title has"), "{lost}");
 }
 
@@ -201,7 +201,7 @@ fn sheets_have_their_numbers() {
     let options = Options::new(Profile::named("swell-a4").expect("built in")).page_number(7);
     let page = convert(&samples::read("bars.svg"), &options).expect("a page").page;
     assert_eq!(page.braille.iter().map(|text| text.text.as_str()).collect::<Vec<_>>(), ["7"]);
-    assert!(check(page.to_svg(), None).expect("read").errors() == 0);
+    assert!(check(page.to_svg(), &PageOptions::new()).expect("read").errors() == 0);
 }
 
 /// A title that has no room in the middle of a row beside the page number begins on the left.
@@ -217,7 +217,7 @@ fn a_title_has_room_beside_the_page_number_of_a_display() {
     let side = |dots: &[MmPoint], of: fn(f32, f32) -> f32| dots.iter().map(|at| at.x).reduce(of).expect("dots");
     let between = side(&number.dots.at, f32::min) - side(&title.dots.at, f32::max);
     assert!(between > 3.0 * CellSize::MARBURG.cell, "{between} mm");
-    assert_eq!(check(drawing.page.to_svg(), None).expect("read").errors(), 0);
+    assert_eq!(check(drawing.page.to_svg(), &PageOptions::new()).expect("read").errors(), 0);
 }
 
 /// In PEF title and key stand in front of the pages of dots as text, as wide as these at most.

@@ -1,14 +1,14 @@
 //! Faults are found, each by its rule and in its place: on pages that somebody changed, and on drawings from elsewhere.
 
 use crate::common::page;
-use tactograph::{Checked, check};
+use tactograph::{Checked, PageOptions, check};
 
 /// The page of a sample as its maker left it, with one thing changed.
 fn changed(sample: &str, change: impl Fn(String) -> String) -> Checked {
     let svg = page::of_sample(sample, "swell-a4").page.to_svg();
     let with = change(svg.clone());
     assert_ne!(svg, with, "nothing was changed");
-    check(with, None).expect("it can be read")
+    check(with, &PageOptions::new()).expect("it can be read")
 }
 
 fn has(checked: &Checked, rule: &str, words: &str) -> bool {
@@ -32,7 +32,7 @@ fn a_page_as_it_was_written_passes() {
         ("map.svg", "monarch"),
     ] {
         let svg = page::of_sample(sample, profile).page.to_svg();
-        let checked = check(svg, None).expect("it can be read");
+        let checked = check(svg, &PageOptions::new()).expect("it can be read");
         assert_eq!(checked.errors(), 0, "{sample} {profile}: {checked}");
     }
 }
@@ -142,7 +142,7 @@ fn what_render_mends_is_a_warning() {
     // by the numbers of another profile, render would have to be asked for that
     let svg = with_lines(page::of_sample("bars.svg", "swell-a4").page.to_svg(), thin);
     let other = tactograph::Profile::named("swell-a4").expect("it is built in");
-    let checked = check(svg, Some(&other)).expect("it can be read");
+    let checked = check(svg, &PageOptions::new().profile(other)).expect("it can be read");
     assert!(checked.to_string().contains("error line-width"), "{checked}");
     // words
     let typed = "<g id=\"labels-text\"><text x=\"60\" y=\"250\">Rain</text></g><text x=\"60\" y=\"99\">no</text>";
@@ -177,10 +177,10 @@ fn a_line_between_two_ends_keeps_them_apart() {
 #[test]
 fn rows_of_dots_are_not_broken_lines() {
     let svg = page::of_sample("coffee.png", "index-basic-d").page.to_svg();
-    let checked = check(svg, None).expect("it can be read");
+    let checked = check(svg, &PageOptions::new()).expect("it can be read");
     assert!(!has(&checked, "broken-line", "the two ends of"), "{checked}");
     let svg = page::of_sample("chart.svg", "index-basic-d").page.to_svg();
-    let checked = check(svg, None).expect("it can be read");
+    let checked = check(svg, &PageOptions::new()).expect("it can be read");
     assert!(!has(&checked, "broken-line", ""), "{checked}");
 }
 
@@ -202,7 +202,7 @@ const TRACING: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"180mm\"
 
 #[test]
 fn a_tracing_of_another_program_is_found_faulty() {
-    let checked = check(TRACING, None).expect("it is an SVG");
+    let checked = check(TRACING, &PageOptions::new()).expect("it is an SVG");
     for (rule, words) in [
         ("layers", "no page of tactograph"),
         ("line-width", "thinner than 0.75 mm"),
@@ -222,13 +222,14 @@ fn a_tracing_of_another_program_is_found_faulty() {
 #[test]
 fn what_is_no_drawing_is_refused() {
     for bytes in [&b"%PDF-1.7"[..], b"\x89PNG\r\n\x1a\n", b"", b"<html/>", b"<svg"] {
-        assert!(check(bytes, None).is_err(), "{bytes:?}");
+        assert!(check(bytes, &PageOptions::new()).is_err(), "{bytes:?}");
     }
 }
 
 #[test]
 fn the_verdict_is_weighted_by_area_and_says_what_was_not_judged() {
-    let checked = check(page::of_sample("coffee.png", "swell-a4").page.to_svg(), None).expect("it can be read");
+    let checked =
+        check(page::of_sample("coffee.png", "swell-a4").page.to_svg(), &PageOptions::new()).expect("it can be read");
     let textures = checked.verdict.textures.expect("it has textures");
     assert!(textures.judged < 0.25 && textures.right > 0.9, "{textures:?}");
     let told = checked.verdict.to_string();
@@ -256,7 +257,7 @@ fn findings_have_their_line_in_the_file() {
     let (before, after) = written.rsplit_once("</svg>").expect("its end");
     let edited = format!("{before}\n{by_hand}</svg>{after}");
     let row_of = |what: &str| 1 + edited[..edited.find(what).expect("it is there")].matches('\n').count() as u32;
-    let checked = check(&edited, None).expect("it can be read");
+    let checked = check(&edited, &PageOptions::new()).expect("it can be read");
     let line_of = |rule: &str, what: &str| {
         let found = checked.findings.iter().find(|found| found.rule.id == rule && found.what.contains(what));
         found.unwrap_or_else(|| panic!("{rule}: {checked}")).line
@@ -271,7 +272,7 @@ fn findings_have_their_line_in_the_file() {
 
 #[test]
 fn findings_are_data_too() {
-    let checked = check(TRACING, None).expect("it is an SVG");
+    let checked = check(TRACING, &PageOptions::new()).expect("it is an SVG");
     let json: serde_json::Value = serde_json::from_str(&checked.to_json()).expect("JSON");
     assert_eq!(json["errors"].as_u64(), Some(checked.errors() as u64));
     let finding = &json["findings"][0];
@@ -302,15 +303,17 @@ fn findings_are_data_too() {
 fn a_marked_page_is_the_page() {
     let near = "<path d=\"M60,250 L120,250\" stroke-width=\"1\"/><path d=\"M60,252 L120,252\" stroke-width=\"1\"/>";
     let svg = with_lines(page::of_sample("bars.svg", "swell-a4").page.to_svg(), near);
-    let (checked, marked) = tactograph::check_marked(&svg, None).expect("it can be read");
+    let checked = check(&svg, &PageOptions::new()).expect("it can be read");
+    let marked = checked.marked(&svg).expect("it can be read");
     assert!(marked.contains("id=\"findings\"") && marked.matches("<rect").count() > svg.matches("<rect").count());
-    let again = check(marked, None).expect("it can be read");
+    let again = check(marked, &PageOptions::new()).expect("it can be read");
     assert_eq!(again.findings, checked.findings);
 }
 
 #[test]
 fn a_large_shape_that_the_overview_lacks_is_told() {
-    let checked = check(page::of_sample("landscape.svg", "swell-a4").page.to_svg(), None).expect("it can be read");
+    let checked =
+        check(page::of_sample("landscape.svg", "swell-a4").page.to_svg(), &PageOptions::new()).expect("it can be read");
     assert!(!has(&checked, "overview-lacks", ""), "{checked}");
     let bare = changed("landscape.svg", |svg| {
         let (before, overview) = svg.split_once("id=\"overview\"").expect("it has an overview");

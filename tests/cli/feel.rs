@@ -62,14 +62,14 @@ fn a_map_is_written_where_it_is_asked_for() {
 fn what_cannot_be_felt_is_refused_in_one_line() {
     let place = Place::with_sea();
     place.put("photo.svg", b"\xff\xd8\xff\xe0");
-    let no_page = "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
+    let no_page = "this cannot be read as a page: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
                    -grey); give a page that tactograph made";
     place.refuses(&["feel", "sea.svg"], 1, &[&format!("sea.svg: {no_page}")]);
     place.refuses(&["feel", "none.svg"], 1, &["none.svg: there is no such file; check the name"]);
     place.refuses(
         &["feel", "photo.svg"],
         1,
-        &["photo.svg: this is a JPEG picture, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"],
+        &["photo.svg: this cannot be read as a page: it is a JPEG picture; give the SVG of the page, or convert the picture to a page.svg"],
     );
     let see = "see tactograph feel --help";
     place.refuses(&["feel"], 2, &[&format!("name a page to feel; {see}")]);

@@ -168,7 +168,7 @@ fn what_is_no_svg_is_named_when_it_is_felt() {
     ] {
         place.put(name, bytes);
         let line = format!(
-            "{name}: this is {what}, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"
+            "{name}: this cannot be read as a page: it is {what}, and pages are read from their SVG; give the SVG of the page, or convert the picture to a page.svg"
         );
         place.refuses(&["feel", name], 1, &[&line]);
     }

@@ -28,11 +28,18 @@ fn profiles_are_listed_and_shown() {
     }
 }
 
+/// The page about all keys is what the program says of them. `UPDATE=1` writes it anew.
 #[test]
 fn every_key_is_told_on_one_page() {
     let run = Place::new().run(&["profiles", "keys"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert_eq!(run.out, tactograph::internals::profile::manual::write());
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/profiles.md");
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, &run.out).expect("the page can be written");
+    }
+    let found = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(found == run.out, "docs/profiles.md is not up to date: cargo run -- profiles keys > docs/profiles.md");
+    assert!(run.out.contains(&tactograph::Profile::manual()));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use tactograph::felt::FINGERS;
+use tactograph::PageOptions;
 
 pub(super) const LONG_ABOUT: &str = "\
 Tells what a fingertip would feel of a page's textures: which colours are told right.
@@ -65,6 +65,7 @@ pub(in crate::cli) struct Feel {
 }
 
 fn finger(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok().filter(|number| FINGERS.contains(number));
-    number.ok_or_else(|| format!("give a number of millimetres from {} to {}", FINGERS.start(), FINGERS.end()))
+    let known = PageOptions::FINGERS;
+    let number = text.parse().ok().filter(|number| known.contains(number));
+    number.ok_or_else(|| format!("give a number of millimetres from {} to {}", known.start(), known.end()))
 }

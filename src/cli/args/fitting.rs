@@ -119,10 +119,7 @@ impl Fitting {
 /// is laid out.
 fn part(text: &str) -> Result<Crop, String> {
     let crop: Crop = text.parse().map_err(|error: Error| error.to_string())?;
-    match text.contains("mm") {
-        true => Err(Error::PartInMm { part: crop.to_string() }.to_string()),
-        false => Ok(crop),
-    }
+    if crop.is_in_mm() { Err(Error::PartInMm { part: crop.to_string() }.to_string()) } else { Ok(crop) }
 }
 
 fn width(text: &str) -> Result<f32, String> {

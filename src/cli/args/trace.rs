@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use tactograph::{Thresholds, Tracing};
+use tactograph::Tracing;
 
 use super::shared::Shared;
 
@@ -80,7 +80,7 @@ pub(in crate::cli) struct Trace {
     ///
     /// [default: edges.low,edges.high of the profile; with --full-resolution 3.5,5]
     #[arg(long, value_name = "LOW,HIGH", value_parser = thresholds, allow_hyphen_values = true)]
-    threshold: Option<Thresholds>,
+    threshold: Option<[f32; 2]>,
 
     /// Works on the picture's own pixels
     ///
@@ -111,7 +111,10 @@ impl Trace {
                 );
             }
         };
-        Ok(self.threshold.into_iter().fold(tracing, Tracing::thresholds))
+        match self.threshold {
+            Some([low, high]) => tracing.thresholds(low, high).map_err(|_| THRESHOLDS),
+            None => Ok(tracing),
+        }
     }
 }
 
@@ -125,9 +128,12 @@ enum Stage {
     Lines,
 }
 
-fn thresholds(text: &str) -> Result<Thresholds, String> {
+/// What is told of numbers that are no thresholds.
+const THRESHOLDS: &str = "give two numbers from 0 up, the first not above the second, such as 3,6";
+
+fn thresholds(text: &str) -> Result<[f32; 2], String> {
     let numbers =
-        text.split_once(',').and_then(|(low, high)| Some((low.trim().parse().ok()?, high.trim().parse().ok()?)));
-    let thresholds = numbers.and_then(|(low, high)| Thresholds::new(low, high).ok());
-    thresholds.ok_or_else(|| "give two numbers from 0 up, the first not above the second, such as 3,6".into())
+        text.split_once(',').and_then(|(low, high)| Some([low.trim().parse().ok()?, high.trim().parse().ok()?]));
+    let thresholds = numbers.filter(|&[low, high]| Tracing::contours().thresholds(low, high).is_ok());
+    thresholds.ok_or_else(|| THRESHOLDS.into())
 }

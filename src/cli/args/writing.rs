@@ -104,14 +104,14 @@ fn dpi(text: &str) -> Result<Dpi, String> {
 
 fn format() -> impl TypedValueParser<Value = Format> {
     let names = PossibleValuesParser::new(Format::ALL.map(Format::name));
-    names.try_map(|name| Format::named(&name).ok_or("no format"))
+    names.try_map(|name| Format::named(&name))
 }
 
 fn drawing() -> impl TypedValueParser<Value = DrawingFormat> {
     let drawings = Format::ALL.into_iter().filter(|format| matches!(format, Format::Drawing(_)));
     let names = PossibleValuesParser::new(drawings.map(Format::name).collect::<Vec<_>>());
     names.try_map(|name| match Format::named(&name) {
-        Some(Format::Drawing(format)) => Ok(format),
+        Ok(Format::Drawing(format)) => Ok(format),
         _ => Err("no format of drawings"),
     })
 }

@@ -15,14 +15,14 @@ fn extensions_lead_back_to_their_formats() {
 #[test]
 fn names_lead_back_to_their_formats() {
     for format in Format::ALL {
-        assert_eq!(Format::named(format.name()), Some(format));
+        assert_eq!(Format::named(format.name()), Ok(format));
     }
     for format in DotFormat::ALL {
-        assert_eq!(DotFormat::named(format.name()), Some(format));
-        assert_eq!(DrawingFormat::named(format.name()), None);
+        assert_eq!(DotFormat::named(format.name()), Ok(format));
+        assert!(DrawingFormat::named(format.name()).is_err());
     }
     for format in DrawingFormat::ALL {
-        assert_eq!(DrawingFormat::named(format.name()), Some(format));
+        assert_eq!(DrawingFormat::named(format.name()), Ok(format));
     }
 }
 

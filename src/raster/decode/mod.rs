@@ -60,6 +60,24 @@ pub fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Erro
     decoded.unwrap_or_else(|panic| Err(undecodable(format.name(), format!("its decoder failed ({panic})"))))
 }
 
+/// Reads a picture as far as its header, decodes nothing, and asks `is_fine` what is thought of it. The limits are the
+/// usual ones.
+///
+/// # Errors
+/// As [`decode`], for what the header tells; and what `is_fine` says.
+pub(crate) fn look_at(bytes: &[u8], is_fine: &dyn Fn(Header) -> Result<(), Error>) -> Result<(), Error> {
+    let seen = std::cell::Cell::new(false);
+    let stop = |header: Header| {
+        is_fine(header)?;
+        seen.set(true);
+        Err(Error::Cancelled) // the rest is not wanted
+    };
+    match decode(bytes, &DecodeOptions::whole(&stop)) {
+        Err(Error::Cancelled) if seen.get() => Ok(()),
+        other => other.map(drop),
+    }
+}
+
 /// # Errors
 /// If another page is asked for than the one that a picture is.
 fn check_page(page: Option<u32>) -> Result<(), Error> {

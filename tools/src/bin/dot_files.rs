@@ -51,7 +51,7 @@ fn main() -> Outcome<()> {
 
     // Pictures of a page of dots, for CUPS's own way from pictures to braille: A4 of a Basic-D V3 at 2.0 mm, and the generic
     // embosser of text, whose driver counts 74 x 108 dots.
-    let basic = Device::named("index-basic-d-v3").ok_or("no Basic-D V3")?;
+    let basic = Device::named("index-basic-d-v3")?;
     let params = index::Params::new(basic, [210.0, 297.0], 2.0, 1, 1).map_err(|all| all.join("\n"))?;
     let eight = [random.page(104, 144)];
     put("eight.png", &pixels::write(&eight[0], 2.0, false, &DocumentWords::default()))?;
@@ -113,7 +113,7 @@ fn main() -> Outcome<()> {
 fn index_cases(folder: &Path, random: &mut Random) -> Outcome<()> {
     let mut list = String::new();
     for (ppd, id, count) in MODELS {
-        let device = Device::named(id).ok_or(id)?;
+        let device = Device::named(id)?;
         for (page, sheet) in &PAGES[..count] {
             for pitch in [1.6, 2.0, 2.5] {
                 let (copies, impact) = (1 + random.below(3) as u16, 1 + random.below(3) as u8);

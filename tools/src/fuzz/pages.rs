@@ -1,7 +1,7 @@
 //! Pages, layers and lists that somebody else wrote, and files of dots.
 
 use tactograph::internals::output::dots::{DocumentWords, DotMatrix, brf, pef, text, ubrl};
-use tactograph::{Error, Format, Label, Options, Picture, Profile, RenderOptions};
+use tactograph::{Error, Format, Label, Options, PageOptions, Picture, Profile, RenderOptions};
 
 use super::is_clear;
 use crate::dot_reading as reading;
@@ -27,22 +27,23 @@ pub(super) fn page(bytes: &[u8]) {
                 .unwrap_or_else(|fault| panic!("what is written: {fault}"));
             assert!(again.page.to_svg() == svg, "a page changes when it is rendered twice");
             assert!(!drawing.page.to_pdf().is_empty());
-            if let Err(fault) = tactograph::describe(bytes, None, None) {
+            if let Err(fault) = tactograph::describe(bytes, &PageOptions::new()) {
                 is_clear(&fault);
             }
         }
         Err(fault) => is_clear(&fault),
     }
     for name in ["svg", "pdf", "png", "pef", "gcode"] {
-        let _ = Format::named(name).and_then(|format| format.is_as_written(bytes));
+        let _ = Format::named(name).is_ok_and(|format| format.is_as_written(bytes).is_some());
     }
 }
 
 /// A page, or any drawing, is held against the rules.
 pub(super) fn check(bytes: &[u8]) {
-    match tactograph::check_marked(bytes, None) {
-        Ok((checked, marked)) => {
+    match tactograph::check(bytes, &PageOptions::new()) {
+        Ok(checked) => {
             let told = checked.to_string();
+            let marked = checked.marked(bytes).unwrap_or_else(|fault| panic!("it was read before: {fault}"));
             assert!(!told.is_empty() && roxmltree_reads(&marked), "a marked page that is no XML");
         }
         Err(fault) => is_clear(&fault),

@@ -86,8 +86,8 @@ impl With {
             Input::Page => {
                 let drawing = tactograph::render(bytes, &RenderOptions::new()).map_err(said)?;
                 std::hint::black_box(drawing.page.to_pdf());
-                std::hint::black_box(tactograph::check(bytes, None).map_err(said)?);
-                std::hint::black_box(tactograph::describe(bytes, None, None).map_err(said)?);
+                std::hint::black_box(tactograph::check(bytes, &tactograph::PageOptions::new()).map_err(said)?);
+                std::hint::black_box(tactograph::describe(bytes, &tactograph::PageOptions::new()).map_err(said)?);
                 Ok(())
             }
             Input::Lines => convert(&self.picture, &self.options.clone().lines(bytes).map_err(said)?),

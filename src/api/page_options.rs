@@ -1,0 +1,114 @@
+//! How a page that was written, and perhaps changed, is looked at.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+use super::options::Cancelled;
+use crate::profile::{Plan, Profile};
+use crate::{Error, touch};
+
+/// How a page is [checked](crate::check), [described](crate::describe) or [felt](crate::feel). A builder, owned and
+/// cheap to clone as [`Options`](crate::Options); what is not set has a default.
+///
+/// ```
+/// use tactograph::{PageOptions, Profile};
+///
+/// let options = PageOptions::new().profile(Profile::named("swell-a3")?).language("de");
+/// # let _ = options;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+#[non_exhaustive]
+#[must_use]
+pub struct PageOptions {
+    pub(super) profile: Option<Profile>,
+    pub(super) language: Option<String>,
+    pub(super) finger: f32,
+    cancelled: Option<Arc<Cancelled>>,
+}
+
+/// Fingertip of most adults, mm: that by which a check judges textures.
+pub(super) const USUAL_FINGER: f32 = 1.0;
+
+impl PageOptions {
+    /// The fingertips that there are, mm: what [`PageOptions::finger_mm`] takes.
+    pub const FINGERS: RangeInclusive<f32> = touch::FINGERS;
+
+    /// The page by its own profile, in its own language, with a fingertip of 1 mm.
+    pub fn new() -> Self {
+        Self { profile: None, language: None, finger: USUAL_FINGER, cancelled: None }
+    }
+
+    /// Whose numbers a check, and the last sentence of a description, hold the page against. Default: those of the
+    /// profile that the page says it was made with; of a page of an unknown profile, and of a drawing, the first of
+    /// [`Profile::built_in`].
+    pub fn profile(mut self, profile: Profile) -> Self {
+        self.profile = Some(profile);
+        self
+    }
+
+    /// The language of a description as a tag of BCP 47, such as `de` or `de-CH`: one of
+    /// [`Description::languages`](crate::Description::languages), or [`describe`](crate::describe) gives
+    /// [`Error::NoSentences`]. Default: that of the page's own description.
+    pub fn language(mut self, tag: impl Into<String>) -> Self {
+        self.language = Some(tag.into());
+        self
+    }
+
+    /// The fingertip that feels the page, mm, one of [`PageOptions::FINGERS`], or [`feel`](crate::feel) gives
+    /// [`Error::NoSuchFinger`]. A check always takes the usual one. Default: 1.0.
+    pub fn finger_mm(mut self, finger: f32) -> Self {
+        self.finger = finger;
+        self
+    }
+
+    /// Is asked, from the calling thread, whether the result is still wanted: after the page is read, between the
+    /// textures that are felt, and between the kinds of rules. Once it is not, the work ends with [`Error::Cancelled`].
+    /// Default: it is always wanted.
+    ///
+    /// An A4 page takes 0.2 s, and the largest that can be felt (700 x 700 mm full of textures and lines) some 3 s. The
+    /// largest that is read at all, of five million points, takes some 20 s, of which up to 7 s pass between two
+    /// questions.
+    pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.cancelled = Some(Arc::new(asked));
+        self
+    }
+
+    /// Between two parts of the work: whether to go on.
+    ///
+    /// # Errors
+    /// If the caller has cancelled.
+    pub(super) fn go_on(&self) -> Result<(), Error> {
+        if self.cancelled.as_ref().is_some_and(|asked| asked()) { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
+    /// The plan of the profile that was asked for, or of the page's own.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] if it has faults.
+    pub(super) fn plan(&self, origin: &[(String, String)]) -> Result<Plan, Error> {
+        match &self.profile {
+            Some(profile) => Ok(Plan::new(profile)?),
+            None => Ok(Plan::new(&Profile::of_origin(origin)?.0)?),
+        }
+    }
+}
+
+impl Default for PageOptions {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl fmt::Debug for PageOptions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let profile = self.profile.as_ref().map(|profile| &profile.name);
+        let Self { language, finger, .. } = self;
+        f.debug_struct("PageOptions")
+            .field("profile", &profile)
+            .field("language", language)
+            .field("finger", finger)
+            .finish_non_exhaustive()
+    }
+}
