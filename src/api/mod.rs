@@ -41,8 +41,19 @@ use crate::{Error, calibration, reading};
 /// ```
 ///
 /// # Errors
-/// If the profile has faults (all of them at once), the picture cannot be read or is over a limit, or the page has no
-/// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
+/// * [`Error::Profile`] with every fault of the profile.
+/// * Of the picture: [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], [`Error::IsAPage`],
+///   [`Error::NoSuchPage`]; over a [limit](crate::Limits) [`Error::TooManyPixels`], [`Error::TooMuchMemory`] or
+///   [`Error::UnpacksTooFar`]; [`Error::TooSmall`] with fewer than 8 pixels a side.
+/// * Of the part that is drawn, and of those that are erased or kept: [`Error::NotInPicture`], [`Error::PartInMm`],
+///   [`Error::NotInFigure`].
+/// * Of the sheet: [`Error::NoWidth`], [`Error::TooWide`], [`Error::TooSmall`] with a side below `figure.min_side`, and
+///   [`Error::OffSheet`] if a mark would lie off it.
+/// * [`Error::OtherShape`] if lines that were given are of another picture; of those that are a picture also what only
+///   its pixels tell.
+/// * [`Error::Cancelled`].
+///
+/// Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
     let picture = not_a_page(picture)?;
     let drawing = with_request(options, options.name(), Stage::Page, |request, watch| {
@@ -62,7 +73,8 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
 /// width is asked for. The title stands on every sheet, and a label on those that show all of it.
 ///
 /// # Errors
-/// As [`convert`]; and if the sheets have no room for the picture.
+/// As [`convert`], and [`Error::NoRoomOnSheets`] if the sheets, at most [`SheetGrid::MOST`] across and down, have no room
+/// for a picture between their overlaps.
 pub fn convert_to_sheets<'p>(
     picture: impl Into<Picture<'p>>,
     grid: Option<SheetGrid>,
@@ -96,7 +108,7 @@ pub fn convert_to_sheets<'p>(
 /// ```
 ///
 /// # Errors
-/// If the profile has faults, or the picture cannot be read, is a page, is over a limit or is too small; see [`Error`].
+/// As [`convert`], but for [`Error::OffSheet`].
 pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &Options) -> Result<Traced, Error> {
     let picture = not_a_page(picture)?;
     with_request(options, options.name(), tracing.last_stage(), |request, watch| {
@@ -109,7 +121,7 @@ pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &O
 /// pitch, gaps, weights of lines, frames and textures. One page a sheet, as many as the samples take.
 ///
 /// # Errors
-/// If the profile has faults, or its sheet has no room for a sample.
+/// [`Error::Profile`] with every fault of the profile, [`Error::NoRoom`] if its sheet has no room for a sample.
 pub fn calibrate(profile: &Profile) -> Result<Calibration, Error> {
     let plan = Plan::new(profile)?;
     Ok(Calibration { title: calibration::title(&plan), pages: calibration::sheets(&plan)? })

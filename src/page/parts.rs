@@ -28,15 +28,15 @@ pub struct Page {
 pub struct Parts {
     /// Width and height of the sheet, mm.
     pub sheet: [f32; 2],
-    /// What the page is called.
+    /// What the page is called, for viewers and screen readers; what is written of it in braille is in `braille`.
     pub title: String,
-    /// What is on it, in plain words.
+    /// What is on it, in plain words, for screen readers.
     pub description: String,
     /// The language of the title as in BCP 47, such as `en`.
     pub language: String,
-    /// The language of the description.
+    /// The language of the description, likewise.
     pub description_language: String,
-    /// How it was made: program, profile and every parameter, as name and value.
+    /// How it was made: program, profile and every parameter, as name and value. What reads a page again goes by it.
     pub origin: Vec<(String, String)>,
     /// The band of fine dots around the figure; empty if there is none.
     pub frame: Dots,
@@ -87,7 +87,7 @@ impl Parts {
 pub struct Dots {
     /// Diameter of each, mm.
     pub diameter: f32,
-    /// Centres.
+    /// Centres, on the sheet.
     pub at: Vec<MmPoint>,
 }
 
@@ -110,7 +110,7 @@ pub struct BrailleText {
     pub language: String,
     /// What stands in place of the text, if it is abbreviated.
     pub abbreviation: Option<String>,
-    /// Its lines, in Unicode braille.
+    /// Its lines, in Unicode braille (U+2800 to U+283F).
     pub lines: Vec<String>,
     /// The dots of all lines.
     pub dots: Dots,
@@ -162,7 +162,7 @@ pub struct Overview {
     pub place: MmRect,
     /// Its band of fine dots; empty if there is none.
     pub frame: Dots,
-    /// Its lines.
+    /// Its lines, weightiest first.
     pub lines: Vec<Line>,
 }
 
