@@ -2,63 +2,125 @@
 //! stroke is painted says how much it matters.
 
 use super::edgel::{ChainRange, Edgel, Edges};
+use crate::geom::gridlines::{straight_ends, which_are_gridlines};
+use crate::geom::polyline::PolylineRef;
+use crate::units::PxPoint;
 
 /// A stroke is faint if its width times its contrast is at most this share of that of the drawing's strong ones: one of
 /// a third of their width and three quarters of their contrast, but not a black hairline beside lines of three pixels.
 const FAINT: f32 = 0.25;
-/// The strong ones are this share of all strokes by length: the curve of a chart is short beside its grid.
+/// The strong ones are this share of all strokes by length, of which a grid counts as one line: the curve of a chart is
+/// short beside its grid.
 const STRONG: f32 = 0.1;
+/// Strokes are of one width if they differ by less than this, px: drawings give it exactly.
+const ONE_WIDTH: f32 = 0.01;
+/// A line of a grid that lies under another stroke for most of its length is as pale as the grid at this share of its
+/// places, or paler.
+const PALEST: f32 = 0.1;
+/// What the place of a line among pixels makes of its contrast: on the border of two it is seen in both. Chosen by us.
+const SEEN: f32 = 1.5;
+
+/// A stroke among others.
+pub(super) struct Stroke {
+    /// Its width, px, and that times its contrast.
+    width: f32,
+    weight: f32,
+    length: f32,
+    /// Where a straight one begins and ends.
+    ends: Option<[PxPoint; 2]>,
+}
+
+impl Stroke {
+    pub(super) fn of(width: f32, line: PolylineRef<'_, Edgel>) -> Self {
+        let weight = width * contrast(line, 0.5);
+        Self { width, weight, length: line.length(), ends: straight_ends(line) }
+    }
+}
+
+/// The lines of a grid, which are of one width.
+#[derive(Debug, Clone, Copy)]
+struct Grid {
+    width: f32,
+    weight: f32,
+    /// Of all its lines together, px.
+    length: f32,
+}
 
 /// Which strokes of a vector drawing are faint.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct FaintStrokes {
     /// The weight of the strong ones; 0 if no stroke is.
     strong: f32,
+    /// The longest grid.
+    grid: Option<Grid>,
 }
 
 impl FaintStrokes {
     /// Among those of a drawing.
     pub fn of(edges: &Edges) -> Self {
-        let weights =
-            edges.chains.iter().filter_map(|range| Some((weight_of(edges, range)?, edges.chain(range).length())));
-        Self::among(weights.collect())
+        let strokes = edges.chains.iter().filter_map(|range| Some(Stroke::of(exact_width(range)?, edges.chain(range))));
+        Self::among(strokes.collect())
     }
 
-    /// Among strokes of these weights and lengths.
-    pub(super) fn among(mut all: Vec<(f32, f32)>) -> Self {
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let whole: f32 = all.iter().map(|(_, length)| length).sum();
+    /// Among these strokes.
+    pub(super) fn among(mut all: Vec<Stroke>) -> Self {
+        all.sort_by(|a, b| a.width.total_cmp(&b.width));
+        let grids = all.chunk_by_mut(|a, b| b.width - a.width < ONE_WIDTH).filter_map(grid_counted_once);
+        let grid = grids.max_by(|a, b| a.length.total_cmp(&b.length));
+        all.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+        let whole: f32 = all.iter().map(|stroke| stroke.length).sum();
         let mut sum = 0.0;
-        let strong = all.iter().find(|(_, length)| {
-            sum += length;
+        let strong = all.iter().find(|stroke| {
+            sum += stroke.length;
             sum >= STRONG * whole
         });
-        Self { strong: strong.map_or(0.0, |(weight, _)| *weight) }
+        Self { strong: strong.map_or(0.0, |stroke| stroke.weight), grid }
     }
 
     /// Whether a contour of the drawing is one.
     pub fn holds(self, edges: &Edges, range: &ChainRange) -> bool {
-        weight_of(edges, range).is_some_and(|weight| self.holds_weight(weight))
+        exact_width(range).is_some_and(|width| self.holds_stroke(width, edges.chain(range)))
     }
 
-    /// Whether a stroke of this weight is one.
-    pub(super) fn holds_weight(self, weight: f32) -> bool {
+    /// Whether a stroke of this width along this line is one.
+    pub(super) fn holds_stroke(self, width: f32, line: PolylineRef<'_, Edgel>) -> bool {
+        let is_of = |grid: &Grid| {
+            (grid.width - width).abs() < ONE_WIDTH
+                && straight_ends(line).is_some()
+                && width * contrast(line, PALEST) <= SEEN * grid.weight
+        };
+        let weight = self.grid.filter(is_of).map_or_else(|| width * contrast(line, 0.5), |grid| grid.weight);
         weight <= FAINT * self.strong
     }
 }
 
-/// The weight of a stroke: its width times its contrast. Where it lies on the border of an area it is seen with the
-/// step of that, so the median of its contrasts counts.
-pub(super) fn weight(width: f32, along: &[Edgel]) -> f32 {
-    let mut strengths: Vec<f32> = along.iter().map(|edgel| edgel.strength).collect();
-    let middle = strengths.len() / 2;
+/// The contrast of a stroke: that at this share of its places is less. Where it lies on the border of an area it is
+/// seen with the step of that.
+fn contrast(line: PolylineRef<'_, Edgel>, share: f32) -> f32 {
+    let mut strengths: Vec<f32> = line.vertices.iter().map(|edgel| edgel.strength).collect();
+    let place = (strengths.len() as f32 * share) as usize;
     if strengths.is_empty() {
         return 0.0;
     }
-    width * *strengths.select_nth_unstable_by(middle, f32::total_cmp).1
+    *strengths.select_nth_unstable_by(place, f32::total_cmp).1
 }
 
-fn weight_of(edges: &Edges, range: &ChainRange) -> Option<f32> {
-    let width = range.kind.stroke.filter(|_| range.kind.exact)?;
-    Some(weight(width, &edges.edgels[range.edgels.clone()]))
+/// The width of a stroke of a vector drawing, px.
+fn exact_width(range: &ChainRange) -> Option<f32> {
+    range.kind.stroke.filter(|_| range.kind.exact)
+}
+
+/// The grid among strokes of one width, of which only the longest line then has a length.
+fn grid_counted_once(strokes: &mut [Stroke]) -> Option<Grid> {
+    let ends: Vec<Option<[PxPoint; 2]>> = strokes.iter().map(|stroke| stroke.ends).collect();
+    let are_gridlines = which_are_gridlines(&ends);
+    let mut of_grid: Vec<&mut Stroke> =
+        strokes.iter_mut().zip(are_gridlines).filter(|(_, is)| *is).map(|(stroke, _)| stroke).collect();
+    of_grid.sort_by(|a, b| a.weight.total_cmp(&b.weight));
+    let middle = of_grid.get(of_grid.len() / 2)?;
+    let length = of_grid.iter().map(|stroke| stroke.length).sum();
+    let grid = Grid { width: middle.width, weight: middle.weight, length };
+    of_grid.sort_by(|a, b| b.length.total_cmp(&a.length));
+    of_grid.iter_mut().skip(1).for_each(|stroke| stroke.length = 0.0);
+    Some(grid)
 }

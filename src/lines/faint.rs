@@ -1,11 +1,11 @@
 //! Lines of the faint strokes of a vector drawing: as thin as lines can be, they give way to all others.
 
 use super::clearance::Cleared;
-use super::gridlines::which_are_gridlines;
 use super::line::Line;
 use super::outlines::Rank;
 use super::params::{Params, RING_FARTHEST};
 use super::vertex::{FoundIn, Vertex};
+use crate::geom::gridlines::{straight_ends, which_are_gridlines};
 use crate::geom::polyline::Polyline;
 use crate::units::MmPoint;
 
@@ -41,17 +41,10 @@ pub(super) fn is_faint(line: &Polyline<Vertex>) -> bool {
     2 * faint > line.vertices.len()
 }
 
-/// Least straightness of a gridline, chord to length: drawn by hand, too.
-const STRAIGHTNESS: f32 = 0.99;
-
 /// Takes gridlines out, faint straight lines, and says how many these are. In an overview nobody could tell
 /// them from the shapes before them, as its lines are of one width.
 pub(super) fn take_gridlines(lines: &mut Vec<Polyline<Vertex>>) -> usize {
-    let ends = |line: &Polyline<Vertex>| {
-        let is_straight = !line.closed && is_faint(line) && line.chord() >= STRAIGHTNESS * line.length();
-        let ends = line.vertices.first().zip(line.vertices.last()).filter(|_| is_straight);
-        ends.map(|(first, last)| [first.at, last.at])
-    };
+    let ends = |line: &Polyline<Vertex>| straight_ends(line.view()).filter(|_| is_faint(line));
     let mut are_gridlines = which_are_gridlines(&lines.iter().map(ends).collect::<Vec<_>>()).into_iter();
     let before = lines.len();
     lines.retain(|_| !are_gridlines.next().unwrap_or(false));

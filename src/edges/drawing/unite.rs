@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
-use crate::edges::faint::{self, FaintStrokes};
+use crate::edges::faint::{FaintStrokes, Stroke};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::units::{PxPoint, PxVector, Size};
@@ -25,10 +25,11 @@ const CORNER: f32 = 25.0;
 /// faint strokes, as a line of a grid on the top of a bar; then those with the longest side between two corners: so a
 /// side that goes on beyond the other's corners is whole, and the other ends on it.
 pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
-    let weight = |contour: &Confirmed| Some(faint::weight(contour.stroke?, &contour.line.vertices));
-    let weights = confirmed.iter().filter_map(|contour| Some((weight(contour)?, contour.line.length())));
-    let faint = FaintStrokes::among(weights.collect());
-    let rank = |contour: &Confirmed| weight(contour).map_or(1, |weight| 2 * u8::from(faint.holds_weight(weight)));
+    let strokes = confirmed.iter().filter_map(|contour| Some(Stroke::of(contour.stroke?, contour.line.view())));
+    let faint = FaintStrokes::among(strokes.collect());
+    let rank = |contour: &Confirmed| {
+        contour.stroke.map_or(1, |width| 2 * u8::from(faint.holds_stroke(width, contour.line.view())))
+    };
     // in whole pixels: rounding decides nothing
     confirmed.sort_by_cached_key(|contour| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);

@@ -1,12 +1,17 @@
 //! Which lines are those of a grid, as behind the bars of a chart or on squared paper: level or upright ones at even
 //! distances that end together.
 
-use crate::units::MmPoint;
+use lyon::geom::euclid::Point2D;
+
+use super::polyline::{Located, PolylineRef};
 
 /// So many lines of one direction are a grid.
 const LEAST: usize = 3;
-/// How far from level or upright they are, and how far pieces of one of them lie from its place, mm.
+/// How far from level or upright they are, and how far pieces of one of them lie from its place, in the unit of the
+/// points: mm or px.
 const STRAIGHT: f32 = 0.5;
+/// Least straightness of one, chord to length: drawn by hand, too.
+const STRAIGHTNESS: f32 = 0.99;
 /// How far they lie from even distances, as a share of these: lines keep apart, and on a grid of dots they lie up to
 /// half a step beside their places.
 const UNEVEN: f32 = 0.25;
@@ -23,11 +28,18 @@ struct Piece {
     to: f32,
 }
 
+/// The two ends of a line, if it is open and straight enough for one of a grid.
+pub fn straight_ends<V: Located>(line: PolylineRef<'_, V>) -> Option<[Point2D<f32, V::Unit>; 2]> {
+    let is_straight = !line.closed && line.chord() >= STRAIGHTNESS * line.length();
+    let (first, last) = line.vertices.first().zip(line.vertices.last()).filter(|_| is_straight)?;
+    Some([first.at(), last.at()])
+}
+
 /// Which of some lines are those of a grid; of each that may be one, the two ends.
-pub fn which_are_gridlines(ends: &[Option<[MmPoint; 2]>]) -> Vec<bool> {
+pub fn which_are_gridlines<U>(ends: &[Option<[Point2D<f32, U>; 2]>]) -> Vec<bool> {
     let mut found = vec![false; ends.len()];
     for is_level in [true, false] {
-        let piece = |[a, b]: [MmPoint; 2]| {
+        let piece = |[a, b]: [Point2D<f32, U>; 2]| {
             let [a, b] = [a, b].map(|at| if is_level { (at.x, at.y) } else { (at.y, at.x) });
             let piece = Piece { at: 0.5 * (a.1 + b.1), from: a.0.min(b.0), to: a.0.max(b.0) };
             ((a.1 - b.1).abs() <= STRAIGHT).then_some(piece)
@@ -68,6 +80,7 @@ fn is_grid(mut pieces: Vec<Piece>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::MmPoint;
 
     #[test]
     fn even_lines_that_end_together_are_a_grid_and_walls_are_none() {
