@@ -86,7 +86,20 @@ impl Mark {
     /// Whether the blank between two marks can be less than `least` at all; a quick look.
     pub(super) fn may_be_within(&self, other: &Self, least: f32) -> bool {
         let reach = self.reach + other.reach + least;
-        (self.middle - other.middle).square_length() < reach * reach
+        if (self.middle - other.middle).square_length() >= reach * reach {
+            return false;
+        }
+        // a segment is much longer than it is broad: the circle around it says little
+        match (self.outline, other.outline) {
+            (MarkOutline::Rhombus { .. }, MarkOutline::Stroke { a, b, radius }) => {
+                nearest_on_segment(self.middle, a, b).0 < self.reach + radius + least
+            }
+            (MarkOutline::Stroke { a, b, radius }, MarkOutline::Rhombus { .. }) => {
+                nearest_on_segment(other.middle, a, b).0 < other.reach + radius + least
+            }
+            (MarkOutline::Stroke { .. }, MarkOutline::Stroke { .. })
+            | (MarkOutline::Rhombus { .. }, MarkOutline::Rhombus { .. }) => true,
+        }
     }
 }
 

@@ -80,6 +80,8 @@ fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
     };
     let index = index(marks, cell.max(3.0));
     let mut all = All::default();
+    // a mark lies in several cells
+    let mut seen = vec![u32::MAX; marks.len()];
     for (number, mark) in (0..).zip(marks) {
         let extent = mark.extent();
         let reach = match mark.part {
@@ -96,6 +98,9 @@ fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
         };
         index.around(extent.min, extent.max, reach, |&id| {
             let other = &marks[id as usize];
+            if std::mem::replace(&mut seen[id as usize], number) == number {
+                return;
+            }
             if other.part != mark.part || matches!(mark.part, PagePart::Texture(_)) && id < number {
                 all.judge((number, mark), (id, other), page, limits);
             }
