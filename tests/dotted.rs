@@ -235,3 +235,23 @@ fn a_mirrored_page_is_on_the_same_grid() {
         assert_eq!(row(&back), reversed, "row {y}");
     }
 }
+
+#[test]
+fn a_cross_keeps_its_four_arms() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 400 300'><rect width='400' height='300' fill='#fff'/>\
+               <path d='M100 150H300M200 120V250' stroke='#000' stroke-width='2' fill='none'/></svg>";
+    for name in ["index-basic-d", "viewplus-columbia", "dot-pad", "braillerap"] {
+        let options = tactograph::Options::new(Profile::named(name).expect("it is built in"));
+        let page = tactograph::convert(svg.as_bytes(), &options).expect("a page").page;
+        let place = page.figure.place;
+        let dots: Vec<MmPoint> =
+            page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.iter().copied()).collect();
+        for (x, y) in [(150.0, 150.0), (250.0, 150.0), (200.0, 128.0), (200.0, 200.0)] {
+            let at = place.min + MmPoint::new(x, y).to_vector() * (place.width() / 400.0);
+            let nearest = dots.iter().map(|dot| (*dot - at).length()).fold(f32::MAX, f32::min);
+            assert!(nearest < 5.0, "{name}: the arm at {x}, {y} is {nearest} mm away");
+        }
+        let found = tactograph::check(page.to_svg(), &tactograph::PageOptions::new()).expect("a page").findings;
+        assert!(found.is_empty(), "{name}: {found:?}");
+    }
+}

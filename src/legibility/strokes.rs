@@ -7,6 +7,7 @@ use super::limits::{MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
+use crate::geom::{nearest_on_segment, polyline};
 use crate::page::{Line, Medium, Pen, Run};
 use crate::units::{MmPoint, MmRect};
 
@@ -27,7 +28,7 @@ pub(super) fn findings(
         found.extend(too_thin(line, name_in(names, number), limits));
         if !window.is_some_and(|window| goes_on(line, window, limits)) {
             let short = too_short(line, name_in(names, number), limits);
-            found.extend(short.filter(|_| !is_link(number, lines, limits)));
+            found.extend(short.filter(|_| !is_link(number, lines, limits) && !is_arm(number, lines, limits)));
         }
     }
     let (near, are_all) = match (limits.medium, medium) {
@@ -102,6 +103,38 @@ fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
 
 /// Dots no farther apart than so many pitches are beside one another.
 const BESIDE: f32 = 1.5;
+/// A line of dots goes on beyond another that it crosses if this is the least cosine between its end and the step to
+/// the other piece: 45 degrees.
+const GOES_ON: f32 = 0.7;
+
+/// Whether a line of dots is an arm of a cross: at one end it goes on beyond a third line, after a gap on both sides of
+/// that, and both arms together are long enough.
+fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
+    let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
+    let row = |line: &Line| line.runs.first().map_or_else(Vec::new, |run| run.points.clone());
+    let own = row(&lines[number]);
+    let ([first, second, ..], [.., before, last]) = (&own[..], &own[..]) else { return false };
+    // as far as a line is cut where it crosses one of two rows at the least angle, along a diagonal
+    let reach = BESIDE * (4 * line_gap + 3) as f32 * pitch;
+    let lies_between = |a: MmPoint, b: MmPoint, but: usize| {
+        let others = lines.iter().enumerate().filter(|(other, _)| ![number, but].contains(other));
+        others.flat_map(|(_, line)| points(line)).any(|dot| nearest_on_segment(dot, a, b).0 <= pitch)
+    };
+    let goes_on = |tip: MmPoint, before: MmPoint| {
+        let way = (tip - before).normalize();
+        lines.iter().enumerate().filter(|(other, _)| *other != number).any(|(other, line)| {
+            let beyond = row(line);
+            [beyond.first(), beyond.last()].into_iter().flatten().any(|&end| {
+                let (step, length) = (end - tip, (end - tip).length());
+                length <= reach
+                    && way.dot(step) >= GOES_ON * length
+                    && polyline::length(&own) + length + polyline::length(&beyond) >= limits.line_length - pitch
+                    && lies_between(tip, end, other)
+            })
+        })
+    };
+    goes_on(*first, *second) || goes_on(*last, *before)
+}
 
 fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {
     // a dot stands for half a pitch to both sides

@@ -5,6 +5,7 @@
 //! together: an end that touches another line may come nearer than the gap.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use super::order::order;
 use crate::devices::Grid;
@@ -35,7 +36,8 @@ pub(in crate::dots) fn on_grid(
         let is_arrow = is_arrow(&lines[line], marks);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
-            let is_long = length + ROUNDED_OFF >= params.min_length || is_arrow && piece.is_link;
+            let through = params.pitch * piece.through.saturating_sub(1) as f32;
+            let is_long = length.max(through) + ROUNDED_OFF >= params.min_length || is_arrow && piece.is_link;
             is_long && piece.cells.len() >= LEAST_DOTS
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
@@ -108,6 +110,9 @@ struct RowPiece {
     closed: bool,
     /// Whether it is a whole line that leads from one line to another: an arrow between two boxes may be short.
     is_link: bool,
+    /// How many dots its line has from end to end where it only crosses others and goes on beyond them: an arm of a
+    /// cross may be short.
+    through: usize,
 }
 
 /// A piece that is drawn, and the number of the line that it is of.
@@ -119,8 +124,8 @@ struct DrawnPiece {
 impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
-        let closed = ends_touch(&cells);
-        Self { cells: if closed { rasterise::thin(cells, true) } else { cells }, closed, is_link: false }
+        let (closed, through) = (ends_touch(&cells), cells.len());
+        Self { cells: if closed { rasterise::thin(cells, true) } else { cells }, closed, is_link: false, through }
     }
 }
 
@@ -228,7 +233,7 @@ impl OccupiedDots {
     fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<RowPiece> {
         let mut distances = self.distances(cells, closed);
         if distances.iter().all(Option::is_none) {
-            return vec![RowPiece { cells: cells.to_vec(), closed, is_link: false }];
+            return vec![RowPiece { cells: cells.to_vec(), closed, is_link: false, through: cells.len() }];
         }
         let mut cells = cells.to_vec();
         if closed {
@@ -252,7 +257,19 @@ impl OccupiedDots {
             *at += stretch.len() + 1;
             Some(from..from + stretch.len())
         });
-        stretches.filter(|range| !range.is_empty()).map(|range| RowPiece::cut_out(cells[range].to_vec())).collect()
+        let stretches: Vec<Range<usize>> = stretches.filter(|range| !range.is_empty()).collect();
+        let crosses = |one: &Range<usize>, next: &Range<usize>| self.is_crossing(&distances[one.end..next.start]);
+        let arms = stretches.chunk_by(crosses).flat_map(|line| {
+            let through = line.last().map_or(0, |last| last.end) - line.first().map_or(0, |first| first.start);
+            line.iter().map(move |range| (range.clone(), through))
+        });
+        arms.map(|(range, through)| RowPiece { through, ..RowPiece::cut_out(cells[range].to_vec()) }).collect()
+    }
+
+    /// Whether the dots of a line between two pieces, of these distances, only cross another: it is met, and at no
+    /// smaller angle than makes the gap on both sides twice as long as at a right one.
+    fn is_crossing(&self, cut: &[Option<i32>]) -> bool {
+        cut.iter().flatten().any(|steps| *steps <= 1) && cut.len() <= (4 * self.gap + 1) as usize
     }
 
     /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and

@@ -81,7 +81,7 @@ fn a_line_that_comes_back_keeps_the_gap_from_itself() {
 #[test]
 fn a_second_row_keeps_the_gap_from_other_lines() {
     let first = row(0, 0..12);
-    let piece = RowPiece { cells: first.clone(), closed: false, is_link: false };
+    let piece = RowPiece::cut_out(first.clone());
     let alone = taken(std::slice::from_ref(&first), 1);
     assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
     assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
@@ -96,4 +96,20 @@ fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
     let piece = RowPiece::cut_out(ring.to_vec());
     assert_eq!((piece.closed, &piece.cells[..]), (true, &ring[2..12]));
     assert!(!RowPiece::cut_out(ring[..8].to_vec()).closed);
+}
+
+#[test]
+fn the_arms_of_a_line_that_crosses_another_count_together() {
+    let taken = taken(&[row(0, -20..20)], 2);
+    let through = |line: &[Cell]| -> Vec<(usize, usize)> {
+        taken.pieces(line, false).iter().map(|piece| (piece.cells.len(), piece.through)).collect()
+    };
+    let upright: Vec<Cell> = (-7..12).map(|y| [3, y]).collect();
+    assert_eq!(through(&upright), [(5, 19), (9, 19)]);
+    let slanted: Vec<Cell> = (-7..12).map(|y| [3 + y, y]).collect();
+    assert_eq!(through(&slanted), [(5, 19), (9, 19)]);
+    // what comes down, runs along the other and goes on is no cross
+    let along: Vec<Cell> =
+        (-7..0).map(|y| [0, y]).chain((0..12).map(|x| [x, 0])).chain((1..9).map(|y| [11, y])).collect();
+    assert_eq!(through(&along), [(5, 5), (6, 6)]);
 }
