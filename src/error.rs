@@ -293,6 +293,17 @@ pub enum Error {
         /// The same of the picture.
         picture: f32,
     },
+    /// Lines or areas are given of a page that shows another part of the picture.
+    #[error(
+        "the page given as lines or areas shows {page}, and {drawn} is to be drawn: its lines would lie over something \
+         else; draw the same part of the picture as that page, or give a page of this part"
+    )]
+    OtherPart {
+        /// What the page shows.
+        page: String,
+        /// What is to be drawn.
+        drawn: String,
+    },
     /// There is no memory left.
     #[error("there is no memory for {what}")]
     NoMemory {
@@ -346,6 +357,7 @@ impl Error {
             Self::NoSuchName { .. } => "no-such-name",
             Self::NoSentences { .. } => "no-sentences",
             Self::OtherShape { .. } => "other-shape",
+            Self::OtherPart { .. } => "other-part",
             Self::NoMemory { .. } => "no-memory",
             Self::Cancelled => "cancelled",
             Self::Profile(..) => "profile",

@@ -49,7 +49,8 @@ use crate::{Error, calibration, reading};
 ///   [`Error::NotInFigure`].
 /// * Of the sheet: [`Error::NoWidth`], [`Error::TooWide`], [`Error::TooSmall`] with a side below `figure.min_side`, and
 ///   [`Error::OffSheet`] if a mark would lie off it.
-/// * [`Error::OtherShape`] if lines that were given are of another picture; of those that are a picture also what only
+/// * [`Error::OtherPart`] if lines or areas that were given are of a page of another part of the picture, and
+///   [`Error::OtherShape`] if lines are of another picture; of those that are a picture also what only
 ///   its pixels tell.
 /// * [`Error::Cancelled`].
 ///
@@ -156,6 +157,7 @@ fn with_request<T>(
     last: Stage,
     work: impl FnOnce(&Request<'_>, &mut Watch<'_>) -> Result<T, Error>,
 ) -> Result<T, Error> {
+    options.given.check_parts(&options.fit)?;
     let plan = options.given.plan(&options.profile)?;
     let fonts = || options.fonts.database();
     let cancelled = || options.is_cancelled();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::fonts::Fonts;
 use crate::braille::{Code, Translate};
-use crate::page::{LANGUAGE, Page};
+use crate::page::{LANGUAGE, Page, PartShown};
 use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, Position, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
@@ -218,7 +218,8 @@ impl Options {
     /// from any SVG, of one with a layer (a group) that is called "lines" those in it; or from a picture of lines,
     /// black on white and of the shape of the part that is drawn, along the middle of its strokes. Colours, textures,
     /// overview and frame are made around them. All of them are drawn that have room: `lines.detail` counts as 1 and
-    /// `lines.shapes` as 0. The page has to show the same part of the picture.
+    /// `lines.shapes` as 0. The page has to show the same part of the picture; one that says that it shows another is
+    /// refused when the picture is converted ([`Error::OtherPart`]).
     ///
     /// # Errors
     /// Of an SVG [`Error::NotAPage`] where its sheet is smaller than 5 mm or larger than 2500 mm, and
@@ -253,7 +254,8 @@ impl Options {
     /// [`Error::NotAPage`] if it is no SVG or has none of the layers of a page, and [`Error::Undecodable`] where it is
     /// broken or over a limit.
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        let mut read = reading::read(svg.as_ref())?;
+        let mut read = as_felt(reading::read(svg.as_ref())?);
+        self.given.part_of_areas = PartShown::of(&read.page);
         let mut notes = std::mem::take(&mut read.notes);
         notes.extend(not_written(&std::mem::take(&mut read.texts)));
         let (own, refused) = Profile::of_origin(&read.page.origin)?;
@@ -354,13 +356,13 @@ impl Options {
 
     /// The lines of a page as its own profile means them.
     fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
-        let Reading { page, mut notes, texts, .. } = reading::read_any(svg)?;
+        let Reading { page, mut notes, texts, areas, .. } = as_felt(reading::read_any(svg)?);
         notes.extend(not_written(&texts));
         notes.extend(pipeline::dots_left_out(&page));
         let (own, refused) = Profile::of_origin(&page.origin)?;
         notes.extend(refused);
         self.given.texts_of_page = page.braille.len();
-        let lines = HandLines::of_figure(&page, &Plan::new(&own)?);
+        let lines = HandLines::of_figure(&page, &Plan::new(&own)?).beside_areas(areas.len());
         notes.extend(lines.told_outside());
         self.add_notes(notes);
         Ok(lines)
@@ -426,6 +428,11 @@ impl Options {
             ..Words::default()
         }
     }
+}
+
+/// A page as fingers meet it, whichever side of the sheet it is made for: as its picture lies.
+fn as_felt(read: Reading) -> Reading {
+    if read.page.is_mirrored() { read.turned_over(|_| 0.0) } else { read }
 }
 
 /// What is told of texts that were typed into a page of which lines or areas are taken.

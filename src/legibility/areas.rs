@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::finding::FoundBreach;
 use super::limits::{MOST_TEXTURES, MediumLimits, RuleLimits};
 use super::marks::{Mark, MarkOutline, PagePart};
-use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURES};
+use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURE_SIGN, TEXTURES};
 use crate::page::{Medium, Names, Page, Shape, TextRole};
 use crate::units::{MmPoint, MmRect};
 
@@ -20,6 +20,7 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Rule
         found.push(FoundBreach::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
     }
     found.extend(too_small(page, names, limits));
+    found.extend(of_other_classes(page, names, limits));
     found.extend(too_thin(page, names, marks, limits));
     found.extend(off_margins(page, names, marks, limits));
     found.extend(too_many(page));
@@ -42,6 +43,23 @@ fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a RuleLimits) -> im
         let (area, least) = (texture.area, limits.texture_area);
         let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
         Some(FoundBreach::at(TEXTURE_AREA, extent.center(), extent, area, what).of(&name))
+    })
+}
+
+/// Textures of a printed page whose marks name another colour than theirs, as where an area was moved to another layer.
+fn of_other_classes<'a>(
+    page: &'a Page,
+    names: &'a Names,
+    limits: &RuleLimits,
+) -> impl Iterator<Item = FoundBreach> + use<'a> {
+    let is_printed =
+        matches!(limits.medium, MediumLimits::Print { fringe: false, .. }) && matches!(page.medium, Medium::Print(_));
+    let textures = page.figure.textures.iter().enumerate().filter(move |_| is_printed);
+    textures.filter(|(_, texture)| texture.has_other_signs()).filter_map(|(number, texture)| {
+        let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
+        let name = PagePart::Texture(number as u32).name(page, names);
+        let what = format!("{name} is {}, and its marks are those of another colour", texture.class.name());
+        Some(FoundBreach::at(TEXTURE_SIGN, extent.center(), extent, 0.0, what).of(&name))
     })
 }
 

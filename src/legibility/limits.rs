@@ -35,6 +35,8 @@ pub enum MediumLimits {
         glyph: f32,
         /// Share of the figure that may be black, 0..=1.
         max_black: f32,
+        /// Whether marks may have the direction of a neighbouring colour.
+        fringe: bool,
     },
     /// Of a page of dots.
     Dots {

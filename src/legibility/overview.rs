@@ -17,6 +17,10 @@ const STEP: f32 = 0.5;
 const ALONG: f32 = 0.77;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;
+/// One that a person drew, which may replace one that is there, is missing with this share, and nothing is like it that
+/// is farther off than this share of the clearance of lines.
+const MISSING_BY_HAND: f32 = 0.25;
+const NEAR_BY_HAND: f32 = 0.5;
 
 /// `paths` are those of the figure, `index` their segments.
 pub(super) fn findings(
@@ -30,7 +34,7 @@ pub(super) fn findings(
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
     let of_overview = Paths::of(&overview.lines, f32::INFINITY);
     let mut found = added(page, overview, (&of_overview, &names.overview_lines), (index, scale), limits);
-    found.extend(lacking(page, overview, (paths, &names.lines), (&of_overview, scale), limits));
+    found.extend(lacking(page, overview, (paths, names), (&of_overview, scale), limits));
     found
 }
 
@@ -46,7 +50,8 @@ fn added(
     let of_line = |number: usize| {
         let own = (0..paths.paths.len()).filter(|&path| paths.paths[path].line == number);
         let segments = own.flat_map(|path| paths.segments_of(path));
-        let Missing { length, places } = missing(segments, STEP, in_figure, index, scale * limits.spacing())?;
+        let like = Like { index, reach: scale * limits.spacing(), missing: MISSING };
+        let Missing { length, places } = missing(segments, STEP, in_figure, like)?;
         let at = places.get(places.len() / 2).copied()?;
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
         let name = name_in(names, number);
@@ -60,7 +65,7 @@ fn added(
 fn lacking(
     page: &Page,
     overview: &Overview,
-    (paths, names): (&Paths, &[String]),
+    (paths, names): (&Paths, &Names),
     (of_overview, scale): (&Paths, f32),
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
@@ -76,8 +81,13 @@ fn lacking(
         if side < SHAPE {
             return None;
         }
-        missing(segments.iter(), scale * STEP, in_overview, &index, limits.spacing())?;
-        let name = name_in(names, of.line);
+        let name = name_in(&names.lines, of.line);
+        let (reach, missing_from) = match names.by_hand.contains(name) {
+            true => (NEAR_BY_HAND * limits.spacing(), MISSING_BY_HAND),
+            false => (limits.spacing(), MISSING),
+        };
+        let like = Like { index: &index, reach, missing: missing_from };
+        missing(segments.iter(), scale * STEP, in_overview, like)?;
         let what = format!(
             "the overview has nothing like {name} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
             extent.width(),
@@ -88,20 +98,28 @@ fn lacking(
     (0..paths.paths.len()).filter_map(of_path).collect()
 }
 
+/// What is like a line in another picture.
+struct Like<'a> {
+    index: &'a Nearby,
+    /// How far from its place, mm of that picture.
+    reach: f32,
+    /// From which share on the line is missing there.
+    missing: f32,
+}
+
 /// What of a line is missing in another picture.
 struct Missing {
     length: f32,
     places: Vec<MmPoint>,
 }
 
-/// The part of these segments that has nothing of their direction within `reach` in the other picture, if it is the
-/// larger part; `there` leads into that picture.
+/// The part of these segments that has nothing like it, of its direction, in the other picture, if it is so large that
+/// they are missing; `there` leads into that picture.
 fn missing<'a>(
     segments: impl Iterator<Item = &'a Segment>,
     step: f32,
     there: impl Fn(MmPoint) -> MmPoint,
-    index: &Nearby,
-    reach: f32,
+    Like { index, reach, missing }: Like<'_>,
 ) -> Option<Missing> {
     let (mut lost, mut all, mut places) = (0.0, 0.0, Vec::new());
     for segment in segments {
@@ -121,7 +139,7 @@ fn missing<'a>(
             }
         }
     }
-    (lost > MISSING * all).then_some(Missing { length: lost, places })
+    (lost > missing * all).then_some(Missing { length: lost, places })
 }
 
 /// Less than this share of the contours, or than this length in mm, is what joins and corners cost.

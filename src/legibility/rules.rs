@@ -149,6 +149,14 @@ pub(super) const TEXTURE_AREA: Rule = Rule {
     remedy: "delete the texture, or give the area that of its neighbour",
     number: |limits| Some((limits.texture_area, "square mm")),
 };
+pub(super) const TEXTURE_SIGN: Rule = Rule {
+    id: "texture-sign",
+    asks: "The marks of a texture have the direction of its colour.",
+    severity: Severity::Error,
+    source: "the profile's textures.signs, which says the direction of each colour",
+    remedy: "move the area to the texture of its marks, or let the program draw them anew",
+    number: none,
+};
 pub(super) const GLYPH_SIZE: Rule = Rule {
     id: "mark-size",
     asks: "A rhombus or dot is not thinner than this.",
@@ -293,10 +301,11 @@ pub(super) const EMPTY: Rule = Rule {
 
 /// What `render` makes of a breach, where it puts it right on a page that somebody changed.
 pub(super) fn mended(rule: &Rule) -> Option<&'static str> {
-    const MENDED: [(Rule, &str); 4] = [
+    const MENDED: [(Rule, &str); 5] = [
         (LINE_WIDTH, "gives it the least width of the profile"),
         (TEXTURE_GAP, "leaves these marks out"),
         (FILLED, "draws the outline of a filled shape as a line"),
+        (TEXTURE_SIGN, "draws the marks of its colour"),
         (BLACK_ONLY, "prints them black, or fills areas with the textures of their colours"),
     ];
     MENDED.iter().find(|(known, _)| known == rule).map(|(_, what)| *what)
@@ -318,6 +327,7 @@ pub const RULES: &[Rule] = &[
     LINE_LENGTH,
     TEXTURE_GAP,
     TEXTURE_AREA,
+    TEXTURE_SIGN,
     GLYPH_SIZE,
     OVERLAP,
     MARGIN,

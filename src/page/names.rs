@@ -1,6 +1,6 @@
 //! What lines and areas are called: in an editor's list of objects, and where somebody is told of them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::parts::{BrailleText, Class, Page, TextRole};
 
@@ -16,6 +16,8 @@ pub struct Names {
     /// In which line of its file each of them and each text begins, by its name, counted from 1; of a page that was
     /// read.
     pub rows: BTreeMap<String, u32>,
+    /// Those of the lines of the figure that a person drew, on a page that was read.
+    pub by_hand: BTreeSet<String>,
 }
 
 impl Names {
@@ -33,6 +35,7 @@ impl Names {
             overview_lines: (1..=overview).map(overview_line_name).collect(),
             areas: page.figure.textures.iter().map(|texture| area(texture.class)).collect(),
             rows: BTreeMap::new(),
+            by_hand: BTreeSet::new(),
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use super::parts::{Class, Page, TextRole};
 use crate::geom::ninths::most_of;
+use crate::raster::crop::Crop;
 
 const CONTOURS: &str = "contours left out in mm";
 const PLACES: &str = "contours left out in mm by ninths";
@@ -104,6 +105,59 @@ impl InSet {
                 (None, None) => None,
             },
         }
+    }
+}
+
+const PART: &str = "part of the picture";
+const DOCUMENT_PAGE: &str = "page of the document";
+
+/// How much of a picture a page shows.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PartShown {
+    /// The part; without one all of it.
+    pub crop: Option<Crop>,
+    /// The page of a document; without one the first.
+    pub page: Option<u32>,
+    /// The name of the sheet, where the part lies on several.
+    pub sheet: Option<String>,
+}
+
+impl PartShown {
+    /// As entries of a page's origin; nothing of all of a picture. The sheet has an entry of its own.
+    pub fn to_origin(&self) -> Vec<(String, String)> {
+        let page = self.page.map(|page| (DOCUMENT_PAGE.to_owned(), page.to_string()));
+        let part = self.crop.map(|crop| (PART.to_owned(), crop.to_string()));
+        page.into_iter().chain(part).collect()
+    }
+
+    /// What a page says of itself; nothing of one that says nothing of how it was made.
+    pub fn of(page: &Page) -> Option<Self> {
+        let value = |name: &str| page.origin.iter().find(|(of, _)| of == name).map(|(_, value)| value.as_str());
+        let sheet = match InSet::of(page) {
+            Some(InSet::One(name, _)) => Some(name),
+            Some(InSet::Followed | InSet::Overview | InSet::OverviewOf(_)) | None => None,
+        };
+        let crop = value(PART).and_then(|part| part.parse().ok());
+        let page_number = value(DOCUMENT_PAGE).and_then(|number| number.parse().ok());
+        (!page.origin.is_empty()).then_some(Self { crop, page: page_number, sheet })
+    }
+
+    /// Whether both show the same.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let crop = |part: &Self| part.crop.filter(|crop| !crop.is_all());
+        let is_same_crop = match (crop(self), crop(other)) {
+            (Some(own), Some(other)) => own.is_same(&other),
+            (own, other) => own.is_none() && other.is_none(),
+        };
+        is_same_crop && self.page.unwrap_or(1) == other.page.unwrap_or(1) && self.sheet == other.sheet
+    }
+
+    /// In words.
+    pub fn in_words(&self) -> String {
+        let part = self.crop.map_or_else(|| "all of it".to_owned(), |crop| format!("the part {crop} of it"));
+        let page = self.page.map_or_else(String::new, |page| format!(", page {page}"));
+        let sheet = self.sheet.as_ref().map_or_else(String::new, |name| format!(", of which sheet {name} has a piece"));
+        format!("{part}{page}{sheet}")
     }
 }
 

@@ -11,15 +11,12 @@ use super::words::blank_to_signs;
 use crate::braille::Translate;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
-use crate::page::{DotMedium, Glyph, Medium, Names, Page, Parts, Shape, Sign, Texture};
+use crate::page::{DotMedium, Glyph, Medium, Names, Page, Parts};
 use crate::profile::Plan;
 use crate::reading::Reading;
 use crate::units::MmRect;
 use crate::wording::Wording;
 use crate::{About, Error, Note, dots, legibility};
-
-/// How far the sign of an area may be turned from that of its class before it is another one, degrees.
-const TURNED: f32 = 15.0;
 
 /// A page as its paper or device takes it.
 #[derive(Debug)]
@@ -45,9 +42,8 @@ pub struct Adapted {
 pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result<Adapted, Error> {
     let Reading { page, .. } = read;
     let mut parts = Parts::clone(page);
-    let own_names = read.names.lines.iter().zip(&read.by_hand);
-    let mut lines: Vec<LineName> =
-        own_names.map(|(name, by_hand)| LineName { name: name.clone(), by_hand: *by_hand }).collect();
+    let line_name = |name: &String| LineName { name: name.clone(), by_hand: read.names.by_hand.contains(name) };
+    let mut lines: Vec<LineName> = read.names.lines.iter().map(line_name).collect();
     let mut notes: Vec<Note> = right_signs(&mut parts, page, plan).into_iter().collect();
     match &page.medium {
         Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
@@ -73,6 +69,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
             // they have others than in the file where some were drawn or left out
             areas: Names::of(&page).areas,
             rows: read.names.rows.clone(),
+            by_hand: read.names.by_hand.clone(),
         };
         let limits = plan.limits();
         let of_overview = legibility::overview_as_told(&page, &names, &limits);
@@ -90,7 +87,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
 /// Draws areas anew that were moved to another colour; tells how many.
 fn right_signs(parts: &mut Parts, page: &Page, plan: &Plan) -> Option<Note> {
     let classes = wrong_signs(page);
-    if classes.is_empty() {
+    if classes.is_empty() || plan.profile().textures.fringe {
         return None;
     }
     let all = areas::of_page(page);
@@ -124,37 +121,42 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
     if strokes.is_empty() {
         return Vec::new();
     }
-    let (strokes, of_strokes): (Vec<Line>, Vec<LineName>) = strokes.into_iter().unzip();
-    let (count, place) = (strokes.len(), parts.figure.place);
-    let drawn = dots::lines(&strokes, place, &medium.area, &plan.dots(medium));
+    let (mut strokes, of_strokes): (Vec<Line>, Vec<LineName>) = strokes.into_iter().unzip();
+    let (count, place, params) = (strokes.len(), parts.figure.place, plan.dots(medium));
+    // on such a page the width of a stroke says how heavy its line is
+    let thin = |line: &&mut Line| line.runs.iter().all(|run| run.width < params.pitch);
+    let mut light = 0;
+    for line in strokes.iter_mut().filter(thin) {
+        line.strength = line.strength.min(LIGHT * params.heavy_from);
+        light += 1;
+    }
+    let drawn = dots::lines(&strokes, place, &medium.area, &params);
     let (stand_for, shares) = kept_lines::matched(&strokes, place, &drawn, place);
+    let (light_is, heavy_is) = match params.has_heights {
+        true => ("low", "high"),
+        false => ("one row of dots", "two rows"),
+    };
+    let how = match (light, count - light) {
+        (_, 0) => format!("{light_is}; a stroke of {} mm and more is {heavy_is}", params.pitch),
+        (0, _) => format!("{heavy_is}; a stroke narrower than {} mm is {light_is}", params.pitch),
+        (light, heavy) => {
+            format!("{light} {light_is} and {heavy} {heavy_is}, those with a stroke of {} mm and more", params.pitch)
+        }
+    };
     let noun = if count == 1 { "line" } else { "lines" };
-    let told = Note::TakenAs(About::Lines, format!("{count} {noun} on a page of dots made dots"));
+    let told = Note::TakenAs(About::Lines, format!("{count} {noun} on a page of dots made dots, {how}"));
     names.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
     parts.figure.lines.extend(drawn);
     std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
 }
 
-/// Which textures have signs of another class.
+/// A line of this share of the strength of heavy ones is none.
+const LIGHT: f32 = 0.99;
+
+/// Which textures have signs of another class; of dots none, which look alike.
 fn wrong_signs(page: &Page) -> Vec<usize> {
-    let is_wrong = |texture: &Texture| {
-        let wrong = texture.glyphs.iter().filter(|glyph| match (glyph.shape, texture.sign) {
-            (Shape::Rhombus { degrees, .. }, Sign::Rhombus { degrees: sign }) => {
-                let apart = (degrees - sign).rem_euclid(180.0);
-                apart.min(180.0 - apart) > TURNED
-            }
-            (Shape::Dot { .. }, Sign::Dot) => false,
-            (Shape::Dot { .. }, Sign::Rhombus { .. }) | (Shape::Rhombus { .. }, Sign::Dot) => true,
-        });
-        2 * wrong.count() > texture.glyphs.len()
-    };
-    match page.medium {
-        Medium::Print(_) => {
-            (0..page.figure.textures.len()).filter(|&number| is_wrong(&page.figure.textures[number])).collect()
-        }
-        // dots look alike
-        Medium::Dots(_) => Vec::new(),
-    }
+    let textures = page.figure.textures.iter().enumerate().filter(|_| matches!(page.medium, Medium::Print(_)));
+    textures.filter(|(_, texture)| texture.has_other_signs()).map(|(number, _)| number).collect()
 }
 
 /// The signs of an area of a printed page, drawn anew.

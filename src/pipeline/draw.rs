@@ -100,7 +100,8 @@ pub(super) fn find(
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
     notes.extend(told);
-    notes.extend(told_short(given, &layout, plan).into_iter().chain(told_words(given, words)));
+    let of_given = [told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
+    notes.extend(of_given.into_iter().flatten());
     if plan.profile().figure.lines {
         let lines_of = lines_of(given, None, &decisions);
         let draw = |edges: &Edges| draw_lines(edges, lines_of, &layout, plan, &mut |_| ()).lines.lines;
@@ -193,11 +194,7 @@ fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
 /// What the maker is told of lines that were given and are too short for this figure.
 fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
     let least = plan.profile().lines.min_length;
-    let drawn = match &given.lines {
-        Some(GivenLines::Vectors(lines)) => Some(lines),
-        Some(GivenLines::Picture(_)) | None => None,
-    };
-    let short = drawn.into_iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
+    let short = given.hand_lines().map(|lines| lines.shorter_than(least / layout.figure.width()));
     let short: usize = short.sum();
     let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");

@@ -1,5 +1,6 @@
 //! What a person gives beside the picture, and the parts of it that are erased.
 
+use super::Fit;
 use super::decisions::Decisions;
 use super::hand_lines::{HandLines, added, index_of_edges, outside, without};
 use super::label::Position;
@@ -7,12 +8,13 @@ use super::request::enough_pixels;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::Edges;
+use crate::page::PartShown;
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
-use crate::{Error, Note};
+use crate::{About, Error, Note};
 
 /// What a person gives beside the picture.
 #[derive(Debug, Clone, Default)]
@@ -25,6 +27,8 @@ pub struct Given {
     pub areas: Option<Classes>,
     /// Who reads text in the pixels of the picture; without, nobody knows what it says.
     pub text_reader: Option<TextReader>,
+    /// How much of a picture the page shows of which areas are taken, as far as it says.
+    pub part_of_areas: Option<PartShown>,
     /// How many braille texts the page has that the lines are of: they are not taken from it.
     pub texts_of_page: usize,
     /// What the maker should know of these files.
@@ -78,6 +82,44 @@ impl Given {
         profile.set("lines.detail", "1")?;
         profile.set("lines.shapes", "0")?;
         Plan::new(&profile)
+    }
+
+    /// The lines of pages and drawings, in place of those that would be found or beside them.
+    pub(super) fn hand_lines(&self) -> impl Iterator<Item = &HandLines> {
+        let lines = match &self.lines {
+            Some(GivenLines::Vectors(lines)) => Some(lines),
+            Some(GivenLines::Picture(_)) | None => None,
+        };
+        lines.into_iter().chain(&self.added)
+    }
+
+    /// What is told of areas that somebody drew beside lines of which only these are taken.
+    pub(super) fn told_areas(&self) -> Option<Note> {
+        let count: usize = self.hand_lines().map(HandLines::areas).sum();
+        let told = || {
+            let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
+            let why =
+                "lines are taken from a page or drawing, and no areas; give it as a page of areas too (--regions)";
+            Note::NotOnPage(
+                About::Areas,
+                format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}"),
+            )
+        };
+        (count > 0 && self.areas.is_none()).then(told)
+    }
+
+    /// Refuses lines and areas of a page that shows another part of the picture than `fit` asks for: they would lie over
+    /// something else.
+    ///
+    /// # Errors
+    /// [`Error::OtherPart`].
+    pub fn check_parts(&self, fit: &Fit) -> Result<(), Error> {
+        let drawn = fit.part();
+        let of_lines = self.hand_lines().filter_map(HandLines::part);
+        match of_lines.chain(&self.part_of_areas).find(|part| !part.is_same(&drawn)) {
+            Some(part) => Err(Error::OtherPart { page: part.in_words(), drawn: drawn.in_words() }),
+            None => Ok(()),
+        }
     }
 
     /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on

@@ -7,7 +7,7 @@ use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::lines::{Line, Pen, Run};
-use crate::page::Page;
+use crate::page::{Page, PartShown};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Px, PxPoint, Size};
 use crate::{About, Error, Note};
@@ -18,8 +18,12 @@ pub struct HandLines {
     lines: Vec<HandLine>,
     /// Width of the figure by its height.
     aspect: f32,
+    /// How much of a picture the figure shows, as far as its page says.
+    part: Option<PartShown>,
     /// How much of them lies outside of the figure and is left out, mm.
     left_outside: f32,
+    /// How many areas somebody drew beside them.
+    areas: usize,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +47,22 @@ pub(super) const SAME_SHAPE: f32 = 0.03;
 impl HandLines {
     /// The lines of a page's figure, with the strengths that their widths stand for. `plan` says which those are.
     pub fn of_figure(page: &Page, plan: &Plan) -> Self {
-        Self::of(&page.figure.lines, page.figure.place, plan)
+        Self { part: PartShown::of(page), ..Self::of(&page.figure.lines, page.figure.place, plan) }
+    }
+
+    /// The same lines of a page on which somebody drew so many areas.
+    pub fn beside_areas(self, areas: usize) -> Self {
+        Self { areas, ..self }
+    }
+
+    /// How many areas somebody drew beside them.
+    pub(super) fn areas(&self) -> usize {
+        self.areas
+    }
+
+    /// How much of a picture the figure shows.
+    pub(super) fn part(&self) -> Option<&PartShown> {
+        self.part.as_ref()
     }
 
     /// The lines of its overview; none if it has none.
@@ -84,7 +103,7 @@ impl HandLines {
         let before = length(&own);
         let lines: Vec<HandLine> = own.into_iter().flat_map(|line| line.inside([width, height])).collect();
         let left_outside = (before - length(&lines)).max(0.0);
-        Self { lines, aspect: width / height, left_outside }
+        Self { lines, aspect: width / height, part: None, left_outside, areas: 0 }
     }
 
     /// The same lines as contours of a picture of this size.
@@ -113,7 +132,9 @@ impl HandLines {
         let own = |lines: Vec<&HandLine>| Self {
             lines: lines.into_iter().cloned().collect(),
             aspect: self.aspect,
+            part: None,
             left_outside: 0.0,
+            areas: 0,
         };
         let kind = ChainKind { exact: true, of_drawing: true, added: true, ..ChainKind::default() };
         let mut first = own(by_hand).edges_of(size, kind)?;

@@ -1,9 +1,9 @@
 //! What one picture is converted with: the profile, and what its maker chooses anew for each picture.
 
 use crate::Error;
-use crate::page::MediumParams;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, OverviewParams};
+use crate::page::{MediumParams, PartShown};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
 use crate::raster::decode::{DecodeOptions, FontLoader, Header, Limits};
@@ -76,14 +76,18 @@ impl Fit {
         }
     }
 
+    /// How much of the picture is drawn.
+    pub(super) fn part(&self) -> PartShown {
+        PartShown { crop: self.crop, page: self.page, sheet: None }
+    }
+
     /// As lines of a page's origin; nothing where it is the default.
     pub(super) fn origin(&self) -> impl Iterator<Item = (String, String)> {
-        let part = self.crop.map(|crop| ("part of the picture", crop.to_string()));
         let width = self.width.map(|width| ("width asked for in mm", width.to_string()));
         let text = self.keep_text.then(|| ("text kept", "true".to_owned()));
         let ground = self.keep_ground.then(|| ("ground kept", "true".to_owned()));
-        let page = self.page.map(|page| ("page of the document", page.to_string()));
-        [page, part, width, text, ground].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
+        let rest = [width, text, ground].into_iter().flatten().map(|(name, value)| (name.to_owned(), value));
+        self.part().to_origin().into_iter().chain(rest)
     }
 }
 

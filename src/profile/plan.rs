@@ -279,6 +279,7 @@ impl Plan {
                 texture_gap: textures.line_gap,
                 glyph: textures.min_glyph,
                 max_black: print.max_black,
+                fringe: textures.fringe,
             },
             MediumParams::Dots { device, pitch } => {
                 let line_gap = self.dots_of(device, pitch).line_gap;

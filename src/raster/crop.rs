@@ -84,6 +84,17 @@ impl Crop {
         if is_fine { Ok(Self(lengths)) } else { Err(Error::NotACrop) }
     }
 
+    /// Whether it is all of a picture, by what it says.
+    pub(crate) fn is_all(&self) -> bool {
+        let whole = Length::Percent(100.0);
+        self.is_same(&Self([Length::Percent(0.0), Length::Percent(0.0), whole, whole]))
+    }
+
+    /// Whether two parts are the same in the same units; nothing is nothing in any.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        self.0.iter().zip(&other.0).all(|(a, b)| a == b || (a.is_nothing() && b.is_nothing()))
+    }
+
     /// The part of a picture of `size` pixels; what is in percent is rounded to whole pixels, its edges one by one, so
     /// that parts that touch in percent touch in pixels.
     ///

@@ -5,7 +5,7 @@ use resvg::tiny_skia::{Point, Transform};
 use super::areas::{self, DrawnArea};
 use super::document::{Elements, not_a_page, numbers};
 use super::leaders::with_own_tip;
-use super::marks::{PaintedShape, PaintedShapes};
+use super::marks::{PaintedShape, PaintedShapes, WHITE};
 use super::names::{self, Name};
 use super::shapes::{disc, glyph};
 use super::subpath::{Subpath, clean};
@@ -22,8 +22,6 @@ use crate::{Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
-/// A grey value (0..=255) from this on is white: nothing is printed.
-const WHITE: u8 = 250;
 /// A grey value up to this is black.
 const BLACK: u8 = 16;
 /// Two pieces of a line are one where their ends are this near, mm.
@@ -39,8 +37,6 @@ const PX_PER_MM: f32 = 4.0;
 pub(super) struct Built {
     pub(super) page: Page,
     pub(super) names: Names,
-    /// Which of its lines a person drew.
-    pub(super) by_hand: Vec<bool>,
     pub(super) notes: Vec<Note>,
     /// Areas that a person drew.
     pub(super) areas: Vec<DrawnArea>,
@@ -84,7 +80,6 @@ pub(super) fn page(
     let area_names = regions.iter().map(|(_, name, _)| name.clone()).collect();
     let texts: Vec<(String, usize)> = parts.braille.iter().map(text_name).zip(text_begins).collect();
     let objects = [line_names, overview_names, area_names];
-    let by_hand = objects[0].iter().map(|name| name.by_hand).collect();
     let names = names::of_page(&objects, texts, elements.text);
     parts.figure.textures = regions.into_iter().map(|(_, _, texture)| texture).collect();
     parts.figure.place = on_sheet(place(Layer::Figure), sheet);
@@ -106,7 +101,7 @@ pub(super) fn page(
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    Ok(Built { page: Page::new(parts)?, names, by_hand, notes, areas })
+    Ok(Built { page: Page::new(parts)?, names, notes, areas })
 }
 
 /// What the page is made for, as it says itself.
@@ -214,6 +209,9 @@ impl<'m> Builder<'m> {
         }
         if mark.layer == Some(Layer::PrintWords) {
             return self.tally.add(What::InPrint, first);
+        }
+        if mark.is_white() && !mark.covers(self.parts.sheet) {
+            return self.tally.add(What::White, first);
         }
         let has_heights = self.medium.has_heights();
         let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };

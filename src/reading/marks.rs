@@ -10,7 +10,7 @@ use super::document::{Elements, PLACE_OF, is_object, layer_of};
 use super::subpath::{Subpath, clean, subpaths};
 use crate::Error;
 use crate::output::layer::Layer;
-use crate::units::{MM_PER_CSS_PX, MmPoint};
+use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// Scales of transforms are off by less.
 const ROUNDING: f32 = 1e-5;
@@ -41,6 +41,27 @@ pub(super) struct PaintedShape<'a> {
     pub(super) stroke: Option<PaintedStroke>,
     /// By how much its area is larger than its element says.
     pub(super) area_scale: f32,
+}
+
+/// A grey value (0..=255) from this on is white: nothing is printed.
+pub(super) const WHITE: u8 = 250;
+/// The ground of a sheet covers this share of it.
+const GROUND: f32 = 0.9;
+
+impl PaintedShape<'_> {
+    /// Whether it is painted, and white all over.
+    pub(super) fn is_white(&self) -> bool {
+        let stroke = self.stroke.as_ref().filter(|stroke| stroke.width > 0.0).map(|stroke| stroke.shade);
+        let mut shades = [self.fill, stroke].into_iter().flatten().peekable();
+        shades.peek().is_some() && shades.all(|shade| shade >= WHITE)
+    }
+
+    /// Whether it may be the ground of a sheet of this width and height, mm: it reaches over nearly all of it.
+    pub(super) fn covers(&self, [width, height]: [f32; 2]) -> bool {
+        let all = MmRect::from_points(self.subpaths.iter().flat_map(|subpath| &subpath.points));
+        let on_sheet = all.intersection(&MmRect::new(MmPoint::zero(), MmPoint::new(width, height)));
+        on_sheet.is_some_and(|part| part.area() >= GROUND * width * height)
+    }
 }
 
 pub(super) struct PaintedStroke {

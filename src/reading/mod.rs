@@ -57,8 +57,6 @@ pub struct Reading {
     pub page: Page,
     /// What its lines and areas are called in the file.
     pub names: Names,
-    /// Which of the lines of its figure a person drew; the others are as strong as the file says.
-    pub by_hand: Vec<bool>,
     /// What was taken otherwise than it looks, or left out.
     pub notes: Vec<Note>,
     /// Areas that a person drew, which are not on the page as long as they have no signs.
@@ -128,11 +126,10 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);
     let pictures = document.descendants().filter(is_picture).count();
     let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
-    let Built { page, names, by_hand, mut notes, areas } =
-        build::page((marks, print, pictures), words, &elements, sheet)?;
+    let Built { page, names, mut notes, areas } = build::page((marks, print, pictures), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(svg);
-    Ok(Reading { page, names, by_hand, notes, areas, is_changed, texts })
+    Ok(Reading { page, names, notes, areas, is_changed, texts })
 }
 
 /// Whether bytes are text in XML, as all pages are.

@@ -1,6 +1,6 @@
 //! What the objects of a page that was read are called: as an editor lists them.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use usvg::roxmltree::Node;
 
@@ -108,7 +108,9 @@ pub(super) fn of_page(
     for (name, begins) in of_lines.into_iter().flatten().chain(of_names(&told_areas, areas)).chain(texts) {
         rows.entry(name).or_insert_with(|| row(begins));
     }
-    Names { lines: told_lines, overview_lines: told_overview, areas: told_areas, rows }
+    let by_hand = told_lines.iter().zip(lines).filter(|(_, line)| line.by_hand);
+    let by_hand: BTreeSet<String> = by_hand.map(|(name, _)| name.clone()).collect();
+    Names { lines: told_lines, overview_lines: told_overview, areas: told_areas, rows, by_hand }
 }
 
 fn article(noun: &str) -> &'static str {

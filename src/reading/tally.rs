@@ -24,6 +24,7 @@ pub(super) enum What {
     UnevenDots,
     Foreign,
     InPrint,
+    White,
 }
 
 /// What is told of pictures of pixels, of marks far beyond the sheet, of what cuts off others, and of what is filled
@@ -86,6 +87,13 @@ impl Tally {
                 What::InPrint => {
                     left_out(About::Print, format!("{}{at} in the layer of words in print", n("shape", "shapes")))
                 }
+                What::White => taken(
+                    About::Marks,
+                    format!(
+                        "{}{at}: what is white prints nothing and covers nothing; delete what lies under it",
+                        n("white mark", "white marks")
+                    ),
+                ),
                 What::Foreign => left_out(About::Marks, format!("{}{at} outside of the layer", n("mark", "marks"))),
                 What::UnevenDots => taken(
                     About::Dots,

@@ -50,6 +50,25 @@ pub struct Texture {
     pub glyphs: Vec<Glyph>,
 }
 
+/// How far a rhombus may be turned from the sign of its texture before it is another one, degrees: half the angle
+/// between two directions of six.
+const TURNED: f32 = 15.0;
+
+impl Texture {
+    /// Whether most of its glyphs are no signs of its class, as where somebody moved them to another group.
+    pub fn has_other_signs(&self) -> bool {
+        let is_other = |glyph: &&Glyph| match (glyph.shape, self.sign) {
+            (Shape::Rhombus { degrees, .. }, Sign::Rhombus { degrees: sign }) => {
+                let apart = (degrees - sign).rem_euclid(180.0);
+                apart.min(180.0 - apart) > TURNED
+            }
+            (Shape::Dot { .. }, Sign::Dot) => false,
+            (Shape::Dot { .. }, Sign::Rhombus { .. }) | (Shape::Rhombus { .. }, Sign::Dot) => true,
+        };
+        2 * self.glyphs.iter().filter(is_other).count() > self.glyphs.len()
+    }
+}
+
 /// HSL lightness from which down a glyph is as bold as it gets. Chosen by us: dark shades (half of pure colours' 0.5
 /// and less) are few in pictures, and more ink only fills the gaps between glyphs.
 const BOLDEST_AT: f32 = 0.25;

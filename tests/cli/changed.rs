@@ -92,6 +92,11 @@ fn lines_that_are_lost_on_another_device_are_named() {
     done(&place, &["convert", "cup.png", "--profile", "index-basic-d", "--no-overview", "--force", "-o", "dotted.svg"]);
     place.put("drawn.svg", place.text("dotted.svg").replacen("</svg>", &format!("{lines}</svg>"), 1).as_bytes());
     let told = done(&place, &["render", "drawn.svg", "-o", "drawn-done.svg"]);
-    assert!(told.contains("3 lines on a page of dots made dots"), "{told}");
+    assert!(told.contains("3 lines on a page of dots made dots, one row of dots; a stroke of 2 mm"), "{told}");
+    let rows = |name: &str| read(&place, name).figure.lines.iter().map(|line| line.runs.len()).max();
+    assert_eq!(rows("drawn-done.svg"), rows("dotted.svg"));
+    place.put("broad.svg", place.text("drawn.svg").replace("stroke-width=\"1.2\"", "stroke-width=\"3\"").as_bytes());
+    let broad = done(&place, &["render", "broad.svg", "-o", "broad-done.svg"]);
+    assert!(broad.contains("made dots, two rows; a stroke narrower than 2 mm"), "{broad}");
     assert!(told.contains("line \"second\"") || told.contains("line \"first\""), "{told}");
 }

@@ -41,7 +41,7 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
         [[0.1, 0.1], [0.9, 0.1]],
     ];
     let lines = ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect();
-    let lines = HandLines { lines, aspect: 1.0, left_outside: 0.0 };
+    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: 0.0, areas: 0 };
     let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
     let edges =
         lines.edges_under_own(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
