@@ -152,6 +152,7 @@ mod tests {
             contrast: [60.0, 0.0, 0.0],
             width: 1.5,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let corners = [(10.0, 12.0), (10.0, 40.0), (40.0, 40.0), (40.0, 10.0), (12.0, 10.0)];
         let mut ring = Polyline::open(corners.map(|(x, y)| vertex(MmPoint::new(x, y))).to_vec());

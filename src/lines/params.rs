@@ -120,7 +120,7 @@ impl Params {
     }
 
     /// How far a line may be from the contours that it stands for, mm: it may be moved twice, together with others and
-    /// alone. Few are farther away: one that is judged again may be displaced again.
+    /// alone, or lie in the middle of its stroke.
     pub fn farthest_moved(&self) -> f32 {
         self.max_offset().max(2.0 * RING_FARTHEST)
     }

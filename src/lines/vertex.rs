@@ -5,7 +5,7 @@ use crate::edges::{ChainKind, Edgel};
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
 use crate::geom::{mix, nearest_on_segment};
-use crate::units::{Mm, MmPoint, MmRect, PageTransform};
+use crate::units::{Mm, MmPoint, MmRect, MmVector, PageTransform};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
 pub(super) const SPACING: f32 = 0.4;
@@ -27,6 +27,8 @@ pub(super) struct Vertex {
     pub(super) width: f32,
     /// Where it was found.
     pub(super) source: FoundIn,
+    /// How far clearance has displaced it in all.
+    pub(super) displaced: MmVector,
 }
 
 /// Where a vertex was found.
@@ -68,6 +70,7 @@ impl Blend for Vertex {
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i], share)),
             width: mix(self.width, other.width, share),
             source: if self.source == other.source { self.source } else { FoundIn::Pixels },
+            displaced: self.displaced.lerp(other.displaced, share),
         }
     }
 
@@ -116,6 +119,7 @@ impl Polyline<Vertex> {
             contrast: p.contrast,
             width: 0.0,
             source,
+            displaced: MmVector::zero(),
         };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
@@ -251,6 +255,7 @@ mod tests {
             contrast: [0.0; 3],
             width: 0.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
         line.subdivide(0.25);

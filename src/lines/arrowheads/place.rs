@@ -174,7 +174,14 @@ impl Places<'_> {
         let shaft = &self.lines[self.line].vertices;
         let end = if at_start { shaft.first() } else { shaft.last() };
         let (strength, width) = end.map_or((0.0, self.params.width_max), |end| (end.strength, end.width));
-        let vertex = |at: MmPoint| Vertex { at, strength, contrast: [0.0; 3], width, source: FoundIn::Vector };
+        let vertex = |at: MmPoint| Vertex {
+            at,
+            strength,
+            contrast: [0.0; 3],
+            width,
+            source: FoundIn::Vector,
+            displaced: MmVector::zero(),
+        };
         Polyline::open(strokes.map(vertex).to_vec())
     }
 }
