@@ -90,6 +90,36 @@ impl Vertex {
     }
 }
 
+/// One of the two tips of an open line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tip {
+    /// Its first vertex.
+    First,
+    /// Its last.
+    Last,
+}
+
+impl Tip {
+    /// Both, in the order of the line.
+    pub(super) const BOTH: [Self; 2] = [Self::First, Self::Last];
+
+    /// Its vertex of a line.
+    pub(super) fn of(self, line: &Polyline<Vertex>) -> Option<&Vertex> {
+        match self {
+            Self::First => line.vertices.first(),
+            Self::Last => line.vertices.last(),
+        }
+    }
+
+    /// That at the other end.
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::First => Self::Last,
+            Self::Last => Self::First,
+        }
+    }
+}
+
 impl Polyline<Vertex> {
     /// Calls `visit` with the number of each line of which a segment is within `reach` of one of this line's ends, mm;
     /// once for each such segment. A ring has no ends.
