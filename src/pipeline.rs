@@ -57,7 +57,7 @@ pub use key::{Key, KeySheets};
 pub use label::{Label, Position};
 pub use progress::{Event, Progress, Stage, Watch};
 pub use read_key::{KeyWanted, key_of_page};
-pub use redraw::dots_left_out;
+pub use redraw::{OldPage, dots_left_out};
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;
@@ -69,10 +69,9 @@ use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
-use crate::profile::Plan;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
-use draw::{DrawnMarks, draw, find};
+use draw::{DrawnMarks, FromPerson, draw, find};
 use finish::{finished, origin, too_black};
 use progress::run;
 use request::OverviewSize;
@@ -139,23 +138,23 @@ pub fn convert_with_words<'p>(
         |drawing: &margins::Lettered<'_>, layout: Layout, layout_of: &dyn Fn(Size) -> Result<Layout, Error>| {
             margins::with_room(drawing, words, &written, request.plan, layout, layout_of)
         };
-    let found = find(picture.into(), (given, words), request, &layout_of, &with_room, watch)?;
+    let found = find(picture.into(), FromPerson { given, words }, request, &layout_of, &with_room, watch)?;
     let marks = draw(found, given, request, watch)?;
     compose(marks, words, &written, request, watch)
 }
 
 /// Draws a page anew with another profile: lines and areas keep their places in the figure, and everything that hangs
-/// on paper or device is made for the new one. `lines` are what those of its figure are called, `own` is its profile.
+/// on paper or device is made for the new one.
 ///
 /// # Errors
 /// As [`convert`].
 pub fn redraw(
-    (page, lines): (&Page, &[LineName]),
-    own: &Plan,
+    old: OldPage<'_>,
     (key, translate): (KeySheets, Option<&Translate>),
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
+    let page = old.page;
     let (labels, legend) = (redraw::labels(page), legend::of_page(page));
     // a sheet of a key stays one, and a page with a key that was asked for has one
     let key = if key == KeySheets::Auto && read_key::has_own_key(page) { KeySheets::Always } else { key };
@@ -169,7 +168,7 @@ pub fn redraw(
         }
     }
     let mut moved = labels.clone();
-    let marks = redraw::marks((page, lines, &mut moved), own, layout, request, watch)?;
+    let marks = redraw::marks(old, &mut moved, layout, request, watch)?;
     compose(marks, &Words { labels: &moved, ..words }, &written, request, watch)
 }
 

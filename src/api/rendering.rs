@@ -7,7 +7,7 @@ use super::options::Cancelled;
 use crate::braille::Translate;
 use crate::page::cells::CellGrid;
 use crate::page::{BrailleText, MediumParams, Page};
-use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, Request};
+use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, OldPage, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading::{self, Reading};
@@ -148,8 +148,8 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     // words are placed anew, wherever they stand on the page
     notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
     notes.extend(more);
-    let mut drawing =
-        pipeline::redraw((&page, &lines), &own, (key, translate), &request(&plan, mirrored), &mut |_| ())?;
+    let old = OldPage { page: &page, lines: &lines, plan: &own };
+    let mut drawing = pipeline::redraw(old, (key, translate), &request(&plan, mirrored), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));

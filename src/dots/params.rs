@@ -1,7 +1,7 @@
 //! How lines become dots, and a line as one polyline.
 
 use crate::geom::polyline::Polyline;
-use crate::lines::{Height, Line, Run};
+use crate::lines::{self, Height, Line, Run};
 use crate::units::MmPoint;
 
 /// How lines become dots.
@@ -32,6 +32,11 @@ pub(super) const LEAST_DOTS: usize = 3;
 pub(super) const ROUNDED_OFF: f32 = 1e-3;
 
 impl Params {
+    /// How far a line may be from the contours that it stands for, and so from the marks on these, mm.
+    pub fn farthest_moved(&self) -> f32 {
+        lines::farthest_moved(self.centres())
+    }
+
     /// Least distance of the middles of two lines, mm.
     pub fn centres(&self) -> f32 {
         self.clearance() * ROUNDING

@@ -1,8 +1,8 @@
 //! Places where a label could lie, the best first.
 
-use super::cost::{Attachment, cost};
+use super::cost::cost;
 use super::forms::Form;
-use super::placed::{PlacedAs, Wanted};
+use super::placed::{Attachment, PlacedAs, Wanted};
 use super::room::Room;
 use super::surroundings::{AT_END, NEAR, Surroundings};
 use crate::geom::polygon::{corners, distance_to_box};
@@ -17,9 +17,7 @@ pub(super) struct Candidate {
     pub(super) form: usize,
     /// The box around its dots.
     pub(super) place: MmRect,
-    pub(super) leader: Option<[MmPoint; 2]>,
-    /// Whether that leads across other lines.
-    pub(super) crosses: bool,
+    pub(super) attachment: Attachment,
     pub(super) cost: f32,
     pub(super) stands: PlacedAs,
 }
@@ -101,14 +99,13 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 
 impl Candidate {
     /// One that is placed together with its row.
-    pub(super) fn of_row(
-        form: usize,
-        place: MmRect,
-        leader: Option<[MmPoint; 2]>,
-        cost: f32,
-        stands: PlacedAs,
-    ) -> Self {
-        Self { form, place, leader, crosses: false, cost, stands }
+    pub(super) fn of_row(form: usize, place: MmRect, attachment: Attachment, cost: f32, stands: PlacedAs) -> Self {
+        Self { form, place, attachment, cost, stands }
+    }
+
+    /// The line that leads from it to what it names, if it does not stand beside that.
+    pub(super) fn leader(&self) -> Option<[MmPoint; 2]> {
+        self.attachment.leader()
     }
 
     /// Whether it is placed with others, in a row or at one, and stays there.
@@ -123,7 +120,7 @@ impl Candidate {
 
     /// The box around it and its leader line.
     fn extent(&self) -> MmRect {
-        self.leader.map_or(self.place, |[a, b]| MmRect::from_points([self.place.min, self.place.max, a, b]))
+        self.leader().map_or(self.place, |[a, b]| MmRect::from_points([self.place.min, self.place.max, a, b]))
     }
 
     /// Whether labels or their leader lines have less blank between them than this.
@@ -146,11 +143,11 @@ impl Candidate {
                 place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < TO_LEADER + off)
             })
         };
-        let leaders = || match (self.leader, other.leader) {
+        let leaders = || match (self.leader(), other.leader()) {
             (Some([a, b]), Some([c, d])) => segment_distance((a, b), (c, d)) < BETWEEN_LEADERS,
             _ => false,
         };
-        near || over(self.leader, other.place) || over(other.leader, self.place) || leaders()
+        near || over(self.leader(), other.place) || over(other.leader(), self.place) || leaders()
     }
 }
 
@@ -211,19 +208,19 @@ fn candidate(
     around: &Surroundings<'_>,
 ) -> Option<Candidate> {
     let gap = distance_to_box(around.anchor, place);
-    if gap > reach(label) || around.is_point && gap < BESIDE || !around.is_in_cell_or_open(place) {
+    if gap > reach(label) || around.is_point() && gap < BESIDE || !around.is_in_cell_or_open(place) {
         return None;
     }
-    let join = join(label, place, around)?;
-    let (leader, crosses) = (join.leader(), matches!(join, Attachment::LeaderAcross(_)));
-    let cost = cost(form.cost, label, place, join, around);
-    Some(Candidate { form: number, place, leader, crosses, cost, stands: PlacedAs::Alone })
+    let attachment = attachment(label, place, around)?;
+    let cost = cost(form.kind.cost(), label, place, attachment, around);
+    Some(Candidate { form: number, place, attachment, cost, stands: PlacedAs::Alone })
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
 /// unless a leader line crosses it, and for the nearest anchor.
-fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
-    let &Surroundings { room, params, beside, anchor, is_point, .. } = around;
+fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
+    let &Surroundings { room, params, beside, anchor, .. } = around;
+    let is_point = around.is_point();
     let nearest = anchor.clamp(place.min, place.max);
     let is_open = || {
         let parted = if is_point { Room::is_parted } else { Room::is_parted_from_text };
@@ -265,7 +262,8 @@ fn leader_from(from: MmPoint, tip: MmPoint) -> Option<[MmPoint; 2]> {
 /// The leader line of a label that crosses no line: from the nearest point of the label, or from a corner where lines
 /// lie between.
 fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
-    let &Surroundings { room, end, tip, side, .. } = around;
+    let &Surroundings { room, end, tip, .. } = around;
+    let side = around.own_side();
     let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
     let segments = starts
         .filter(|from| !room.is_parted(*from, tip, end))
@@ -310,7 +308,7 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
 /// it is, but where the border to the next shape meets it nobody can tell which of the two is meant. Of another text it
 /// is the line beside that; one that lies between is another thing, such as the next route of a map.
 fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surroundings<'_>) -> bool {
-    if !around.is_shut_in {
+    if !around.is_shut_in() {
         return (outline - around.tip).length() <= BESIDE_TIP;
     }
     let inside = outline + direction * INSIDE_OUTLINE;

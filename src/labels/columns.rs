@@ -3,7 +3,7 @@
 use super::candidates::{Candidate, MIN_SPACING_ROUNDED};
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::groups::{Group, GroupDirection};
-use super::placed::PlacedAs;
+use super::placed::{Attachment, PlacedAs};
 use crate::units::{MmPoint, MmRect};
 
 /// Words of a column at the nearest edge at which most are written in full, in one line or two, and at most one or two
@@ -37,8 +37,8 @@ pub(super) fn each_as_it_fits(
                 both_ways(0, moves).map(move |moved| {
                     let corner = MmPoint::new(left, middle(i) - 0.5 * size.y + moved as f32 * step);
                     let place = context.cells.snapped(MmRect::new(corner, corner + size));
-                    let cost = form.cost + offset.abs() + (moved as f32 * step).abs();
-                    Candidate::of_row(number, place, None, cost, PlacedAs::InRow)
+                    let cost = form.kind.cost() + offset.abs() + (moved as f32 * step).abs();
+                    Candidate::of_row(number, place, Attachment::Beside, cost, PlacedAs::InRow)
                 })
             });
             found.push(places.find(|candidate| {

@@ -29,7 +29,7 @@ pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>
     let (around, place) = (&context.around[label], candidate.place);
     let anchor = around.anchor;
     let nearest = anchor.clamp(place.min, place.max);
-    let is_told = || match candidate.leader {
+    let is_told = || match candidate.leader() {
         // what stands in a cell of a table is of its row and its column
         _ if candidate.stands == PlacedAs::InMargin => around.cell.is_none(),
         Some([from, to]) => {

@@ -17,10 +17,10 @@
 //! From 300 on no distance counts any more, as no label lies further than about 40 mm from what it names.
 
 use super::forms::ABBREVIATED;
-use super::placed::Wanted;
-use super::surroundings::Surroundings;
+use super::placed::{Attachment, Wanted};
+use super::surroundings::{Named, Surroundings};
 use crate::geom::polygon::distance_to_box;
-use crate::units::{MmPoint, MmRect};
+use crate::units::MmRect;
 
 /// For each mm that the middle of a label of a point at the lower side of a shape is off the point: half of its
 /// distance, so that it stands in the middle below the shape where there is room, and not below the next one.
@@ -68,33 +68,19 @@ const ON_A_GRID: f32 = 8.0;
 /// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
 const GLYPH: f32 = 0.3;
 
-/// How a label is joined to what it names.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Attachment {
-    /// It stands beside that.
-    Beside,
-    /// By a leader line that crosses no other.
-    Leader([MmPoint; 2]),
-    /// By a leader line across others.
-    LeaderAcross([MmPoint; 2]),
-}
-
-impl Attachment {
-    pub(super) fn leader(self) -> Option<[MmPoint; 2]> {
-        match self {
-            Self::Beside => None,
-            Self::Leader(segment) | Self::LeaderAcross(segment) => Some(segment),
-        }
-    }
-}
-
 /// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
-pub(super) fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment, around: &Surroundings<'_>) -> f32 {
-    let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
+pub(super) fn cost(
+    of_form: f32,
+    label: &Wanted,
+    place: MmRect,
+    attachment: Attachment,
+    around: &Surroundings<'_>,
+) -> f32 {
+    let &Surroundings { room, params, end, anchor, .. } = around;
     let distance = distance(place, around);
-    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
+    let elsewhere = if around.is_at_lower_side() && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
-    let leader = match join {
+    let leader = match attachment {
         Attachment::Beside => 0.0,
         Attachment::Leader(_) => LEADER,
         Attachment::LeaderAcross([from, to]) => {
@@ -110,20 +96,22 @@ pub(super) fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.
 fn distance(place: MmRect, around: &Surroundings<'_>) -> f32 {
-    let &Surroundings { is_at_lower_side, line_on, anchor, is_point, .. } = around;
+    let anchor = around.anchor;
     let gap = distance_to_box(anchor, place);
-    // beside a point; in place of a text
     let away = place.center() - anchor;
     let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
-    match (is_point, is_beside) {
-        (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
-        (true, true) => gap + OFF_LEVEL * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
-        (true, false) => gap + OFF_CENTRE * away.x.abs() + ABOVE_OR_BELOW,
+    match around.names {
+        Named::Point { is_at_lower_side: true } if place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
+        Named::Point { .. } if is_beside => {
+            gap + OFF_LEVEL * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 }
+        }
+        Named::Point { .. } => gap + OFF_CENTRE * away.x.abs() + ABOVE_OR_BELOW,
         // in the row of the line's end, and rather away from it than back over it
-        (false, _) if line_on.is_some() => {
-            let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
+        Named::Text { line_on: Some(side), .. } => {
+            let is_back = side * away.x > 0.0;
             (away.x * if is_back { BACK_OVER_LINE } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
         }
-        (false, _) => (ALONG * away.x).hypot(away.y),
+        // in place of the text
+        Named::Text { line_on: None, .. } => (ALONG * away.x).hypot(away.y),
     }
 }

@@ -11,8 +11,10 @@ use crate::units::MmVector;
 /// What a form of a label is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum FormKind {
-    /// The whole text.
-    Text,
+    /// The whole text in one line.
+    OneLine,
+    /// The same in two.
+    TwoLines(Division),
     /// An abbreviation of two or three cells.
     Short,
     /// A single letter, as which only a whole row of labels is written.
@@ -24,8 +26,32 @@ pub(super) enum FormKind {
 impl FormKind {
     /// Whether a label may be written so by itself, and not only with all of its row.
     pub(super) fn is_of_one(self) -> bool {
-        matches!(self, Self::Text | Self::Short)
+        matches!(self, Self::OneLine | Self::TwoLines(_) | Self::Short)
     }
+
+    /// What it costs beside one line: the millimetres that a label may lie further away for it.
+    pub(super) fn cost(self) -> f32 {
+        match self {
+            Self::OneLine => 0.0,
+            Self::TwoLines(Division::BetweenWords) => SECOND_LINE,
+            Self::TwoLines(Division::InWord) => DIVIDED,
+            Self::TwoLines(Division::InEquation) => TORN,
+            Self::Short => ABBREVIATED,
+            Self::Letter => LETTER,
+            Self::Bare => BARE,
+        }
+    }
+}
+
+/// Where a text is divided into two lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Division {
+    /// Between two words that need not stay together.
+    BetweenWords,
+    /// In a word.
+    InWord,
+    /// In an equation, or between a number and its unit.
+    InEquation,
 }
 
 /// One form of a label.
@@ -35,8 +61,6 @@ pub(super) struct Form {
     /// What is written in place of the text.
     pub(super) abbreviation: Option<String>,
     pub(super) kind: FormKind,
-    /// What this form costs beside one in a single line: the millimetres that a label may lie further away for it.
-    pub(super) cost: f32,
 }
 
 impl Form {
@@ -47,7 +71,7 @@ impl Form {
 
     /// Whether it is the whole text in two lines that divide no word.
     pub(super) fn is_in_two_lines(&self) -> bool {
-        self.lines.len() == 2 && !(DIVIDED..TORN).contains(&self.cost)
+        matches!(self.kind, FormKind::TwoLines(Division::BetweenWords | Division::InEquation))
     }
 }
 
@@ -72,6 +96,10 @@ const DIVIDED: f32 = 15.0;
 const TORN: f32 = 60.0;
 /// What an abbreviation costs: more than any place within reach.
 pub(super) const ABBREVIATED: f32 = 1000.0;
+/// What a number costs whose unit another one has, mm: it is understood as well.
+const BARE: f32 = 5.0;
+/// What a letter costs: more than an abbreviation.
+const LETTER: f32 = 1500.0;
 
 /// The forms of each text, or why it has none. A text in several labels is translated once.
 pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Forms, Unplaced>> {
@@ -92,20 +120,22 @@ pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Form
             Some(Ok(braille)) => braille,
         };
         let length = braille.cells.len();
-        let form = |lines, kind, cost| Form { lines, abbreviation: None, kind, cost };
-        let mut forms = vec![form(vec![braille.cells.clone()], FormKind::Text, 0.0)];
+        let form = |lines, kind| Form { lines, abbreviation: None, kind };
+        let two = |lines: [Vec<u8>; 2], division| form(lines.into(), FormKind::TwoLines(division));
+        let mut forms = vec![form(vec![braille.cells.clone()], FormKind::OneLine)];
         if length > LONG {
             let whole = in_two(braille, Divide::Never);
             let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
             let torn = if whole.is_none() { in_two(braille, Divide::Equations) } else { None };
-            forms.extend(torn.map(|lines| form(lines.into(), FormKind::Text, TORN)));
-            forms.extend(whole.map(|lines| form(lines.into(), FormKind::Text, SECOND_LINE)));
-            forms.extend(divided.map(|lines| form(lines.into(), FormKind::Text, DIVIDED)));
+            forms.extend(torn.map(|lines| two(lines, Division::InEquation)));
+            forms.extend(whole.map(|lines| two(lines, Division::BetweenWords)));
+            forms.extend(divided.map(|lines| two(lines, Division::InWord)));
         }
-        forms.extend(short.filter(|short| short.cells.len() < length).map(|short| Form {
-            abbreviation: Some(short.letters),
-            ..form(vec![short.cells], FormKind::Short, ABBREVIATED)
-        }));
+        forms.extend(
+            short
+                .filter(|short| short.cells.len() < length)
+                .map(|short| Form { abbreviation: Some(short.letters), ..form(vec![short.cells], FormKind::Short) }),
+        );
         Ok(Forms { forms, lacking: braille.lacking.clone() })
     };
     texts.iter().zip(short).map(of_text).collect()

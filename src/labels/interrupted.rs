@@ -97,7 +97,7 @@ fn steps(run: &Run) -> Vec<MmPoint> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labels::PlacedAs;
+    use crate::labels::{Attachment, PlacedAs};
 
     fn line(strength: f32, points: &[(f32, f32)]) -> Line {
         let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
@@ -122,8 +122,7 @@ mod tests {
             lines: Vec::new(),
             lacking: Vec::new(),
             abbreviation: None,
-            leader: None,
-            crosses: false,
+            attachment: Attachment::Beside,
             stands: PlacedAs::Alone,
             is_bare: false,
         };

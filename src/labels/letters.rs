@@ -13,10 +13,6 @@ use crate::braille::Translator;
 /// The initials of the months: in Dutch, English, French, German, Portuguese and Swedish, in Spanish, Italian, Polish
 /// and Czech.
 const MONTHS: [&str; 5] = ["jfmamjjasond", "efmamjjasond", "gfmamglasond", "slmkmclswplg", "lúbdkččszřlp"];
-/// What a number costs whose unit another one has, mm: it is understood as well.
-const BARE: f32 = 5.0;
-/// What a letter costs: more than an abbreviation.
-const LETTER: f32 = 1500.0;
 
 /// Gives each label of a row a letter as its last form. Letters are no other label's cells.
 pub(super) fn add(
@@ -55,12 +51,7 @@ pub(super) fn add(
             taken.insert(cells.clone());
             given.insert(&wanted[label].text, (letter.clone(), cells.clone()));
             if let Ok(of) = &mut forms[label] {
-                of.forms.push(Form {
-                    lines: vec![cells],
-                    abbreviation: Some(letter),
-                    kind: FormKind::Letter,
-                    cost: LETTER,
-                });
+                of.forms.push(Form { lines: vec![cells], abbreviation: Some(letter), kind: FormKind::Letter });
             }
         }
     }
@@ -79,7 +70,7 @@ pub(super) fn add_bare(
         if let (Ok(of), Some(braille)) = (&mut forms[label], braille)
             && braille.lacking.is_empty()
         {
-            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: FormKind::Bare, cost: BARE });
+            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: FormKind::Bare });
         }
     }
 }

@@ -34,7 +34,7 @@ mod titles;
 
 pub use choose::{Choice, choose};
 pub use forms::LONGEST;
-pub use placed::{Params, Placed, PlacedAs, Unplaced, Wanted};
+pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted};
 pub use predicted::{RowPrediction, row_overhang};
 pub use scale::EVERY;
 pub use surroundings::NEAR;
@@ -50,7 +50,7 @@ use candidates::{Candidate, MIN_SPACING, Spacing};
 use forms::{Form, FormKind, Forms};
 use groups::Group;
 use room::Room;
-use surroundings::Surroundings;
+use surroundings::{LabelsAt, Surroundings};
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
@@ -179,7 +179,8 @@ fn around<'a>(
     let missing = params.points.iter().filter(is_on_line).map(|&at| named_points::missing(at));
     let rings: Vec<_> = room.rings().iter().copied().chain(missing).collect();
     let anchors = named_points::anchors(wanted, &rings);
-    let around = |(number, forms)| Surroundings::of(number, (wanted, &anchors), longest(forms), room, params);
+    let labels = LabelsAt { wanted, anchors: &anchors };
+    let around = |(number, forms)| Surroundings::of(number, labels, longest(forms), room, params);
     forms.iter().enumerate().map(around).collect()
 }
 
@@ -193,10 +194,10 @@ fn groups_of(
     // names of points, such as towns, are no row though some stand at one height; numbers along a line of points are
     let names_point = |label: usize| {
         let Wanted { text, anchor, .. } = &wanted[label];
-        around[label].is_point && !anchor.is_empty() && !scale::is_number(text)
+        around[label].is_point() && !anchor.is_empty() && !scale::is_number(text)
     };
     let is_written = |label: usize| forms[label].is_ok() && !names_point(label);
-    let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side);
+    let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side());
     letters::add(&mut groups, forms, wanted, translator);
     letters::add_bare(&groups, forms, wanted, translator);
     groups
@@ -250,7 +251,7 @@ fn loss(chosen: &[Option<usize>], candidates: &[Vec<Candidate>], forms: &[Result
     let placed: Vec<(usize, &Candidate)> = chosen.iter().enumerate().filter_map(of).collect();
     let is_short = |(label, candidate): &&(usize, &Candidate)| {
         let form = forms[*label].as_ref().ok().and_then(|of| of.forms.get(candidate.form));
-        candidate.crosses || form.is_some_and(|form| form.abbreviation.is_some())
+        candidate.attachment.crosses() || form.is_some_and(|form| form.abbreviation.is_some())
     };
     let cost = placed.iter().map(|(_, candidate)| candidate.cost).sum();
     Loss { lost: (chosen.len() - placed.len(), placed.iter().filter(is_short).count()), cost }
@@ -297,8 +298,7 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         lines,
         lacking,
         abbreviation,
-        leader: candidate.leader,
-        crosses: candidate.leader.is_some() && candidate.crosses,
+        attachment: candidate.attachment,
         stands: candidate.stands,
         is_bare: kind == FormKind::Bare,
     })

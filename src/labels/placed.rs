@@ -83,6 +83,32 @@ pub enum PlacedAs {
     AsTitle,
 }
 
+/// How a label is joined to what it names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Attachment {
+    /// It stands beside that.
+    Beside,
+    /// By a leader line that crosses no other.
+    Leader([MmPoint; 2]),
+    /// By a leader line across others, as there is room nowhere else.
+    LeaderAcross([MmPoint; 2]),
+}
+
+impl Attachment {
+    /// The leader line from the label to what it names, if there is one.
+    pub fn leader(self) -> Option<[MmPoint; 2]> {
+        match self {
+            Self::Beside => None,
+            Self::Leader(segment) | Self::LeaderAcross(segment) => Some(segment),
+        }
+    }
+
+    /// Whether it is a leader line across others.
+    pub fn crosses(self) -> bool {
+        matches!(self, Self::LeaderAcross(_))
+    }
+}
+
 /// A label that has a place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
@@ -94,10 +120,8 @@ pub struct Placed {
     pub lacking: Vec<Lacking>,
     /// What it says in place of its text, if it is abbreviated.
     pub abbreviation: Option<String>,
-    /// The line that leads from it to its anchor, if it lies far away.
-    pub leader: Option<[MmPoint; 2]>,
-    /// Whether that line crosses others, as there is room nowhere else.
-    pub crosses: bool,
+    /// How it is joined to its anchor: by a leader line, if it lies far away.
+    pub attachment: Attachment,
     /// Whether it stands by itself, in a row, in the margin or as the title of an axis.
     pub stands: PlacedAs,
     /// Whether it is a number of an axis without its unit, which another has.
@@ -126,13 +150,13 @@ pub enum Unplaced {
 impl Placed {
     /// Blank that is left to a point, mm, besides what textures keep from its box and from its leader line.
     pub(super) fn blank_to(&self, at: MmPoint, params: &Params) -> f32 {
-        let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
+        let to_leader = self.attachment.leader().map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
         (distance_to_box(at, self.place) - params.texture_clearance).min(to_leader - params.clearance)
     }
 
     /// Distance from its box or leader line, mm; 0 inside.
     pub fn distance(&self, at: MmPoint) -> f32 {
-        let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
+        let to_leader = self.attachment.leader().map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
         distance_to_box(at, self.place).min(to_leader)
     }
 }

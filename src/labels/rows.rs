@@ -7,7 +7,7 @@ use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
-use super::placed::PlacedAs;
+use super::placed::{Attachment, PlacedAs};
 use super::ticks;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -274,10 +274,11 @@ impl<'a> RowOfLabels<'a> {
         let corner = self.corner(number, start, offset, self.along[number].0 + moved);
         let place = self.context.cells.snapped(MmRect::new(corner, corner + size));
         let anchor = self.context.around[self.group.members[number]].anchor;
-        let leader = (at == RowPlace::Led).then(|| leader(place, anchor));
-        let cost = self.forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
+        let attachment =
+            if at == RowPlace::Led { Attachment::Leader(leader(place, anchor)) } else { Attachment::Beside };
+        let cost = self.forms[number].kind.cost() + offset.abs() + moved.abs() + row * SECOND_ROW;
         let stands = if at == RowPlace::Margin { PlacedAs::InMargin } else { PlacedAs::InRow };
-        Candidate::of_row(self.numbers[number], place, leader, cost, stands)
+        Candidate::of_row(self.numbers[number], place, attachment, cost, stands)
     }
 
     /// The top left corner of a label that begins here along its row.

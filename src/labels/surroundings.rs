@@ -42,6 +42,39 @@ const SAME: f32 = 3.0;
 /// more exactly.
 const BELOW: f32 = 6.0;
 
+/// Labels with what each names.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LabelsAt<'a> {
+    pub(super) wanted: &'a [Wanted],
+    /// As many: a point as an empty box, or the box of a text.
+    pub(super) anchors: &'a [MmRect],
+}
+
+/// What a label names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Named {
+    /// A point: one that is given, or a small ring that it stands beside as a text.
+    Point {
+        /// Whether a point that is given lies at the lower side of a shape, such as a bar of a chart.
+        is_at_lower_side: bool,
+    },
+    /// Something at a text of the drawing, for which the label stands.
+    Text {
+        /// The side on which a line comes up to the text: -1 on the left, 1 on the right.
+        line_on: Option<f32>,
+        /// Where lines shut the text in: it may name what they surround.
+        shut_in: Option<ShutIn>,
+    },
+}
+
+/// A text that lines shut in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ShutIn {
+    /// The place on its own side from which the line is reached on which its leader line ends, where it is not that
+    /// line's own.
+    side: Option<MmPoint>,
+}
+
 /// What lies around what a label names.
 pub(super) struct Surroundings<'a> {
     pub(super) room: &'a Room,
@@ -52,19 +85,10 @@ pub(super) struct Surroundings<'a> {
     /// A line so near to what a label names does not part the label from it, mm: a point may lie on it. A text in the
     /// blank stands on one side of all lines.
     pub(super) beside: f32,
-    /// The place on its own side from which the line is reached on which its leader line ends, of a text that lines
-    /// shut in: it may name what they surround.
-    pub(super) side: Option<MmPoint>,
-    /// Whether it is a text that lines shut in.
-    pub(super) is_shut_in: bool,
     /// The box of lines in which a text stands, such as a cell of a table: in another one it would say something else.
     pub(super) cell: Option<MmRect>,
-    /// Whether it names a point: one that is given, or a small ring that it stands beside as a text.
-    pub(super) is_point: bool,
-    /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
-    pub(super) is_at_lower_side: bool,
-    /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
-    pub(super) line_on: Option<f32>,
+    /// What kind of thing the label names.
+    pub(super) names: Named,
     /// What the label names.
     pub(super) anchor: MmPoint,
     /// Where its leader line ends: there, or of a text that stands in the blank beside a line, on that.
@@ -76,14 +100,9 @@ pub(super) struct Surroundings<'a> {
 }
 
 impl<'a> Surroundings<'a> {
-    /// Of one of the labels, of which each names an anchor; `longest` is the length of its longest form, mm.
-    pub(super) fn of(
-        number: usize,
-        (wanted, anchors): (&[Wanted], &[MmRect]),
-        longest: f32,
-        room: &'a Room,
-        params: &'a Params,
-    ) -> Self {
+    /// Of one of the labels; `longest` is the length of its longest form, mm.
+    pub(super) fn of(number: usize, labels: LabelsAt<'_>, longest: f32, room: &'a Room, params: &'a Params) -> Self {
+        let LabelsAt { wanted, anchors } = labels;
         let (label, anchor) = (&wanted[number], anchors[number]);
         let (at, is_point) = (anchor.center(), anchor.is_empty());
         // a label without a leader line, and what lies no further from it than what it names
@@ -111,25 +130,50 @@ impl<'a> Surroundings<'a> {
         let cell = if is_text { room.cell_around(at) } else { None };
         let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
         let cell = cell.filter(|cell| is_around(cell) && !is_squared_paper(*cell, wanted, room));
-        let side = (tip != at && is_blank(at) && is_shut_in).then(|| {
+        let side = (tip != at && is_blank(at)).then(|| {
             let to_text = at - tip;
             tip + to_text.normalize() * to_text.length().min(OFF_LINE)
         });
+        let names = if is_point {
+            Named::Point { is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR) }
+        } else {
+            let shut_in = is_shut_in.then_some(ShutIn { side });
+            Named::Text { line_on: room.comes_up_to(anchor, BESIDE_TEXT), shut_in }
+        };
         Self {
             room,
             params,
             end: if is_blank(tip) { 0.0 } else { end },
             beside: if is_blank(at) { 0.0 } else { end },
-            side,
-            is_shut_in,
             cell,
-            is_point,
-            is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR),
-            line_on: if is_point { None } else { room.comes_up_to(anchor, BESIDE_TEXT) },
+            names,
             anchor: at,
             tip,
             angle,
             others,
+        }
+    }
+
+    /// Whether a label names a point.
+    pub(super) fn is_point(&self) -> bool {
+        matches!(self.names, Named::Point { .. })
+    }
+
+    /// Whether a label names a point at the lower side of a shape.
+    pub(super) fn is_at_lower_side(&self) -> bool {
+        self.names == Named::Point { is_at_lower_side: true }
+    }
+
+    /// Whether it stands for a text that lines shut in.
+    pub(super) fn is_shut_in(&self) -> bool {
+        matches!(self.names, Named::Text { shut_in: Some(_), .. })
+    }
+
+    /// Of such a text, the place on its own side from which its leader line has to reach its end.
+    pub(super) fn own_side(&self) -> Option<MmPoint> {
+        match self.names {
+            Named::Text { shut_in: Some(ShutIn { side }), .. } => side,
+            Named::Text { shut_in: None, .. } | Named::Point { .. } => None,
         }
     }
 

@@ -4,7 +4,7 @@
 use super::candidates::{Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::context::Context;
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
-use super::placed::PlacedAs;
+use super::placed::{Attachment, PlacedAs};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from its numbers a title stands in print, mm, at most.
@@ -97,7 +97,8 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
         let at_end = MmPoint::new(row.max.x + MIN_SPACING.aside(), row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {
             let place = context.cells.snapped(MmRect::new(corner, corner + size));
-            let candidate = Candidate::of_row(number, place, None, form.cost + cost, PlacedAs::AsTitle);
+            let candidate =
+                Candidate::of_row(number, place, Attachment::Beside, form.kind.cost() + cost, PlacedAs::AsTitle);
             let mut others = placed.iter().flatten();
             let is_free = context.params.holds(&place)
                 && context.room.is_free(place)

@@ -137,6 +137,7 @@ mod tests {
             contrast: [step, 0.0, 0.0],
             width: 0.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         Polyline::open((0..=20).map(vertex).collect())
     }
@@ -170,6 +171,7 @@ mod tests {
             contrast: [20.0, 0.0, 0.0],
             width: 0.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
         assert!(joined.len() == 1 && joined[0].closed);

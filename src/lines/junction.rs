@@ -8,7 +8,7 @@
 //! ```
 
 use super::params::HEADING;
-use super::vertex::{SPACING, Vertex};
+use super::vertex::{SPACING, Tip, Vertex};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::first_beyond;
@@ -42,23 +42,22 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
     for (number, polyline) in
         polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed && polyline.vertices.len() > 1)
     {
-        for at_start in [true, false] {
-            let arc = if at_start { 0.0 } else { totals[number] };
+        for which in Tip::BOTH {
+            let arc = if which == Tip::First { 0.0 } else { totals[number] };
             let other = |segment: &Segment| segment.line as usize != number || (segment.arc - arc).abs() > ROUND * gap;
-            let tip = if at_start { polyline.vertices[0] } else { polyline.vertices[polyline.vertices.len() - 1] };
-            let Some(heading) = heading(polyline, at_start, HEADING) else { continue };
+            let (Some(tip), Some(heading)) = (which.of(polyline), heading(polyline, which, HEADING)) else { continue };
             if let Some(target) = ahead(tip.at, heading, &nearby, gap, other) {
-                extensions.push((number, at_start, straight(&tip, target)));
+                extensions.push((number, which, straight(tip, target)));
             }
         }
     }
-    for (number, at_start, path) in extensions {
+    for (number, which, path) in extensions {
         let polyline = &mut polylines[number];
         if polyline.closed {
             // its other end was extended to this one
             continue;
         }
-        add(polyline, at_start, path);
+        add(polyline, which, path);
         // an end that was extended to the other end of its line has closed it
         if let [first, .., last] = &polyline.vertices[..]
             && (last.at - first.at).length() < SPACING
@@ -70,9 +69,9 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
 }
 
 /// The direction in which an end leaves its line, over the last `span` millimetres.
-pub(super) fn heading(polyline: &Polyline<Vertex>, at_start: bool, span: f32) -> Option<MmVector> {
+pub(super) fn heading(polyline: &Polyline<Vertex>, which: Tip, span: f32) -> Option<MmVector> {
     let n = polyline.vertices.len();
-    let from_end = |i: usize| polyline.vertices[if at_start { i } else { n - 1 - i }].at;
+    let from_end = |i: usize| polyline.vertices[if which == Tip::First { i } else { n - 1 - i }].at;
     let inner = first_beyond((1..n).map(from_end), from_end(0), span)?;
     (from_end(0) - inner).try_normalize()
 }
@@ -123,16 +122,15 @@ pub(super) fn straight(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
 }
 
 /// Extends a line at one end, straight to a place.
-pub(super) fn extend_to(line: &mut Polyline<Vertex>, at_start: bool, to: MmPoint) {
-    let tip = if at_start { line.vertices.first() } else { line.vertices.last() };
-    if let Some(path) = tip.map(|tip| straight(tip, to)) {
-        add(line, at_start, path);
+pub(super) fn extend_to(line: &mut Polyline<Vertex>, which: Tip, to: MmPoint) {
+    if let Some(path) = which.of(line).map(|tip| straight(tip, to)) {
+        add(line, which, path);
     }
 }
 
 /// Adds a path that leads on from an end of a line.
-fn add(line: &mut Polyline<Vertex>, at_start: bool, path: Vec<Vertex>) {
-    if at_start {
+fn add(line: &mut Polyline<Vertex>, which: Tip, path: Vec<Vertex>) {
+    if which == Tip::First {
         line.vertices.splice(0..0, path.into_iter().rev());
     } else {
         line.vertices.extend(path);
@@ -152,6 +150,7 @@ mod tests {
             contrast: [60.0, 0.0, 0.0],
             width: 1.5,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let corners = [(10.0, 12.0), (10.0, 40.0), (40.0, 40.0), (40.0, 10.0), (12.0, 10.0)];
         let mut ring = Polyline::open(corners.map(|(x, y)| vertex(MmPoint::new(x, y))).to_vec());

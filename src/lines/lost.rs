@@ -187,6 +187,7 @@ impl LossTally {
 mod tests {
     use super::*;
     use crate::lines::vertex::FoundIn;
+    use crate::units::MmVector;
 
     fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
         let vertex = |(x, y): (f32, f32)| Vertex {
@@ -195,6 +196,7 @@ mod tests {
             contrast: [0.0; 3],
             width: 1.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
         line.fill();

@@ -53,7 +53,7 @@ pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;
 use outlines::Rank;
 pub(crate) use params::APPROACH_OF_DRAWINGS;
-pub use params::{PagePart, Params};
+pub use params::{PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
 
 use crate::edges::Edges;

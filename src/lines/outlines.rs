@@ -4,7 +4,7 @@ use super::params::Params;
 use super::vertex::{FoundIn, Vertex};
 use crate::geom::polyline::Polyline;
 use crate::regions::{RegionOutline, TracePoint};
-use crate::units::PageTransform;
+use crate::units::{MmVector, PageTransform};
 
 /// What is drawn before, and in place of, ordinary lines.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -68,6 +68,7 @@ impl Outlines {
                 contrast: [0.0; 3],
                 width: 0.0,
                 source: FoundIn::Pixels,
+                displaced: MmVector::zero(),
             };
             let mut line = Polyline { vertices: contour.vertices.iter().map(vertex).collect(), closed: contour.closed };
             line = line.evened();
@@ -91,6 +92,7 @@ mod tests {
             contrast: [contrast, 0.0, 0.0],
             width: 1.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         Polyline { vertices: places.iter().map(vertex).collect(), closed }.resampled(0.5)
     }

@@ -68,6 +68,11 @@ const APPROACH_MARGIN: f32 = 0.2;
 /// What rounding, and the vertices where lines meet, may take from a distance, mm.
 const ROUNDING: f32 = 0.08;
 
+/// [`Params::farthest_moved`] of lines whose middles are so far apart at least, mm.
+pub fn farthest_moved(spacing: f32) -> f32 {
+    (0.5 * spacing).max(2.0 * RING_FARTHEST)
+}
+
 impl Params {
     /// Widths and gaps as for swell paper, and all detail.
     #[cfg(test)]
@@ -120,9 +125,9 @@ impl Params {
     }
 
     /// How far a line may be from the contours that it stands for, mm: it may be moved twice, together with others and
-    /// alone. Few are farther away: one that is judged again may be displaced again.
+    /// alone, or lie in the middle of its stroke.
     pub fn farthest_moved(&self) -> f32 {
-        self.max_offset().max(2.0 * RING_FARTHEST)
+        farthest_moved(self.max_spacing())
     }
 
     /// The farthest that a centre line is from the contours that it stands for, mm: in the middle of a stroke whose

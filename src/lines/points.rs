@@ -14,7 +14,7 @@ mod drawn;
 use super::junction::{extend_to, heading};
 use super::marks::{PointMark, SERIES};
 use super::params::{HEADING, Params};
-use super::vertex::Vertex;
+use super::vertex::{Tip, Vertex};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::roundness;
 use crate::geom::polyline::Polyline;
@@ -100,8 +100,8 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             continue;
         }
         for arm in &arms {
-            if let Approach::End { at_start } = arm.kind {
-                extend_to(&mut polylines[arm.line], at_start, point.at);
+            if let Approach::End { which } = arm.kind {
+                extend_to(&mut polylines[arm.line], which, point.at);
             }
         }
         let through = arms.iter().find(|arm| arm.kind == Approach::Through).map(|arm| arm.line);
@@ -170,7 +170,7 @@ struct PointArm {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Approach {
     Through,
-    End { at_start: bool },
+    End { which: Tip },
 }
 
 /// The lines that lead to the middle of a point.
@@ -188,15 +188,14 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
             arms.push(PointArm { line, kind: Approach::Through });
             continue;
         }
-        for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
-            let tip = if at_start { polyline.vertices.first() } else { polyline.vertices.last() };
-            let (Some(tip), Some(heading)) = (tip, heading(polyline, at_start, HEADING)) else {
+        for which in Tip::BOTH.into_iter().filter(|_| !polyline.closed) {
+            let (Some(tip), Some(heading)) = (which.of(polyline), heading(polyline, which, HEADING)) else {
                 continue;
             };
             let to_middle = point.at - tip.at;
             let leads = to_middle.dot(heading) > 0.0 && to_middle.cross(heading).abs() <= aside;
             if to_middle.length() <= reach && leads {
-                arms.push(PointArm { line, kind: Approach::End { at_start } });
+                arms.push(PointArm { line, kind: Approach::End { which } });
             }
         }
     }

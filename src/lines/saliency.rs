@@ -80,6 +80,7 @@ mod tests {
                 contrast: [30.0, 0.0, 0.0],
                 width: 1.0,
                 source: FoundIn::Pixels,
+                displaced: MmVector::zero(),
             }
         };
         Polyline { vertices: (0..100).map(vertex).collect(), closed }

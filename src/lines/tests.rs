@@ -6,7 +6,7 @@ use super::vertex::{FoundIn, SPACING, Vertex};
 use super::*;
 use crate::geom::polyline::Polyline;
 use crate::geom::{crossing, nearest_on_segment};
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmVector};
 
 const PARAMS: Params = Params::TEST;
 
@@ -37,7 +37,14 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
             heading += bend;
             at += crate::units::MmVector::new(heading.cos(), heading.sin()) * SPACING;
             let strength = (strength + fade * i as f32).max(PARAMS.least_strength);
-            Vertex { at, strength, contrast: [strength, 0.0, 0.0], width: 0.0, source: FoundIn::Pixels }
+            Vertex {
+                at,
+                strength,
+                contrast: [strength, 0.0, 0.0],
+                width: 0.0,
+                source: FoundIn::Pixels,
+                displaced: MmVector::zero(),
+            }
         });
         Polyline::open(vertices.collect())
     };
@@ -127,7 +134,14 @@ fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
 #[test]
 fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
-        let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], width: 0.0, source: FoundIn::Pixels };
+        let tip = Vertex {
+            at: from,
+            strength: 50.0,
+            contrast: [50.0, 0.0, 0.0],
+            width: 0.0,
+            source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
+        };
         let mut vertices = vec![tip];
         vertices.extend(junction::straight(&tip, to));
         Polyline::open(vertices)

@@ -6,7 +6,7 @@ pub(super) mod crossbars;
 use super::junction::{extend_to, heading};
 use super::marks::TickMark;
 use super::params::Params;
-use super::vertex::{Vertex, nearby};
+use super::vertex::{Tip, Vertex, nearby};
 use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -186,10 +186,10 @@ fn is_straight(line: &Polyline<Vertex>) -> bool {
 fn longer(line: &Polyline<Vertex>, tick: &Tick, more: f32) -> Polyline<Vertex> {
     let mut line = line.clone();
     let each = more / tick.stands.iter().filter(|gap| gap.is_none()).count().max(1) as f32;
-    for (at_start, gap) in [true, false].into_iter().zip(tick.stands) {
-        let tip = if at_start { line.vertices.first() } else { line.vertices.last() }.map(|tip| tip.at);
-        let (Some(tip), Some(heading)) = (tip, heading(&line, at_start, tick.length)) else { continue };
-        extend_to(&mut line, at_start, tip + heading * gap.unwrap_or(each));
+    for (which, gap) in Tip::BOTH.into_iter().zip(tick.stands) {
+        let tip = which.of(&line).map(|tip| tip.at);
+        let (Some(tip), Some(heading)) = (tip, heading(&line, which, tick.length)) else { continue };
+        extend_to(&mut line, which, tip + heading * gap.unwrap_or(each));
     }
     line
 }

@@ -5,7 +5,7 @@ use crate::edges::{ChainKind, Edgel};
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
 use crate::geom::{mix, nearest_on_segment};
-use crate::units::{Mm, MmPoint, MmRect, PageTransform};
+use crate::units::{Mm, MmPoint, MmRect, MmVector, PageTransform};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
 pub(super) const SPACING: f32 = 0.4;
@@ -27,6 +27,8 @@ pub(super) struct Vertex {
     pub(super) width: f32,
     /// Where it was found.
     pub(super) source: FoundIn,
+    /// How far clearance has displaced it in all.
+    pub(super) displaced: MmVector,
 }
 
 /// Where a vertex was found.
@@ -68,6 +70,7 @@ impl Blend for Vertex {
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i], share)),
             width: mix(self.width, other.width, share),
             source: if self.source == other.source { self.source } else { FoundIn::Pixels },
+            displaced: self.displaced.lerp(other.displaced, share),
         }
     }
 
@@ -83,6 +86,36 @@ impl Vertex {
         match self.source {
             FoundIn::Stroke | FoundIn::FaintStroke => self.strength.max(full_strength),
             FoundIn::Pixels | FoundIn::Vector | FoundIn::Person => self.strength,
+        }
+    }
+}
+
+/// One of the two tips of an open line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tip {
+    /// Its first vertex.
+    First,
+    /// Its last.
+    Last,
+}
+
+impl Tip {
+    /// Both, in the order of the line.
+    pub(super) const BOTH: [Self; 2] = [Self::First, Self::Last];
+
+    /// Its vertex of a line.
+    pub(super) fn of(self, line: &Polyline<Vertex>) -> Option<&Vertex> {
+        match self {
+            Self::First => line.vertices.first(),
+            Self::Last => line.vertices.last(),
+        }
+    }
+
+    /// That at the other end.
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::First => Self::Last,
+            Self::Last => Self::First,
         }
     }
 }
@@ -116,6 +149,7 @@ impl Polyline<Vertex> {
             contrast: p.contrast,
             width: 0.0,
             source,
+            displaced: MmVector::zero(),
         };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
@@ -251,6 +285,7 @@ mod tests {
             contrast: [0.0; 3],
             width: 0.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
         line.subdivide(0.25);

@@ -157,6 +157,7 @@ fn crosses_itself(runs: &[Run]) -> bool {
 mod tests {
     use super::*;
     use crate::lines::vertex::FoundIn;
+    use crate::units::MmVector;
 
     fn straight(strength: impl Fn(f32) -> f32) -> Line {
         let vertices = (0..=300)
@@ -166,6 +167,7 @@ mod tests {
                 contrast: [1.0, 0.0, 0.0],
                 width: 0.0,
                 source: FoundIn::Pixels,
+                displaced: MmVector::zero(),
             })
             .collect();
         let mut polyline = Polyline::open(vertices);

@@ -67,16 +67,25 @@ pub(super) struct Found {
     notes: Vec<Note>,
 }
 
+/// What a person gives beside a picture.
+#[derive(Clone, Copy)]
+pub(super) struct FromPerson<'a> {
+    /// Lines, areas, and what is erased.
+    pub(super) given: &'a Given,
+    pub(super) words: &'a Words<'a>,
+}
+
 /// Reads a picture, lays it out where `layout_of` its size says, `with_room` for the texts in it, and finds its
 /// contours: what [`draw`] draws.
 pub(super) fn find(
     picture: Picture<'_>,
-    (given, words): (&Given, &Words<'_>),
+    person: FromPerson<'_>,
     request: &Request<'_>,
     layout_of: &LayoutOf<'_>,
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Found, Error> {
+    let FromPerson { given, words } = person;
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Header| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);

@@ -49,19 +49,31 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label], legend: &'a [Legend
     }
 }
 
-/// The marks of a page in another layout: lines and areas keep their places in the figure. `lines` are what its lines
-/// are called, of which those that a person drew come first; `own` is its profile. Labels whose leader line is a line
-/// of the figure that is not drawn as a whole name the place where its tip was.
+/// A page that is laid out anew.
+#[derive(Clone, Copy)]
+pub struct OldPage<'a> {
+    /// The page.
+    pub page: &'a Page,
+    /// What the lines of its figure are called.
+    pub lines: &'a [LineName],
+    /// Its own profile.
+    pub plan: &'a Plan,
+}
+
+/// The marks of a page in another layout: lines and areas keep their places in the figure, and lines that a person drew
+/// come first. `labels` whose leader line is a line of the figure that is not drawn as a whole name the place where its
+/// tip was.
 ///
 /// # Errors
 /// If the figure has no area, or the page is no longer wanted.
 pub(super) fn marks(
-    (page, lines, labels): (&Page, &[LineName], &mut [Label]),
-    own: &Plan,
+    old: OldPage<'_>,
+    labels: &mut [Label],
     layout: Layout,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
+    let OldPage { page, lines, plan: own } = old;
     let (plan, size) = (request.plan, shape(page));
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
     let params = plan.lines();
@@ -90,7 +102,7 @@ pub(super) fn marks(
             kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
         // of heads of arrows is told by themselves
         arrows(&page.figure.lines).iter().filter_map(|arrow| arrow.head).for_each(|head| shares[head] = 1.0);
-        keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
+        keep_widths(&mut drawn.lines, &stand_for, old, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
     notes.extend(told_of_overview(&overview).chain(dots_left_out(page)));
@@ -141,7 +153,8 @@ fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &
 
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
 /// are all of full strength.
-fn keep_widths(drawn: &mut [Line], stand_for: &[usize], (page, names): (&Page, &[LineName]), own: &Plan, plan: &Plan) {
+fn keep_widths(drawn: &mut [Line], stand_for: &[usize], old: OldPage<'_>, plan: &Plan) {
+    let OldPage { page, lines: names, plan: own } = old;
     let (params, swell) = (plan.lines(), own.profile().print.swell);
     for (line, &number) in drawn.iter_mut().zip(stand_for) {
         let Some(before) = page.figure.lines.get(number).filter(|_| names.get(number).is_some_and(|of| of.by_hand))

@@ -1,6 +1,6 @@
 //! From bytes to a picture on several sheets.
 
-use super::draw::{DrawnMarks, draw, find};
+use super::draw::{DrawnMarks, FromPerson, draw, find};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
 use super::lost_signs;
@@ -64,7 +64,7 @@ pub fn convert<'p>(
     let written = WrittenWords::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
     let layout_of = |size: Size, _| Ok(together(&lay(size)?));
-    let found = find(picture.into(), (given, words), request, &layout_of, &|_, layout, _| layout, watch)?;
+    let found = find(picture.into(), FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
     let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
     let legend = if words.own_texts { legend } else { Vec::new() };

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::unwritten::{Lacks, RefusedTexts, named};
-use crate::labels::{self, NEAR, Placed, PlacedAs, Unplaced, Wanted};
+use crate::labels::{self, Attachment, NEAR, Placed, PlacedAs, Unplaced, Wanted};
 use crate::listing::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
@@ -103,7 +103,10 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
             .filter(is_nearer)
             .min_by(|a, b| far(&a.anchor, &placed.place).total_cmp(&far(&b.anchor, &placed.place)));
         other
-            .filter(|_| placed.leader.is_none() && !matches!(placed.stands, PlacedAs::InMargin | PlacedAs::AsTitle))
+            .filter(|_| {
+                placed.attachment == Attachment::Beside
+                    && !matches!(placed.stands, PlacedAs::InMargin | PlacedAs::AsTitle)
+            })
             .map(|other| other.text.as_str())
     };
     let all = wanted.iter().zip(results).enumerate();
@@ -142,7 +145,7 @@ pub(super) fn without_texture(labels: &[&str]) -> Option<Note> {
 
 /// Tells of leader lines that cross others.
 pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
-    let crosses = |result: &Result<Placed, Unplaced>| result.as_ref().is_ok_and(|label| label.crosses);
+    let crosses = |result: &Result<Placed, Unplaced>| result.as_ref().is_ok_and(|label| label.attachment.crosses());
     let texts: Vec<&str> = wanted
         .iter()
         .zip(results)
@@ -239,8 +242,7 @@ mod tests {
                 lines: Vec::new(),
                 lacking: Vec::new(),
                 abbreviation: None,
-                leader: None,
-                crosses: false,
+                attachment: Attachment::Beside,
                 stands: PlacedAs::Alone,
                 is_bare: false,
             })

@@ -327,7 +327,7 @@ impl<'a> WrittenWords<'a> {
             abbreviation: label.abbreviation.clone(),
             lines: label.lines.iter().map(|line| unicode(line)).collect(),
             dots: Dots { diameter: cells.diameter, at: cells.dots(&label.lines, label.place.min) },
-            leader: label.leader.map(|ends| leader(ends, layout, plan)),
+            leader: label.attachment.leader().map(|ends| leader(ends, layout, plan)),
         }
     }
 }

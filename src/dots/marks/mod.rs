@@ -35,8 +35,6 @@ const TICK: f32 = 4.0;
 const TICK_DOTS: usize = 2;
 /// The blank between two ticks, mm: the least between any two marks (1/8 inch: Hasty).
 const BETWEEN: f32 = 3.2;
-/// Most lines are moved by no more than this, mm (see `lines::Params::farthest_moved`): their marks go with them.
-const MOVED: f32 = 3.2;
 /// Of two dots as near the one with the greater column and row is taken, as lines are: so much nearer, in steps.
 const MIDWAY: f32 = 1e-3;
 /// The direction of a row is taken over so many dots to both sides.
@@ -173,7 +171,8 @@ impl Places<'_> {
     fn nearest(&self, at: MmPoint, counts: impl Fn(RowDot) -> bool) -> Option<RowDot> {
         // of two dots as near the same as of lines
         let at = self.field.lattice.to_steps(at).map(|at| at + MIDWAY);
-        let reach = MOVED / self.params.pitch + 1.0;
+        // lines are moved, and their marks go with them
+        let reach = self.params.farthest_moved() / self.params.pitch + 1.0;
         let far = |dot: GridPoint| (dot[0] - at[0]).hypot(dot[1] - at[1]);
         let dots = self.field.around(at, reach).filter_map(|(_, dot, owner)| {
             let Owner::Row(row, number) = owner else { return None };

@@ -3,6 +3,7 @@
 use super::super::forms::FormKind;
 use super::super::placed::Params;
 use super::super::room::Room;
+use super::super::surroundings::LabelsAt;
 use super::*;
 use crate::page::{Line, Run};
 
@@ -36,9 +37,15 @@ fn box_at(x: f32, y: f32) -> MmRect {
 
 /// The first label in a place among others.
 fn placed(wanted: &[Wanted], place: MmRect, room: &Room, params: &Params) -> Option<Candidate> {
-    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: FormKind::Text, cost: 0.0 };
+    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: FormKind::OneLine };
     let anchors: Vec<MmRect> = wanted.iter().map(|label| label.anchor).collect();
-    candidate(&wanted[0], 0, &form, place, &Surroundings::of(0, (wanted, &anchors), 20.0, room, params))
+    candidate(
+        &wanted[0],
+        0,
+        &form,
+        place,
+        &Surroundings::of(0, LabelsAt { wanted, anchors: &anchors }, 20.0, room, params),
+    )
 }
 
 /// What a place costs in the room.
@@ -78,8 +85,8 @@ fn a_label_far_from_its_point_has_a_leader_line() {
     let label = [at(100.0, 100.0)];
     let placed = |x: f32| placed(&label, box_at(x, 97.0), &room, &params);
     let (near, far) = (placed(111.9).expect("near"), placed(112.1).expect("far"));
-    assert_eq!(near.leader, None);
-    assert_eq!(far.leader.map(|[from, to]| (from.x.round(), to)), Some((109.0, POINT)), "3 mm of blank before it");
+    assert_eq!(near.leader(), None);
+    assert_eq!(far.leader().map(|[from, to]| (from.x.round(), to)), Some((109.0, POINT)), "3 mm of blank before it");
     assert!((far.cost - near.cost - 10.2).abs() < 0.01, "a leader line costs 10 mm");
     assert_eq!(placed(137.6), None, "beyond the longest leader line");
     assert_eq!(placed(101.9), None, "on the point");
@@ -89,7 +96,7 @@ fn a_label_far_from_its_point_has_a_leader_line() {
 fn a_label_nearer_to_another_anchor_has_a_leader_line_of_some_length() {
     let (room, params) = (room(&[], false), params());
     let both = [at(100.0, 100.0), at(100.0, 112.0)];
-    let leader = |wanted: &[Wanted], place: MmRect| placed(wanted, place, &room, &params).map(|found| found.leader);
+    let leader = |wanted: &[Wanted], place: MmRect| placed(wanted, place, &room, &params).map(|found| found.leader());
     let place = box_at(106.0, 108.0);
     assert_eq!(leader(&both[..1], place), Some(None), "10 mm from its own");
     let [from, to] = leader(&both, place).flatten().expect("6 mm from the other");
@@ -104,7 +111,7 @@ fn leader_lines_keep_away_from_what_others_name() {
     let (room, params) = (room(&[], false), params());
     let start = |y: f32| {
         let found = placed(&[at(100.0, 100.0), at(110.0, y)], box_at(120.0, 97.0), &room, &params)?;
-        found.leader.map(|[from, _]| from.y)
+        found.leader().map(|[from, _]| from.y)
     };
     assert_eq!(start(104.5), Some(100.0), "4.5 mm beside the straight line from the nearest point");
     assert!(start(103.5).is_some_and(|y| y < 98.0), "from the upper corner");
@@ -119,15 +126,20 @@ fn a_leader_line_crosses_others_only_where_it_may() {
     };
     assert_eq!(found(&label, false), None);
     let across = found(&label, true).expect("it may");
-    assert!(across.crosses && across.cost > 2000.0 && across.leader.is_some_and(|[_, to]| to == POINT));
+    assert!(across.attachment.crosses() && across.cost > 2000.0 && across.leader().is_some_and(|[_, to]| to == POINT));
     let drawn = Wanted { led_from: Some(MmPoint::new(112.0, 100.0)), ..at(100.0, 100.0) };
     let drawn = found(&[drawn], true).expect("as the drawing leads to it");
-    assert!(drawn.crosses && (300.0..1000.0).contains(&drawn.cost), "less than an abbreviation: {}", drawn.cost);
+    assert!(
+        drawn.attachment.crosses() && (300.0..1000.0).contains(&drawn.cost),
+        "less than an abbreviation: {}",
+        drawn.cost
+    );
     // along a line it would be felt as a part of that
     let cost = |room: &Room| {
         let join = Attachment::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
         let (params, place) = (params(), box_at(91.0, 120.0));
-        cost(0.0, &label[0], place, join, &Surroundings::of(0, (&label, &[label[0].anchor]), 20.0, room, &params))
+        let labels = LabelsAt { wanted: &label, anchors: &[label[0].anchor] };
+        cost(0.0, &label[0], place, join, &Surroundings::of(0, labels, 20.0, room, &params))
     };
     let beside = room(&[(101.0, 106.0), (101.0, 180.0)], false);
     let along = cost(&beside) - cost(&room(&[], false));
@@ -147,7 +159,7 @@ fn labels_of_texts_stand_above_or_below_rather_than_beside() {
 }
 
 fn at_leader(place: MmRect, leader: [(f32, f32); 2]) -> Candidate {
-    Candidate::of_row(0, place, Some(leader.map(MmPoint::from)), 0.0, PlacedAs::Alone)
+    Candidate::of_row(0, place, Attachment::Leader(leader.map(MmPoint::from)), 0.0, PlacedAs::Alone)
 }
 
 #[test]
@@ -156,7 +168,7 @@ fn leader_lines_that_are_too_near_conflict() {
     let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), MIN_SPACING, 0.0);
     assert!(conflicts(5.9) && !conflicts(6.1), "3 mm of blank");
     // and what lies in the way of a leader line
-    let label = |y: f32| Candidate { leader: None, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
+    let label = |y: f32| Candidate { attachment: Attachment::Beside, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
     assert!(one.conflicts(&label(6.4), MIN_SPACING, 0.0) && !one.conflicts(&label(6.6), MIN_SPACING, 0.0), "3.5 mm");
     assert!(one.conflicts(&label(6.6), MIN_SPACING, 0.5), "its dots lie off by half a millimetre");
     let fixed = |of: Candidate| Candidate { stands: PlacedAs::InRow, ..of };
@@ -166,7 +178,9 @@ fn leader_lines_that_are_too_near_conflict() {
 #[test]
 fn the_best_places_are_kept_some_distance_apart() {
     let places = |count: usize, step: f32| -> Vec<Candidate> {
-        let at = |k: usize| Candidate::of_row(k, box_at(k as f32 * step, 0.0), None, k as f32, PlacedAs::Alone);
+        let at = |k: usize| {
+            Candidate::of_row(k, box_at(k as f32 * step, 0.0), Attachment::Beside, k as f32, PlacedAs::Alone)
+        };
         apart((0..count).rev().map(at).collect())
     };
     let near: Vec<usize> = places(20, 1.0).iter().map(|place| place.form).collect();
@@ -181,7 +195,7 @@ fn the_name_of_an_angle_stays_between_its_legs() {
     let anchor = MmRect::new(MmPoint::new(97.0, 112.0), MmPoint::new(101.0, 116.0));
     let join_at = |text: &str, place: MmRect, anchor: MmRect| {
         let label = [Wanted { text: text.into(), anchor, led_from: None }];
-        placed(&label, place, &legs, &params()).map(|found| (found.leader.is_some(), found.crosses))
+        placed(&label, place, &legs, &params()).map(|found| (found.leader().is_some(), found.attachment.crosses()))
     };
     let join_of = |text: &str, place: MmRect| join_at(text, place, anchor);
     let place = |x: f32, y: f32| MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 6.0));

@@ -5,7 +5,7 @@ use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::junction::heading;
-use crate::lines::vertex::Vertex;
+use crate::lines::vertex::{Tip, Vertex};
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// The end of a shaft is no farther from its head than this, mm, nor are its strokes from its tip.
@@ -27,7 +27,7 @@ const CELL: f32 = 5.0;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LineEnd {
     pub(super) line: usize,
-    pub(super) at_start: bool,
+    pub(super) which: Tip,
     pub(super) at: MmPoint,
     /// Which way its line leads there.
     pub(super) heading: MmVector,
@@ -67,9 +67,9 @@ impl<'a> Contours<'a> {
                 all.is_head[line] = true;
                 all.tips.put_over(tip.apex.min(tip.base()), tip.apex.max(tip.base()), (line, tip));
             }
-            for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
-                if let (Some(at), Some(heading)) = (end(polyline, at_start), heading(polyline, at_start, HEADING)) {
-                    all.ends.put_at(at, LineEnd { line, at_start, at, heading });
+            for which in Tip::BOTH.into_iter().filter(|_| !polyline.closed) {
+                if let (Some(at), Some(heading)) = (end(polyline, which), heading(polyline, which, HEADING)) {
+                    all.ends.put_at(at, LineEnd { line, which, at, heading });
                 }
             }
         }
@@ -84,10 +84,10 @@ impl<'a> Contours<'a> {
         }
         let mut taken = vec![false; self.polylines.len()];
         for (line, polyline) in self.polylines.iter().enumerate().filter(|(_, line)| !line.closed) {
-            for at_start in [true, false] {
-                let ends = end(polyline, at_start).zip(heading(polyline, at_start, HEADING));
+            for which in Tip::BOTH {
+                let ends = end(polyline, which).zip(heading(polyline, which, HEADING));
                 let Some((at, heading)) = ends else { continue };
-                let shaft = LineEnd { line, at_start, at, heading };
+                let shaft = LineEnd { line, which, at, heading };
                 let Some((tip, lines)) = self.whole(&shaft, &taken).or_else(|| self.of_legs(&shaft, &taken)) else {
                     continue;
                 };
@@ -124,7 +124,7 @@ impl<'a> Contours<'a> {
             if leg.line == shaft.line || taken[leg.line] || !self.is_leg[leg.line] || far > BESIDE {
                 return;
             }
-            let Some(wing) = end(&self.polylines[leg.line], !leg.at_start) else { return };
+            let Some(wing) = end(&self.polylines[leg.line], leg.which.other()) else { return };
             let side = &mut sides[usize::from(shaft.heading.cross(wing - shaft.at) > 0.0)];
             if side.is_none_or(|(least, line, _)| far.total_cmp(&least).then(leg.line.cmp(&line)).is_lt()) {
                 *side = Some((far, leg.line, wing));

@@ -47,7 +47,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
         let extent = MmRect::from_points(points.chain([tip.apex]));
         let toward = tip.axis().try_normalize().unwrap_or(shaft.heading);
         if (tip.apex - shaft.at).dot(toward) > AT_TIP {
-            extend_to(&mut polylines[shaft.line], shaft.at_start, tip.apex);
+            extend_to(&mut polylines[shaft.line], shaft.which, tip.apex);
         }
         marks.push(HeadMark { at: tip.apex, toward, extent, is_drawn: false });
     }

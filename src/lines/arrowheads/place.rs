@@ -9,7 +9,7 @@ use crate::geom::segment_distance;
 use crate::lines::junction::{extend_to, heading};
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{Params, RING_FARTHEST};
-use crate::lines::vertex::{FoundIn, Vertex, nearby};
+use crate::lines::vertex::{FoundIn, Tip, Vertex, nearby};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The end of a shaft as drawn leads as it did, but for 45 degrees: the cosine.
@@ -29,7 +29,7 @@ pub(in crate::lines) struct DrawnHeads {
     pub(in crate::lines) heads: Vec<Polyline<Vertex>>,
     /// The shafts that are shorter for them, or longer: the number of the line, which end, and by how much it is
     /// shorter, mm.
-    shorter: Vec<(usize, bool, f32)>,
+    shorter: Vec<(usize, Tip, f32)>,
 }
 
 impl DrawnHeads {
@@ -41,17 +41,17 @@ impl DrawnHeads {
         anchored: &[bool],
     ) -> (Polyline<Vertex>, Vec<bool>) {
         let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
-        for &(_, at_start, cut) in self.shorter.iter().filter(|(of, _, cut)| *of == number && *cut != 0.0) {
+        for &(_, which, cut) in self.shorter.iter().filter(|(of, _, cut)| *of == number && *cut != 0.0) {
             if cut < 0.0 {
                 let count = line.vertices.len();
-                line = longer(&line, at_start, -cut);
+                line = longer(&line, which, -cut);
                 let added = vec![false; line.vertices.len() - count];
-                anchored.splice(if at_start { 0..0 } else { count..count }, added);
+                anchored.splice(if which == Tip::First { 0..0 } else { count..count }, added);
                 continue;
             }
-            let shorter = shortened(&line, at_start, cut);
+            let shorter = shortened(&line, which, cut);
             let gone = line.vertices.len() - shorter.vertices.len();
-            if at_start {
+            if which == Tip::First {
                 anchored.drain(..gone);
             } else {
                 anchored.truncate(anchored.len() - gone);
@@ -74,29 +74,29 @@ pub(in crate::lines) fn draw(
         return drawn;
     }
     let segments = nearby(lines.iter().copied(), area, params);
-    let mut taken: Vec<(usize, bool)> = Vec::new();
+    let mut taken: Vec<(usize, Tip)> = Vec::new();
     for mark in marks {
-        let Some((line, at_start)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
+        let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
         let places = Places { line, lines, segments: &segments, others: &drawn.heads, area, params };
-        let Some((head, cut)) = places.head(at_start) else { continue };
-        taken.push((line, at_start));
+        let Some((head, cut)) = places.head(which) else { continue };
+        taken.push((line, which));
         drawn.heads.push(head);
-        drawn.shorter.push((line, at_start, cut));
+        drawn.shorter.push((line, which, cut));
         mark.is_drawn = true;
     }
     drawn
 }
 
-/// The end of a line that is the shaft of a head, as it is drawn: the line's number, and whether it begins there.
-fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, bool)> {
+/// The end of a line that is the shaft of a head, as it is drawn: the line's number, and which tip it is.
+fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, Tip)> {
     let ends = lines.iter().enumerate().filter(|(_, line)| !line.closed);
-    let ends = ends.flat_map(|(number, line)| [true, false].map(|at_start| (number, at_start, *line)));
-    let near = ends.filter_map(|(number, at_start, line)| {
-        let far = (end(line, at_start)? - mark.at).length();
-        let leads = far <= 2.0 * RING_FARTHEST && heading(line, at_start, HEADING)?.dot(mark.toward) >= ALONG;
-        leads.then_some((far, number, at_start))
+    let ends = ends.flat_map(|(number, line)| Tip::BOTH.map(|which| (number, which, *line)));
+    let near = ends.filter_map(|(number, which, line)| {
+        let far = (end(line, which)? - mark.at).length();
+        let leads = far <= 2.0 * RING_FARTHEST && heading(line, which, HEADING)?.dot(mark.toward) >= ALONG;
+        leads.then_some((far, number, which))
     });
-    near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, number, at_start)| (number, at_start))
+    near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, number, which)| (number, which))
 }
 
 /// Where a head may be on a line.
@@ -111,33 +111,33 @@ struct Places<'a> {
 
 impl Places<'_> {
     /// The largest head for which there is room, and by how much the shaft is shorter then, mm.
-    fn head(&self, at_start: bool) -> Option<(Polyline<Vertex>, f32)> {
+    fn head(&self, which: Tip) -> Option<(Polyline<Vertex>, f32)> {
         let line = self.lines[self.line];
         let most = (line.length() - self.params.min_length).clamp(0.0, MOST);
         let cuts = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
-        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, shortened(line, at_start, cut))).collect();
+        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, shortened(line, which, cut))).collect();
         let head = |(cut, shaft): &(f32, Polyline<Vertex>), length: f32| {
-            let at = end(shaft, at_start)?;
-            let strokes = strokes(at, heading(shaft, at_start, HEADING)?, length);
-            self.has_room(strokes, at_start).then(|| (self.polyline(strokes, at_start), *cut))
+            let at = end(shaft, which)?;
+            let strokes = strokes(at, heading(shaft, which, HEADING)?, length);
+            self.has_room(strokes, which).then(|| (self.polyline(strokes, which), *cut))
         };
         let on_shaft = LENGTHS.iter().find_map(|length| shafts.iter().find_map(|shaft| head(shaft, *length)));
         on_shaft.or_else(|| {
             // an overview has no room for more
             let most = if self.params.in_overview_of_drawing() { 0 } else { (FARTHER / STEP) as u32 };
-            let longer = (1..=most).map(|step| step as f32 * STEP).map(|by| (-by, longer(line, at_start, by)));
+            let longer = (1..=most).map(|step| step as f32 * STEP).map(|by| (-by, longer(line, which, by)));
             let free: Vec<(f32, Polyline<Vertex>)> =
-                longer.take_while(|(_, shaft)| self.is_clear(shaft, at_start)).collect();
+                longer.take_while(|(_, shaft)| self.is_clear(shaft, which)).collect();
             LENGTHS.iter().rev().find_map(|length| free.iter().find_map(|shaft| head(shaft, *length)))
         })
     }
 
     /// Whether the end of a longer shaft is clear of all other lines.
-    fn is_clear(&self, shaft: &Polyline<Vertex>, at_start: bool) -> bool {
+    fn is_clear(&self, shaft: &Polyline<Vertex>, which: Tip) -> bool {
         let clearance = self.params.max_clearance();
-        end(shaft, at_start).is_some_and(|at| {
+        end(shaft, which).is_some_and(|at| {
             let other = |segment: &Segment| segment.line as usize != self.line;
-            let ahead = heading(shaft, at_start, HEADING);
+            let ahead = heading(shaft, which, HEADING);
             let is_before = |of: MmPoint| ahead.is_none_or(|ahead| (of - at).dot(ahead) >= 0.0);
             let mut is_clear = self.area.contains(at);
             self.segments.around_point(at, clearance, |segment| {
@@ -149,13 +149,13 @@ impl Places<'_> {
     }
 
     /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own.
-    fn has_room(&self, [left, apex, right]: [MmPoint; 3], at_start: bool) -> bool {
+    fn has_room(&self, [left, apex, right]: [MmPoint; 3], which: Tip) -> bool {
         let (clearance, length) = (self.params.max_clearance(), self.lines[self.line].length());
         let own_end = self.params.approach(0.5 * self.params.width_max, 0.5 * self.params.width_max);
         let arcs = self.lines[self.line].arc_lengths();
         let is_own_end = |index: u32| {
             let arc = arcs.get(index as usize).copied().unwrap_or(0.0);
-            if at_start { arc <= own_end } else { arc >= length - own_end }
+            if which == Tip::First { arc <= own_end } else { arc >= length - own_end }
         };
         [(left, apex), (apex, right)].into_iter().all(|stroke| {
             let mut is_free = self.area.contains(stroke.0) && self.area.contains(stroke.1);
@@ -170,20 +170,26 @@ impl Places<'_> {
     }
 
     /// A head as a line, as broad as its shaft.
-    fn polyline(&self, strokes: [MmPoint; 3], at_start: bool) -> Polyline<Vertex> {
-        let shaft = &self.lines[self.line].vertices;
-        let end = if at_start { shaft.first() } else { shaft.last() };
+    fn polyline(&self, strokes: [MmPoint; 3], which: Tip) -> Polyline<Vertex> {
+        let end = which.of(self.lines[self.line]);
         let (strength, width) = end.map_or((0.0, self.params.width_max), |end| (end.strength, end.width));
-        let vertex = |at: MmPoint| Vertex { at, strength, contrast: [0.0; 3], width, source: FoundIn::Vector };
+        let vertex = |at: MmPoint| Vertex {
+            at,
+            strength,
+            contrast: [0.0; 3],
+            width,
+            source: FoundIn::Vector,
+            displaced: MmVector::zero(),
+        };
         Polyline::open(strokes.map(vertex).to_vec())
     }
 }
 
 /// A line that goes straight on at one of its ends by so much, mm.
-fn longer(line: &Polyline<Vertex>, at_start: bool, by: f32) -> Polyline<Vertex> {
+fn longer(line: &Polyline<Vertex>, which: Tip, by: f32) -> Polyline<Vertex> {
     let mut line = line.clone();
-    if let (Some(at), Some(heading)) = (end(&line, at_start), heading(&line, at_start, HEADING)) {
-        extend_to(&mut line, at_start, at + heading * by);
+    if let (Some(at), Some(heading)) = (end(&line, which), heading(&line, which, HEADING)) {
+        extend_to(&mut line, which, at + heading * by);
     }
     line
 }

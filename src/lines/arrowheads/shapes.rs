@@ -2,7 +2,7 @@
 
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::simplify::simplify;
-use crate::lines::vertex::Vertex;
+use crate::lines::vertex::{Tip, Vertex};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The longest side of a head in the drawing, mm: a larger triangle is a shape by itself.
@@ -32,9 +32,8 @@ pub(super) const LENGTHS: [f32; 3] = [7.0, 6.0, 5.0];
 pub(super) const HEADING: f32 = 2.0;
 
 /// One end of a line.
-pub(super) fn end(line: &Polyline<Vertex>, at_start: bool) -> Option<MmPoint> {
-    let vertex = if at_start { line.vertices.first() } else { line.vertices.last() };
-    vertex.map(|vertex| vertex.at)
+pub(super) fn end(line: &Polyline<Vertex>, which: Tip) -> Option<MmPoint> {
+    which.of(line).map(|vertex| vertex.at)
 }
 
 /// A corner that may be the tip of a head, and the two others.

@@ -7,7 +7,7 @@ use crate::geom::polyline::Polyline;
 use crate::lines::junction::heading;
 use crate::lines::marks::HeadMark;
 use crate::lines::params::Params;
-use crate::lines::vertex::{Vertex, nearby};
+use crate::lines::vertex::{Tip, Vertex, nearby};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Steps in which a shaft is shortened, mm.
@@ -40,8 +40,8 @@ pub(super) fn make_room(
         let line = &polylines[shaft.line];
         let most = (line.length() - params.min_length).clamp(0.0, 2.0 * reach);
         let cuts = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
-        let free = cuts.map(|cut| shortened(line, shaft.at_start, cut)).find_map(|line| {
-            let (at, toward) = (end(&line, shaft.at_start)?, heading(&line, shaft.at_start, HEADING)?);
+        let free = cuts.map(|cut| shortened(line, shaft.which, cut)).find_map(|line| {
+            let (at, toward) = (end(&line, shaft.which)?, heading(&line, shaft.which, HEADING)?);
             is_free(at, toward).then_some((line, at, toward))
         });
         if let Some((shorter, at, toward)) = free {
@@ -52,9 +52,9 @@ pub(super) fn make_room(
 }
 
 /// An open line without so much of one of its ends, mm.
-pub(in crate::lines) fn shortened(line: &Polyline<Vertex>, at_start: bool, cut: f32) -> Polyline<Vertex> {
+pub(in crate::lines) fn shortened(line: &Polyline<Vertex>, which: Tip, cut: f32) -> Polyline<Vertex> {
     let mut vertices = line.vertices.clone();
-    if at_start {
+    if which == Tip::First {
         vertices.reverse();
     }
     let mut left = cut;
@@ -70,7 +70,7 @@ pub(in crate::lines) fn shortened(line: &Polyline<Vertex>, at_start: bool, cut: 
         left -= step;
         vertices.pop();
     }
-    if at_start {
+    if which == Tip::First {
         vertices.reverse();
     }
     Polyline { vertices, closed: false }

@@ -4,7 +4,7 @@ use super::shapes::LENGTHS;
 use super::*;
 use crate::lines::vertex::{FoundIn, SPACING};
 use crate::lines::{Line, weight};
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmVector};
 
 const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -15,6 +15,7 @@ fn contour(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
         contrast: [0.0; 3],
         width: PARAMS.width_max,
         source: FoundIn::Vector,
+        displaced: MmVector::zero(),
     };
     let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     line.subdivide(SPACING);

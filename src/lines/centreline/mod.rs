@@ -40,7 +40,7 @@ mod testing {
     use super::*;
     pub(super) use crate::lines::tests::area;
     use crate::lines::vertex::{FoundIn, SPACING};
-    use crate::units::MmPoint;
+    use crate::units::{MmPoint, MmVector};
 
     /// A line with vertices as close as those of lines in the making. `step` is the lightness on its right less that
     /// on its left.
@@ -51,6 +51,7 @@ mod testing {
             contrast: [step, 0.0, 0.0],
             width: 0.0,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(SPACING);

@@ -31,12 +31,12 @@ pub(super) fn is_held(polyline: &Polyline<Vertex>, passage: &Passage, params: &P
     polyline.closed || params.of_drawing && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
 }
 
-/// The line moved away from those it is too near to; none if that asks for more than [`farthest`] somewhere.
+/// The line moved away from those it is too near to; none if that asks for more than [`farthest`] somewhere, counted
+/// from where the line was before it was ever displaced: it may be judged, and displaced, in several rounds.
 pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
     let mut polyline = polyline.clone();
     let mut passage = drawn.passage(polyline.view());
     let farthest = farthest(&polyline, &passage, drawn.params);
-    let mut moved = vec![MmVector::zero(); polyline.vertices.len()];
     for round in 0..ROUNDS {
         if round > 0 {
             passage = drawn.passage(polyline.view());
@@ -49,11 +49,13 @@ pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> 
             true => shifts_of_drawing(&polyline, &pushes, &passage),
             false => shifts_of_curve(&pushes, &passage),
         };
-        for ((vertex, moved), shift) in polyline.vertices.iter_mut().zip(&mut moved).zip(shifts) {
+        for (vertex, shift) in polyline.vertices.iter_mut().zip(shifts) {
             vertex.at += shift;
-            *moved += shift;
+            vertex.displaced += shift;
             // an outline may end on the border of the picture
-            if moved.length() > farthest || !drawn.area.inflate(OUTSIDE, OUTSIDE).contains_inclusive(vertex.at) {
+            if vertex.displaced.length() > farthest
+                || !drawn.area.inflate(OUTSIDE, OUTSIDE).contains_inclusive(vertex.at)
+            {
                 return None;
             }
         }
@@ -95,6 +97,20 @@ mod tests {
         assert!(drawn_apart(&away, &lines));
         assert!(away.vertices.iter().zip(&near.vertices).all(|(a, b)| (a.at - b.at).length() < FARTHEST));
         assert_eq!(away.vertices.last(), near.vertices.last());
+    }
+
+    #[test]
+    fn a_line_is_displaced_no_farther_in_two_rounds_than_in_one() {
+        let near = polyline(&[(10.0, 54.5), (90.0, 54.5)], false);
+        let once = displaced(&near, &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]])).expect("0.4 mm are little");
+        // another line, 0.6 mm too near to where it is now
+        let lines = drawn(&[&[(10.0, 50.6), (90.0, 50.6)]]);
+        let unmoved = Polyline {
+            vertices: once.vertices.iter().map(|vertex| Vertex { displaced: MmVector::zero(), ..*vertex }).collect(),
+            closed: false,
+        };
+        assert!(displaced(&unmoved, &lines).is_some(), "a line that lies there is displaced");
+        assert_eq!(displaced(&once, &lines), None, "1 mm in all");
     }
 
     fn drawn_apart(polyline: &Polyline<Vertex>, lines: &DrawnLines<'_>) -> bool {

@@ -186,7 +186,7 @@ fn finish(line: Polyline<Vertex>, rank: Rank, number: u32, drawn: &mut DrawnLine
 pub(super) mod tests {
     use super::*;
     use crate::lines::vertex::FoundIn;
-    use crate::units::MmPoint;
+    use crate::units::{MmPoint, MmVector};
 
     /// Clears lines by their own saliencies.
     pub(in crate::lines) fn clear_all(
@@ -206,6 +206,7 @@ pub(super) mod tests {
             contrast: [60.0, 0.0, 0.0],
             width: Params::TEST.width_max,
             source: FoundIn::Pixels,
+            displaced: MmVector::zero(),
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(0.4);

@@ -9,7 +9,7 @@ use crate::lines::faint::is_faint;
 use crate::lines::marks::whole_series;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
-use crate::units::{MmPoint, MmRect};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
 const BEAD_LENGTH: f32 = 0.1;
@@ -116,6 +116,7 @@ fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Ve
         contrast: [0.0; 3],
         width: params.width_max,
         source: FoundIn::Vector,
+        displaced: MmVector::zero(),
     };
     Polyline { vertices: circle_points(at, radius, count).map(vertex).collect(), closed: true }
 }

@@ -3,6 +3,7 @@
 use super::super::tests::area;
 use super::super::vertex::{FoundIn, SPACING};
 use super::*;
+use crate::units::MmVector;
 
 const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -13,6 +14,7 @@ fn line(points: &[(f32, f32)], closed: bool, step: f32, source: FoundIn) -> Poly
         contrast: [step, 0.0, 0.0],
         width: PARAMS.width_max,
         source,
+        displaced: MmVector::zero(),
     };
     let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     line.subdivide(SPACING);

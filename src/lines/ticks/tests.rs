@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::lines::vertex::{FoundIn, SPACING};
+use crate::units::MmVector;
 
 pub(super) const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -12,6 +13,7 @@ pub(super) fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
         contrast: [0.0; 3],
         width: 0.0,
         source: FoundIn::Vector,
+        displaced: MmVector::zero(),
     };
     let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
     line.subdivide(SPACING);

@@ -12,6 +12,7 @@ fn polyline(points: &[[f32; 2]], closed: bool) -> Polyline<Vertex> {
         contrast: [0.0; 3],
         width: 1.0,
         source: FoundIn::Vector,
+        displaced: MmVector::zero(),
     };
     Polyline { closed, vertices: points.iter().map(vertex).collect() }
 }
