@@ -12,7 +12,7 @@ pub(super) fn of_error(error: &Error) -> String {
             "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, or \
              {without:.1} mm with --no-overview, so take one of these or a larger sheet"
         ),
-        Error::TooWide { .. } => format!("{error}, or spread it over more sheets (--sheets 2x1)"),
+        Error::TooWide { .. } => format!("{error}, or spread it over more sheets (--sheets ACROSSxDOWN)"),
         Error::IsAPage => format!("{error} (tactograph render)"),
         _ => error.to_string(),
     }

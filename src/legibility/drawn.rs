@@ -10,7 +10,7 @@ use super::finding::{FoundBreach, InFile};
 use super::layer::LAYER;
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
-use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
+use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written, string_of};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// Grey values (0..=255) up to the first count as black, from the second on as white.
@@ -151,9 +151,7 @@ fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<FoundBreach> {
         node.is_element() && node.tag_name().name() == "text" && is_shown(node) && !is_print(node)
     };
     let found = |node: Node<'_, '_>| {
-        let text: String = node.descendants().filter(Node::is_text).filter_map(|node| node.text()).collect();
-        let text: Vec<&str> = text.split_whitespace().collect();
-        let whole = text.join(" ");
+        let whole = string_of(node);
         let text: String = whole.chars().take(40).collect();
         // the reader knows what moves a text
         let of_typed = || typed.iter().find(|typed| typed.string == whole).map(|typed| typed.at);

@@ -230,8 +230,7 @@ impl<'a> Elements<'a> {
     pub(super) fn texts(&self) -> Vec<TypedElement<'a>> {
         let mut found: Vec<(usize, TypedElement<'a>)> = Vec::new();
         for (id, node) in self.by_id.iter().filter(|(_, node)| is_seen_text(**node)) {
-            let letters: String = node.descendants().filter_map(|part| letters(part, *node)).collect();
-            let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
+            let string = string_of(*node);
             let is_label = is_in_labels(*node);
             if !string.is_empty() {
                 found.push((node.range().start, TypedElement { id, node: *node, string, is_label }));
@@ -240,6 +239,12 @@ impl<'a> Elements<'a> {
         found.sort_by_key(|(start, _)| *start);
         found.into_iter().map(|(_, text)| text).collect()
     }
+}
+
+/// What a text says, its lines apart.
+pub fn string_of(text: Node<'_, '_>) -> String {
+    let letters: String = text.descendants().filter_map(|part| letters(part, text)).collect();
+    letters.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The numbers of an attribute; none if one of them is no finite number.

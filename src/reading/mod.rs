@@ -41,7 +41,7 @@ use build::Built;
 use document::Elements;
 
 pub use areas::DrawnArea;
-pub use document::text_of;
+pub use document::{string_of, text_of};
 pub use print::{is_light, is_print_words};
 pub use typed::{TypedText, is_braille, is_written};
 

@@ -34,9 +34,11 @@ pub(super) fn left_out([pictures, far, clipped, patterned]: [usize; 4]) -> impl 
         (pictures, format!("{}: convert what is in a picture to lines first", counted(pictures, "picture"))),
         (far, format!("{} far beyond the sheet", counted(far, "mark"))),
         (clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
-        (patterned, format!("gradients and patterns ({patterned}), which are taken as black")),
     ];
-    all.into_iter().filter(|(count, _)| *count > 0).map(|(_, what)| Note::NotOnPage(About::Marks, what))
+    let left_out = all.into_iter().filter(|(count, _)| *count > 0);
+    let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
+    let taken = (patterned > 0).then(|| Note::TakenAs(About::Marks, patterned_as));
+    left_out.map(|(_, what)| Note::NotOnPage(About::Marks, what)).chain(taken)
 }
 
 impl Tally {
@@ -63,7 +65,7 @@ impl Tally {
                 What::Outlined => taken(
                     About::Areas,
                     format!(
-                        "{}{at} that stand for no colour, drawn as lines around them",
+                        "{}{at} without the colour of a texture, drawn as lines around them",
                         n("filled shape", "filled shapes")
                     ),
                 ),
@@ -75,7 +77,7 @@ impl Tally {
                     ),
                 ),
                 What::OffSheet => {
-                    left_out(About::Marks, format!("{}{at} that reach beyond the sheet", n("mark", "marks")))
+                    left_out(About::Marks, format!("{}{at} beyond the edge of the sheet", n("mark", "marks")))
                 }
                 What::Shaded => taken(
                     About::Marks,

@@ -257,7 +257,7 @@ impl OccupiedDots {
             *at += stretch.len() + 1;
             Some(from..from + stretch.len())
         });
-        let stretches: Vec<Range<usize>> = stretches.filter(|range| !range.is_empty()).collect();
+        let stretches: Vec<Range<usize>> = stretches.filter(|range| range.len() >= LEAST_DOTS).collect();
         let crosses = |one: &Range<usize>, next: &Range<usize>| self.is_crossing(&distances[one.end..next.start]);
         let arms = stretches.chunk_by(crosses).flat_map(|line| {
             let through = line.last().map_or(0, |last| last.end) - line.first().map_or(0, |first| first.start);
