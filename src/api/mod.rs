@@ -74,8 +74,8 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
 /// width is asked for. The title stands on every sheet, and a label on those that show all of it.
 ///
 /// # Errors
-/// As [`convert`], and [`Error::NoRoomOnSheets`] if the sheets, at most [`SheetGrid::MOST`] across and down, have no room
-/// for a picture between their overlaps.
+/// As [`convert`], and [`Error::NoRoomOnSheets`] if the sheets, at most [`SheetGrid::MOST`] across and down, have no
+/// room for a picture between their overlaps.
 pub fn convert_to_sheets<'p>(
     picture: impl Into<Picture<'p>>,
     grid: Option<SheetGrid>,

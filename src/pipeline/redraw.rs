@@ -75,8 +75,7 @@ pub(super) fn marks(
 ) -> Result<DrawnMarks, Error> {
     let OldPage { page, lines, plan: own } = old;
     let (plan, size) = (request.plan, shape(page));
-    let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
-    let params = plan.lines();
+    let (px_per_mm, params) = (PageTransform::new(size, layout.figure).px_per_mm(), plan.lines());
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
     let hand_lines = HandLines::of_figure(page, own);
