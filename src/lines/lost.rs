@@ -251,7 +251,7 @@ mod tests {
             let gaps = gaps(&[&ring], drawn.iter(), area, &Params::TEST);
             gaps.iter().map(|gap| (gap.length.round(), gap.extent.center().x.round())).collect::<Vec<_>>()
         };
-        assert!(gaps_of(&[ring.clone()]).is_empty());
+        assert!(gaps_of(std::slice::from_ref(&ring)).is_empty());
         let open = [(32.0, 20.0), (20.0, 20.0), (20.0, 40.0), (50.0, 40.0), (50.0, 20.0), (44.0, 20.0)];
         // to a vertex or two
         assert_eq!(gaps_of(&[side(&open, false)]), [(11.0, 38.0)]);

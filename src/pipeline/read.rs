@@ -9,7 +9,7 @@ use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, DecodeOptions, Header};
 use crate::raster::rim::Rim;
-use crate::raster::vector::{DrawnText, PixelArea, VectorDrawing};
+use crate::raster::vector::{DrawnText, PaintedPath, PixelArea, VectorDrawing};
 use crate::units::{PxPoint, Size};
 use crate::{About, Error, Note};
 
@@ -223,7 +223,7 @@ fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool 
     });
     let is_inside =
         |area: &PixelArea| area.min.x >= min.x && area.max.x <= max.x && area.min.y >= min.y && area.max.y <= max.y;
-    drawing.pixel_areas.iter().any(meets) || near.map(|painted| painted.parts()).flatten().filter(is_inside).count() > 1
+    drawing.pixel_areas.iter().any(meets) || near.flat_map(PaintedPath::parts).filter(is_inside).count() > 1
 }
 
 /// How far beyond the box of a text its letters reach, as a share of their height: tails of small letters.
