@@ -1,7 +1,14 @@
 //! What the maker of a page or a trace should know and the result survives.
 
+mod order;
+mod phrases;
+
 use crate::braille::Code;
-use crate::listing::{counted, first_few, list};
+use crate::listing::{counted, first_few};
+use phrases::{
+    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, shade, short, sides,
+    simplified, turned,
+};
 
 /// What on a page a remark is about, for programs: its sentence may change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -222,8 +229,9 @@ pub enum Note {
     #[error(
         "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for \
          fingers, or are too short; a larger figure, on larger paper if there is any, or only a part of the picture \
-         keeps more of them",
-        most_in(*.place, "figure")
+         keeps more of them{}",
+        most_in(*.place, "figure"),
+        turned(*.is_larger_turned)
     )]
     LinesLeftOut {
         /// Their length on the sheet, mm.
@@ -232,12 +240,15 @@ pub enum Note {
         percent: u32,
         /// Where in the figure most of them are, in words; none if they are all over it.
         place: Option<&'static str>,
+        /// Whether the figure would be larger on the same sheet lying across, which the device takes.
+        is_larger_turned: bool,
     },
     /// A drawing has so many lines for its size that at least a fifth of them has no room.
     #[error(
         "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} percent, had no \
-         room and were left out, {}; spread it over several sheets, or draw only a part of it, so that it is larger",
-        most_in(*.place, "figure")
+         room and were left out, {}; spread it over several sheets, or draw only a part of it, so that it is larger{}",
+        most_in(*.place, "figure"),
+        turned(*.is_larger_turned)
     )]
     TooDense {
         /// Length of those that are not drawn, on the sheet, mm.
@@ -248,6 +259,8 @@ pub enum Note {
         place: Option<&'static str>,
         /// Width of the figure, mm.
         width: u32,
+        /// Whether the figure would be larger on the same sheet lying across, which the device takes.
+        is_larger_turned: bool,
     },
     /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
     #[error(
@@ -403,90 +416,5 @@ impl About {
             Self::Dots => "dots",
             Self::Overview => "overview",
         }
-    }
-}
-
-/// Where most of something is, within a sentence.
-fn most_in(place: Option<&str>, whole: &str) -> String {
-    place.map_or_else(|| format!("all over the {whole}"), |place| format!("most of them in the {place}"))
-}
-
-/// Most texts that a note shows; it is read aloud.
-const MOST_TEXTS: usize = 12;
-
-/// Texts in quotation marks, as many as a note shows.
-fn listed(texts: &[String]) -> String {
-    first_few(texts, MOST_TEXTS, |text| format!("\"{}\"", short(text)))
-}
-
-fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {
-    if is_of_one_text { format!("{character:?} (character {at})") } else { format!("{character:?}") }
-}
-
-fn hexadecimal([red, green, blue]: [u8; 3]) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
-}
-
-/// How dark paper is where light falls off, as the rest of a sentence.
-fn shade(darkest: u32) -> String {
-    /// Nobody sees less, percent.
-    const SEEN: u32 = 95;
-    if darkest > SEEN {
-        return String::new();
-    }
-    format!(", as if light were even: its darkest part has {darkest} percent of the light of its lightest")
-}
-
-fn sides(of: &[(&str, u32)]) -> String {
-    let each: Vec<String> =
-        of.iter().map(|(side, percent)| format!("{percent} percent along the {side} side")).collect();
-    list(&each, "and")
-}
-
-fn it_or_them(count: usize) -> &'static str {
-    if count == 1 { "it" } else { "them" }
-}
-
-fn no_subject([x, y]: [i32; 2]) -> String {
-    if (0..=100).contains(&x) && (0..=100).contains(&y) {
-        format!(
-            "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a place in \
-             the middle of a thing that stands out from what is around it"
-        )
-    } else {
-        format!(
-            "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from 0 to \
-             100 percent or within its pixels, from the left and from the top"
-        )
-    }
-}
-
-fn mixed_areas(count: usize, places: &[&str]) -> String {
-    let (have, each, of_it) = if count == 1 { ("has", "", " of it") } else { ("have", " each", "") };
-    let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
-    format!(
-        "{areas}, in the {places} of the figure, {have} the textures of several colours{each}, as none of them fills \
-         two thirds{of_it}"
-    )
-}
-
-fn simplified(shapes: usize, lines: usize, most: usize) -> String {
-    let all = [(shapes, "shape"), (lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
-    let all: Vec<String> = all.map(|(count, noun)| counted(count, noun)).collect();
-    if all.is_empty() {
-        return format!(
-            "nothing is left out for few shapes (lines.shapes = {most}), as there are no more; ask for fewer to have \
-             less"
-        );
-    }
-    format!("left out, as few shapes are asked for (lines.shapes = {most}): {}", all.join(" and "))
-}
-
-/// The beginning of a text.
-fn short(text: &str) -> String {
-    const LONGEST: usize = 40;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
     }
 }

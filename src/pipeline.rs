@@ -34,6 +34,7 @@ mod read;
 mod read_key;
 mod redraw;
 mod request;
+mod series;
 pub mod sheets;
 mod small_areas;
 mod subject;
@@ -216,6 +217,7 @@ fn compose(
         Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
         Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
     }
+    Note::sort(&mut notes);
     Ok(Drawing { page, overview, key, texts, notes })
 }
 

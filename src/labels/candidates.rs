@@ -20,6 +20,8 @@ pub(super) struct Candidate {
     pub(super) attachment: Attachment,
     pub(super) cost: f32,
     pub(super) stands: PlacedAs,
+    /// Where the leader line begins that the drawing has to what it names, if that is on the page.
+    drawn_leader: Option<MmPoint>,
 }
 
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
@@ -35,6 +37,8 @@ const LEAVES_LABEL: f32 = 0.7;
 const BESIDE: f32 = 2.0;
 /// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
 const TO_LEADER: f32 = 3.5;
+/// The beginning of a leader line is so much nearer to its own label than to another, mm: a dot of braille or two.
+const CLEARLY_NEARER: f32 = 2.0;
 /// What rounding may add to a distance, mm.
 const EPSILON_MM: f32 = 0.01;
 /// Least distance to what a leader line leads to, mm: less than half of it would be the line itself, which is felt as
@@ -100,7 +104,7 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 impl Candidate {
     /// One that is placed together with its row.
     pub(super) fn of_row(form: usize, place: MmRect, attachment: Attachment, cost: f32, stands: PlacedAs) -> Self {
-        Self { form, place, attachment, cost, stands }
+        Self { form, place, attachment, cost, stands, drawn_leader: None }
     }
 
     /// The line that leads from it to what it names, if it does not stand beside that.
@@ -115,7 +119,15 @@ impl Candidate {
 
     /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight segment.
     pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
-        !(self.is_fixed() && other.is_fixed()) && self.is_too_near(other, spacing, off)
+        let is_wrong = || self.takes_leader(other) || other.takes_leader(self);
+        !(self.is_fixed() && other.is_fixed()) && (self.is_too_near(other, spacing, off) || is_wrong())
+    }
+
+    /// Whether a leader line of the drawing begins nearer to this label than to the other, whose it is, or about as
+    /// near: it would be taken for that of this one.
+    fn takes_leader(&self, other: &Self) -> bool {
+        let own = other.drawn_leader.filter(|_| other.leader().is_none());
+        own.is_some_and(|at| distance_to_box(at, self.place) < distance_to_box(at, other.place) + CLEARLY_NEARER)
     }
 
     /// The box around it and its leader line.
@@ -212,8 +224,13 @@ fn candidate(
         return None;
     }
     let attachment = attachment(label, place, around)?;
+    // beside another place of its axis a number says something else, and its leader line would be felt as a tick
+    if around.scale.is_some() && !(attachment == Attachment::Beside && around.is_at_tick(place)) {
+        return None;
+    }
     let cost = cost(form.kind.cost(), label, place, attachment, around);
-    Some(Candidate { form: number, place, attachment, cost, stands: PlacedAs::Alone })
+    let (stands, drawn_leader) = (PlacedAs::Alone, label.leader);
+    Some(Candidate { form: number, place, attachment, cost, stands, drawn_leader })
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,

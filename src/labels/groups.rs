@@ -79,15 +79,23 @@ impl Group {
     }
 }
 
-/// What is written of what is wanted, in rows and columns: texts, and points that are at the lower side of a shape.
-pub(super) fn of(wanted: &[Wanted], is_written: impl Fn(usize) -> bool, is_low: impl Fn(usize) -> bool) -> Vec<Group> {
+/// What is written of what is wanted, in rows and columns: texts, and points that are at the lower side of a shape. Two
+/// numbers one above the other are a scale if both stand at a level line.
+pub(super) fn of(
+    wanted: &[Wanted],
+    is_written: impl Fn(usize) -> bool,
+    is_low: impl Fn(usize) -> bool,
+    is_at_line: impl Fn(usize) -> bool,
+) -> Vec<Group> {
     let anchor = |label: usize| (label, wanted[label].anchor);
     let (texts, points): (Vec<usize>, Vec<usize>) =
         (0..wanted.len()).filter(|&label| is_written(label)).partition(|&label| !wanted[label].anchor.is_empty());
     let points: Vec<_> = points.into_iter().filter(|&at| is_low(at)).map(anchor).collect();
     let below = in_line(&points, |place| place.center().y, BY_HAND);
     let below = below.into_iter().map(|members| Group::new(members, GroupDirection::BelowPoints));
-    let mut groups: Vec<Group> = below.chain(of_texts(&texts.into_iter().map(anchor).collect::<Vec<_>>())).collect();
+    let texts: Vec<_> = texts.into_iter().map(anchor).collect();
+    let mut groups: Vec<Group> = below.chain(of_texts(&texts)).collect();
+    groups.extend(pairs(&texts, &groups, |label| scale::is_number(&wanted[label].text) && is_at_line(label)));
     for group in &mut groups {
         let along = |label: &usize| match (group.lies, wanted[*label].anchor.center()) {
             (GroupDirection::Column(_), at) => at.y,
@@ -101,11 +109,13 @@ pub(super) fn of(wanted: &[Wanted], is_written: impl Fn(usize) -> bool, is_low: 
         };
         let numbers: Vec<usize> =
             group.members.iter().copied().filter(|&label| scale::is_number(&wanted[label].text)).collect();
-        group.steps = scale(&numbers);
+        let is_scale = numbers.len() >= FEWEST || numbers.len() == group.members.len();
+        group.steps = if is_scale { scale(&numbers) } else { None };
         if group.steps.is_some() {
             group.members = numbers;
         }
     }
+    groups.retain(|group| group.members.len() >= FEWEST || group.steps.is_some());
     let is_column = |group: &Group| matches!(group.lies, GroupDirection::Column(_));
     let are_columns = groups.iter().any(|group| is_column(group) && group.steps.is_some());
     groups.iter_mut().for_each(|group| group.is_beside_column = are_columns && !is_column(group));
@@ -140,8 +150,31 @@ fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
     }
 }
 
+/// Two and two numbers of scales that are in no other group, one above the other.
+fn pairs(texts: &[(usize, MmRect)], groups: &[Group], is_of_scale: impl Fn(usize) -> bool) -> Vec<Group> {
+    let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
+    let numbers: Vec<_> = texts.iter().copied().filter(|(label, _)| is_alone(*label)).collect();
+    let sides: [(Edge, Coordinate); 2] = [(Edge::Right, |text| text.max.x), (Edge::Left, |text| text.min.x)];
+    let columns = sides.into_iter().flat_map(|(edge, side)| {
+        let pairs = in_line_of(&numbers, side, ALIGNED, 2).into_iter().filter(|of| of.len() == 2);
+        pairs.map(move |members| Group::new(members, GroupDirection::Column(edge)))
+    });
+    let mut pairs: Vec<Group> = Vec::new();
+    for pair in columns.filter(|pair| pair.members.iter().all(|&label| is_of_scale(label))) {
+        if !pairs.iter().any(|other| other.members.iter().any(|label| pair.members.contains(label))) {
+            pairs.push(pair);
+        }
+    }
+    pairs
+}
+
 /// Those that agree in a coordinate up to `off` mm, all with the first of them.
 fn in_line(labels: &[(usize, MmRect)], coordinate: Coordinate, off: f32) -> Vec<Vec<usize>> {
+    in_line_of(labels, coordinate, off, FEWEST)
+}
+
+/// The same of at least so many.
+fn in_line_of(labels: &[(usize, MmRect)], coordinate: Coordinate, off: f32, fewest: usize) -> Vec<Vec<usize>> {
     let mut sorted: Vec<(usize, f32)> = labels.iter().map(|&(label, text)| (label, coordinate(text))).collect();
     sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut lines: Vec<Vec<(usize, f32)>> = Vec::new();
@@ -151,7 +184,7 @@ fn in_line(labels: &[(usize, MmRect)], coordinate: Coordinate, off: f32) -> Vec<
             _ => lines.push(vec![label]),
         }
     }
-    lines.retain(|line| line.len() >= FEWEST);
+    lines.retain(|line| line.len() >= fewest);
     lines.into_iter().map(|line| line.into_iter().map(|(label, _)| label).collect()).collect()
 }
 
@@ -164,11 +197,11 @@ mod tests {
     fn text(text: &str, [x, y, width, height]: [f32; 4]) -> Wanted {
         let corner = MmPoint::new(x, y);
         let anchor = MmRect::new(corner, MmPoint::new(x + width, y + height));
-        Wanted { text: text.to_owned(), anchor, led_from: None }
+        Wanted { text: text.to_owned(), anchor, led_from: None, leader: None }
     }
 
     fn groups(wanted: &[Wanted]) -> Vec<(GroupDirection, Vec<usize>)> {
-        let groups = of(wanted, |_| true, |_| true);
+        let groups = of(wanted, |_| true, |_| true, |_| true);
         groups.into_iter().map(|group| (group.lies, group.members)).collect()
     }
 
@@ -189,7 +222,7 @@ mod tests {
             groups(&wanted),
             [(GroupDirection::Row, vec![1, 2, 0]), (GroupDirection::Column(Edge::Right), vec![5, 4, 3])]
         );
-        let all = of(&wanted, |_| true, |_| true);
+        let all = of(&wanted, |_| true, |_| true, |_| true);
         assert!(all[0].is_beside_column && all[0].steps.is_none());
         assert_eq!(all[1].steps.as_deref(), Some(&[2, 1, 0][..]), "steps of 50, from the top down");
         assert_eq!(all[1].every(2).members, [5, 3]);
@@ -202,8 +235,18 @@ mod tests {
         };
         assert_eq!(groups(&row(2)), []);
         assert_eq!(groups(&row(4)), [(GroupDirection::Row, vec![0, 1, 2, 3])]);
-        let all = of(&row(4), |label| label != 2, |_| true);
+        let all = of(&row(4), |label| label != 2, |_| true, |_| true);
         assert_eq!(all[0].members, [0, 1, 3]);
+    }
+
+    #[test]
+    fn two_numbers_are_a_scale_where_both_stand_at_lines() {
+        let wanted = [text("0", [14.0, 80.0, 3.0, 4.0]), text("20", [11.0, 20.0, 6.0, 4.0])];
+        let scale = of(&wanted, |_| true, |_| true, |_| true);
+        assert_eq!((scale.len(), scale[0].steps.as_deref()), (1, Some(&[1, 0][..])));
+        assert!(of(&wanted, |_| true, |_| true, |label| label == 0).is_empty());
+        let words = [text("oak", [11.0, 80.0, 6.0, 4.0]), text("ash", [11.0, 20.0, 6.0, 4.0])];
+        assert!(of(&words, |_| true, |_| true, |_| true).is_empty());
     }
 
     #[test]
@@ -211,6 +254,6 @@ mod tests {
         let points: Vec<Wanted> =
             [0.0, 1.5, 0.8].iter().zip([30.0, 10.0, 20.0]).map(|(y, x)| text("bar", [x, 50.0 + y, 0.0, 0.0])).collect();
         assert_eq!(groups(&points), [(GroupDirection::BelowPoints, vec![1, 2, 0])]);
-        assert!(of(&points, |_| true, |_| false).is_empty());
+        assert!(of(&points, |_| true, |_| false, |_| true).is_empty());
     }
 }

@@ -22,6 +22,7 @@ mod forms;
 mod groups;
 mod interrupted;
 mod letters;
+mod levels;
 mod named_points;
 mod placed;
 mod predicted;
@@ -76,6 +77,7 @@ pub fn place(
 ) -> Vec<Result<Placed, Unplaced>> {
     let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
     let room = Room::new(&figure.lines, &figure.textures, params);
+    let wanted = &levels::at_their_lines(wanted, &room)[..];
     let RowsPlaced { forms, around, placed: in_rows, thinned, titles, .. } =
         place_rows_first(wanted, translator, cells, &room, params);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
@@ -138,6 +140,8 @@ fn place_rows_first<'a>(
     // numbers at an axis stand in squares of its grid, and are of its lines
     let on_axes = groups.iter().filter(|group| group.steps.is_some()).flat_map(|group| &group.members);
     on_axes.for_each(|&label| around[label].cell = None);
+    let scales = groups.iter().filter(|group| group.steps.is_some());
+    scales.for_each(|group| group.members.iter().for_each(|&label| around[label].scale = Some(group.lies)));
     let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
     let mut rows = RowsPlaced { wanted, cells, room, params, forms, around, placed, thinned, titles };
     let rows::InRows { mut placed, thinned } = rows::placed(&groups, &rows.context());
@@ -197,7 +201,8 @@ fn groups_of(
         around[label].is_point() && !anchor.is_empty() && !scale::is_number(text)
     };
     let is_written = |label: usize| forms[label].is_ok() && !names_point(label);
-    let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side());
+    let is_at_line = |label: usize| levels::is_at_line(wanted[label].anchor, around[label].room);
+    let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side(), is_at_line);
     letters::add(&mut groups, forms, wanted, translator);
     letters::add_bare(&groups, forms, wanted, translator);
     groups

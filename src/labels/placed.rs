@@ -68,6 +68,8 @@ pub struct Wanted {
     pub anchor: MmRect,
     /// Of a text that the drawing leads to that point by a line that is not on the page, where that begins.
     pub led_from: Option<MmPoint>,
+    /// Of a text whose leader line in the drawing is on the page, where that begins.
+    pub leader: Option<MmPoint>,
 }
 
 /// What a label stands with.

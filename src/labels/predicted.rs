@@ -3,7 +3,7 @@
 
 use super::placed::{Params, Wanted};
 use super::room::Room;
-use super::{longer_ticks, place_rows_first, titles};
+use super::{levels, longer_ticks, place_rows_first, titles};
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
@@ -39,7 +39,8 @@ pub fn row_overhang(
     let longer = |least| longer_ticks(wanted, translator, cells, &as_drawn, params, least);
     let longer = longer_to.map(longer).unwrap_or_default();
     let room = if longer.is_empty() { as_drawn } else { room(&[contours, &longer[..]].concat()) };
-    let rows = place_rows_first(wanted, translator, cells, &room, params);
+    let wanted = levels::at_their_lines(wanted, &room);
+    let rows = place_rows_first(&wanted, translator, cells, &room, params);
     let placed = &rows.placed;
     let [left, top, right, bottom] =
         placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {

@@ -59,6 +59,10 @@ pub(super) struct Room {
     strong: Option<Vec<u32>>,
     /// Glyphs.
     glyphs: Vec<u32>,
+    /// Width of the widest line, mm.
+    widest: f32,
+    /// Whether its lines are those of a page, and not contours of a drawing.
+    is_drawn: bool,
     /// The box around all lines.
     bounds: Option<MmRect>,
     /// Angles between straight lines.
@@ -84,7 +88,7 @@ impl Room {
         let angles = angles::of(others.iter().map(|(line, _)| *line));
         let (taken, grid) = (near(others, true), near(of_grid, false));
         let (rings, strong) = (named_points::rings(lines), room.strong(lines, least_strength));
-        Self { angles, rings, strong, taken, grid, ..room }
+        Self { angles, rings, strong, taken, grid, is_drawn: true, ..room }
     }
 
     /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
@@ -109,9 +113,10 @@ impl Room {
         let squares = Squares::of(area);
         let none = || vec![0; squares.columns * squares.rows];
         let (mut taken, mut for_leader, mut ink, mut of_glyphs) = (none(), none(), none(), none());
-        let mut bounds: Option<MmRect> = None;
+        let (mut bounds, mut widest): (Option<MmRect>, f32) = (None, 0.0);
         for ([a, b], width) in segments {
             let half = 0.5 * width + CORNER;
+            widest = widest.max(width);
             squares.around(a, b, half + clearance, |index| taken[index] = 1);
             squares.around(a, b, half + LEADER_CLEARANCE, |index| for_leader[index] = 1);
             squares.around(a, b, half, |index| ink[index] = 1);
@@ -124,12 +129,35 @@ impl Room {
         let (taken, glyphs) = (squares.sums(&taken), squares.sums(&of_glyphs));
         let grid = squares.sums(&none());
         let (angles, rings) = (Vec::new(), Vec::new());
-        Self { squares, taken, grid, for_leader, ink, glyphs, bounds, strong: None, angles, rings }
+        Self {
+            squares,
+            taken,
+            grid,
+            for_leader,
+            ink,
+            glyphs,
+            widest,
+            bounds,
+            strong: None,
+            angles,
+            rings,
+            is_drawn: false,
+        }
     }
 
     /// The box around the ink of all lines; none where there are none.
     pub(super) fn bounds(&self) -> Option<MmRect> {
         self.bounds
+    }
+
+    /// How wide the widest line is, mm.
+    pub(super) fn widest(&self) -> f32 {
+        self.widest
+    }
+
+    /// Whether its lines are those of a page, and not contours of a drawing.
+    pub(super) fn is_drawn(&self) -> bool {
+        self.is_drawn
     }
 
     /// The small rings among the lines.

@@ -8,6 +8,7 @@ use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
+use super::surroundings::{OFF_LEVEL, OFF_TICK};
 use super::ticks;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -55,11 +56,27 @@ pub(super) struct InRows {
     pub(super) thinned: Vec<Option<i64>>,
 }
 
-/// The place of each label that stands in a row or column which has room as a whole.
+/// The place of each label that stands in a row or column which has room as a whole. Numbers of upright axes come
+/// first: they stand at their ticks, and words below bars may stand a little lower; unless more have room otherwise.
 pub(super) fn placed(groups: &[Group], context: &Context<'_>) -> InRows {
+    let of_upright = |group: &&Group| group.steps.is_some() && matches!(group.lies, GroupDirection::Column(_));
+    let (first, others): (Vec<&Group>, Vec<&Group>) = groups.iter().partition(of_upright);
+    let in_order: Vec<&Group> = groups.iter().collect();
+    let upright_first: Vec<&Group> = first.into_iter().chain(others).collect();
+    let best = placed_in_order(&upright_first, context);
+    let count = |rows: &InRows| rows.placed.iter().flatten().count();
+    if count(&best) == groups.iter().map(|group| group.members.len()).sum::<usize>() {
+        return best;
+    }
+    let other = placed_in_order(&in_order, context);
+    if count(&other) > count(&best) { other } else { best }
+}
+
+/// The same of groups that are placed one after the other.
+fn placed_in_order(groups: &[&Group], context: &Context<'_>) -> InRows {
     let mut placed: Vec<Option<Candidate>> = vec![None; context.wanted.len()];
     let mut thinned = vec![None; context.wanted.len()];
-    for group in groups {
+    for &group in groups {
         let mut selections = ticks::selections(group, context.wanted, context.room).into_iter();
         let found = selections
             .find_map(|ticks::AxisNumbers { group, count }| Some((of_group(&group, context, &placed)?, group, count)));
@@ -359,6 +376,12 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) 
     let anchors: Vec<f32> =
         group.members.iter().map(|&label| of_point(context.wanted[label].anchor.center())).collect();
     let pitch = ticks::pitch(group, context.wanted).unwrap_or(f32::INFINITY);
+    // a number stands at its tick
+    let farthest = match (group.steps.is_some(), is_column) {
+        (false, _) => f32::INFINITY,
+        (true, true) => OFF_LEVEL,
+        (true, false) => OFF_TICK,
+    };
     let mut begins = vec![0.0; sizes.len()];
     for row in 0..rows {
         let members: Vec<usize> = (row..sizes.len()).step_by(rows).collect();
@@ -377,7 +400,7 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) 
         // the next tick may be nearer than the next number that is written
         let next = next.min(pitch);
         // on a grid of dots a label is off by half a step anyhow
-        let rest = (ALONG * next).max(0.5 * context.params.step) - moved;
+        let rest = (ALONG * next).min(farthest).max(0.5 * context.params.step) - moved;
         (rest >= 0.0).then_some((begins[i], rest))
     };
     (0..sizes.len()).map(rest).collect()

@@ -7,8 +7,8 @@ const OFF: f32 = 0.3;
 const UNEVEN: f64 = 0.01;
 /// Most characters of a unit behind a number, such as "°C" or "km/h".
 const UNIT: usize = 6;
-/// Fewest numbers that show what their steps are.
-const FEWEST: usize = 3;
+/// Fewest numbers that are a scale. Two are one only where both stand at lines (`groups`).
+const FEWEST: usize = 2;
 
 /// Every how many-th of the numbers along an axis is written where there is no room for all, the first that fits:
 /// steps that are counted easily, as on rulers.

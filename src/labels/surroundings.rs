@@ -1,6 +1,7 @@
 //! What lies around what a label names, by which its places are judged.
 
 use super::angles::{self, Angle};
+use super::groups::GroupDirection;
 use super::placed::{Params, Wanted};
 use super::room::Room;
 use crate::geom::nearest_on_segment;
@@ -74,6 +75,14 @@ pub(super) struct ShutIn {
     /// line's own.
     side: Option<MmPoint>,
 }
+/// A number of an upright axis stands no further above or below its tick or gridline, mm: the middle row of its dots is
+/// then the nearest to that, and a finger that follows the line comes to it.
+pub(super) const OFF_LEVEL: f32 = 1.25;
+/// One of a level axis stands no further beside its tick, mm: half of a cell, so that a finger comes to one of its
+/// cells, and not between two numbers.
+pub(super) const OFF_TICK: f32 = 3.0;
+/// What rounding may add to a distance, mm.
+const EPSILON: f32 = 0.01;
 
 /// What lies around what a label names.
 pub(super) struct Surroundings<'a> {
@@ -95,6 +104,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) tip: MmPoint,
     /// The angle between two lines that it names: a label on the other side of one of these names nothing.
     pub(super) angle: Option<Angle>,
+    /// Of a number of an axis, whether that is a row or a column.
+    pub(super) scale: Option<GroupDirection>,
     /// What labels beside it name.
     others: Vec<MmPoint>,
 }
@@ -150,6 +161,7 @@ impl<'a> Surroundings<'a> {
             anchor: at,
             tip,
             angle,
+            scale: None,
             others,
         }
     }
@@ -203,6 +215,17 @@ impl<'a> Surroundings<'a> {
         // a row of a table may be so long that it seems open
         let is_open = || self.is_open(place) && self.room.cell_around(place.center()).is_none();
         self.cell.is_none_or(|cell| cell.contains_box(&place) || is_open())
+    }
+
+    /// Whether a place is at the tick or gridline of a number of an axis, or the label is none.
+    pub(super) fn is_at_tick(&self, place: MmRect) -> bool {
+        let off = place.center() - self.anchor;
+        let (off, most) = match self.scale {
+            None => return true,
+            Some(GroupDirection::Column(_)) => (off.y, OFF_LEVEL),
+            Some(GroupDirection::Row | GroupDirection::BelowPoints) => (off.x, OFF_TICK),
+        };
+        off.abs() <= most.max(0.5 * self.params.step) + EPSILON
     }
 
     /// Whether a label and its leader line keep clear of what other labels name.

@@ -149,7 +149,8 @@ const LEFT_OUT_LENGTH: u32 = 20;
 /// Contours of the picture that are not on the page, as whoever made the page wrote into it.
 pub(super) fn left_out(page: &Page) -> Option<FoundBreach> {
     let left = LeftOut::of(page);
-    if left.share() < LEFT_OUT_SHARE || left.millimetres < LEFT_OUT_LENGTH {
+    let least = if left.of_photograph { LeftOut::CROWDED } else { LEFT_OUT_SHARE };
+    if left.share() < least || left.millimetres < LEFT_OUT_LENGTH {
         return None;
     }
     let percent = 100.0 * left.share();

@@ -35,8 +35,8 @@ use crate::units::{PxPoint, Size};
 pub struct Lettering {
     /// Its lines, those that are clearest first.
     pub lines: Vec<FoundLine>,
-    /// The pixels of all letters, with a margin.
-    mask: Vec<bool>,
+    /// The pixels of the letters of each, with a margin.
+    letters: Vec<Vec<usize>>,
 }
 
 /// Lines that overlap by more than this share are one, found twice.
@@ -53,7 +53,7 @@ impl Lettering {
         let size = raster.size();
         let colours = Colours::new(raster, is_drawing);
         let strict = if is_drawing { Strictness::Drawing } else { Strictness::Photograph };
-        let mut found = Self { lines: Vec::new(), mask: vec![false; size.len()] };
+        let mut found = Self::default();
         let mut taken = TextCover { size, cells: vec![false; size.len()] };
         let mut all: Vec<TextLine> = Vec::new();
         for plane in &colours.planes {
@@ -96,7 +96,16 @@ impl Lettering {
 
     /// The picture in which this was found, without it: the ground closes over the letters.
     pub fn erased_from(&self, raster: &Raster) -> Raster {
-        erase::erased(raster, &self.mask)
+        let mut mask = vec![false; raster.size().len()];
+        self.letters.iter().flatten().for_each(|&pixel| mask[pixel] = true);
+        erase::erased(raster, &mask)
+    }
+
+    /// Those lines of text that are kept.
+    #[must_use]
+    pub fn keeping(self, is_kept: impl Fn(&FoundLine) -> bool) -> Self {
+        let (lines, letters) = self.lines.into_iter().zip(self.letters).filter(|(line, _)| is_kept(line)).unzip();
+        Self { lines, letters }
     }
 
     /// Each line as a picture of its own, for somebody who reads it. `raster` is the picture in which it was found.
@@ -110,7 +119,7 @@ impl Lettering {
         look.cells(line).into_iter().for_each(|cell| letters[cell] = true);
         let reach = MARGIN + (MARGIN_OF_HEIGHT * line.height) as usize;
         let mask = with_margin(&letters, &look.thin.set, size, reach);
-        self.mask.iter_mut().zip(mask).for_each(|(all, own)| *all |= own);
+        self.letters.push((0..mask.len()).filter(|&pixel| mask[pixel]).collect());
         let corners = corners(line).map(|[x, y]| PxPoint::new(x, y));
         self.lines.push(FoundLine { corners, angle: line.angle, height: line.height });
     }

@@ -4,7 +4,7 @@
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::clearance::Cleared;
-use super::lost::{LossTally, Lost, gone};
+use super::lost::{LossTally, Lost, gaps, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::{PagePart, Params};
@@ -121,7 +121,9 @@ impl LineCandidates {
         // an overview is told as a whole, and a line that is too short for one by what it is
         let may_lack = params.of_drawing && params.part == PagePart::Figure && lost.lost >= params.min_length;
         let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
-        Lost { gone: if may_lack { gone() } else { Vec::new() }, gridlines: self.gridlines, ..lost }
+        let gaps = || gaps(&contours, drawn.iter().map(|line| &line.polyline), area, params);
+        let (gone, gaps) = if may_lack { (gone(), gaps()) } else { (Vec::new(), Vec::new()) };
+        Lost { gone, gaps, gridlines: self.gridlines, ..lost }
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Lost {
     pub scales: Vec<LostScale>,
     /// Lines of a drawing of which nothing is drawn.
     pub gone: Vec<LostLine>,
+    /// The gaps in closed lines of a drawing that are open on the page.
+    pub gaps: Vec<LostLine>,
     /// How many lines a grid has that is left out as a whole: a squared one that is torn on dots, and any in overviews.
     pub gridlines: usize,
 }
@@ -67,6 +69,41 @@ pub(super) fn gone<'a>(
     });
     gone.collect()
 }
+
+/// Shortest gap in a closed line by which it is felt as open, mm: more than a finger slips over, as on a dashed line.
+const GAP: f32 = 4.0;
+
+/// The longest gap of each closed line of which most is drawn: where no line of `drawn` is near.
+pub(super) fn gaps<'a>(
+    lines: &[&Polyline<Vertex>],
+    drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
+    area: MmRect,
+    params: &Params,
+) -> Vec<LostLine> {
+    let near = nearby(drawn, area, params);
+    let is_drawn = |at: MmPoint| near.nearest(at, STANDS, |_| true).is_some();
+    let gap = |line: &&Polyline<Vertex>| {
+        let drawn: Vec<bool> = line.vertices.iter().map(|vertex| is_drawn(vertex.at)).collect();
+        // from a place on that is drawn
+        let start = drawn.iter().position(|is_drawn| *is_drawn)?;
+        let count = drawn.len();
+        let places: Vec<(bool, MmPoint)> =
+            (0..count).map(|i| (start + i) % count).map(|i| (drawn[i], line.vertices[i].at)).collect();
+        let runs = places.chunk_by(|a, b| a.0 == b.0).filter(|run| !run[0].0);
+        let length =
+            |run: &[(bool, MmPoint)]| -> f32 { run.windows(2).map(|pair| (pair[1].1 - pair[0].1).length()).sum() };
+        let (length, run) = runs.map(|run| (length(run), run)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let extent = MmRect::from_points(run.iter().map(|(_, at)| *at));
+        let lost = LostLine { extent, length: length + 2.0 * STANDS, closed: true, is_faint: false };
+        let share = drawn.iter().filter(|is_drawn| **is_drawn).count() as f32 / count as f32;
+        (length > GAP && share >= GONE && !is_faint(line)).then_some(lost)
+    };
+    lines.iter().filter(|line| line.closed).filter_map(gap).collect()
+}
+
+/// A line stands for a closed one if it is so near, mm: nearly all are moved by less, and those side by side are
+/// further apart.
+const STANDS: f32 = 2.0;
 
 /// A scale of which ticks are not drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -201,6 +238,28 @@ mod tests {
         let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
         line.fill();
         line
+    }
+
+    #[test]
+    fn a_closed_line_that_lacks_a_piece_is_open_and_one_whose_border_another_has_is_not() {
+        let side = |points: &[(f32, f32)], closed: bool| {
+            let all = points.windows(2).map(|pair| line(pair[0], pair[1]).vertices);
+            Polyline { vertices: all.flatten().collect(), closed }
+        };
+        let corners = [(20.0, 20.0), (50.0, 20.0), (50.0, 40.0), (20.0, 40.0), (20.0, 20.0)];
+        let ring = side(&corners, true);
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 70.0));
+        let gaps_of = |drawn: &[Polyline<Vertex>]| {
+            let gaps = gaps(&[&ring], drawn.iter(), area, &Params::TEST);
+            gaps.iter().map(|gap| (gap.length.round(), gap.extent.center().x.round())).collect::<Vec<_>>()
+        };
+        assert!(gaps_of(std::slice::from_ref(&ring)).is_empty());
+        let open = [(32.0, 20.0), (20.0, 20.0), (20.0, 40.0), (50.0, 40.0), (50.0, 20.0), (44.0, 20.0)];
+        // to a vertex or two
+        assert_eq!(gaps_of(&[side(&open, false)]), [(11.0, 38.0)]);
+        let [one, other] = [side(&corners[..3], false), side(&corners[2..], false)];
+        assert!(gaps_of(&[one.clone(), other]).is_empty());
+        assert!(gaps_of(&[side(&[(20.0, 21.0), (24.0, 21.0)], false)]).is_empty(), "it is gone");
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! The areas of a figure by the colours of the picture, or as a person gave them, and which of them have no texture.
 
+use super::bars::Chart;
 use super::decisions::Decisions;
 use super::given::{Given, blank, blank_cells};
 use super::progress::{Event, Stage, Watch, run};
+use super::series::{self, ColouredBar};
 use super::small_areas;
 use super::subject;
 use super::textures::{blank_ground, fit_to_areas};
@@ -13,14 +15,19 @@ use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::regions::OutlineAreas;
-use crate::units::{MmVector, PageTransform, Size};
+use crate::units::{MmRect, MmVector, PageTransform, Size};
 use crate::{About, Note};
+
+/// What is left without a colour reaches so far beyond its outline, mm: half of a stroke.
+const AROUND: f32 = 0.8;
 
 /// The areas of a figure by their colours.
 pub(super) struct AreasOfColours {
     pub(super) classes: Classes,
     /// The same with areas that are too small for a texture, where such are told.
     with_small: Option<Classes>,
+    /// The bars of a chart, each of one colour.
+    pub(super) bars: Vec<ColouredBar>,
 }
 
 impl AreasOfColours {
@@ -33,15 +40,29 @@ impl AreasOfColours {
         plan: &Plan,
         watch: &mut Watch<'_>,
     ) -> Option<Self> {
+        let of = |classes: Classes| Self { classes, with_small: None, bars: Vec::new() };
         if let Some(areas) = &given.areas {
-            return plan.profile().figure.textures.then(|| Self { classes: areas.clone(), with_small: None });
+            return plan.profile().figure.textures.then(|| of(areas.clone()));
         }
-        if small_areas::are_told(edges, layout) {
-            let [classes, small] = sort_colours(raster, [1.0, small_areas::LEAST], edges, layout, plan, watch)?;
-            return Some(Self { classes, with_small: Some(small) });
+        let are_told = small_areas::are_told(edges, layout);
+        if are_told || Chart::of(edges).is_some() {
+            let [mut classes, small] = sort_colours(raster, [1.0, small_areas::LEAST], edges, layout, plan, watch)?;
+            let bars = series::of(edges, &small, layout.figure);
+            series::colour(&mut classes, &small, &bars, layout.figure);
+            return Some(Self { with_small: Some(small).filter(|_| are_told), bars, ..of(classes) });
         }
         let [classes] = sort_colours(raster, [1.0], edges, layout, plan, watch)?;
-        Some(Self { classes, with_small: None })
+        Some(of(classes))
+    }
+
+    /// Leaves some boxes in a figure without a colour.
+    pub(super) fn without(&mut self, boxes: &[MmRect], figure: MmRect) {
+        let share = |of: &MmRect| {
+            let [low, high] = [of.min, of.max].map(|at| (at - figure.min).component_div(figure.size().to_vector()));
+            [low.x, low.y, high.x, high.y]
+        };
+        let boxes: Vec<[f32; 4]> = boxes.iter().map(|of| share(&of.inflate(AROUND, AROUND))).collect();
+        std::iter::once(&mut self.classes).chain(&mut self.with_small).for_each(|classes| blank(classes, &boxes));
     }
 
     /// Takes out what has no texture on a page: crumbs beside outlines, what is erased, the ground, and what lies
@@ -54,7 +75,7 @@ impl AreasOfColours {
         picture: Size,
         (layout, plan): (&Layout, &Plan),
     ) -> Vec<Note> {
-        let Self { classes, with_small } = self;
+        let Self { classes, with_small, .. } = self;
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
         // what is erased is not there on purpose

@@ -18,7 +18,7 @@ use crate::profile::Plan;
 use crate::units::MmRect;
 
 /// Lines in `area` as the device presses them; on a printed page they stay.
-pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
+pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else {
         let heads = drawn.marks.heads.iter().filter(|head| !head.is_drawn);
         drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, is_arrowhead: true }));
@@ -28,7 +28,8 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
     let length = |lines: &[Line]| {
         lines.iter().map(|line| line.runs.first().map_or(0.0, |run| run.polyline().length())).sum::<f32>()
     };
-    let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &plan.dots(medium));
+    let params = dots::Params { whole_rows: of_paths, ..plan.dots(medium) };
+    let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (mut lines, mut shown) = press(&drawn);
     let grid = torn_gridlines(&drawn.lines, &lines, area, plan.lines().least_strength);
     if !grid.is_empty() {
@@ -63,6 +64,7 @@ pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Pl
         closed: false,
         is_faint: false,
     }));
+    lost.gaps.extend(drawn.lines.iter().zip(&shares).filter_map(gap));
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, is_arrowhead: false }));
@@ -105,6 +107,17 @@ fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale
     let first = lost.next()?.at;
     Some(LostScale { ticks: scale.len(), lost: 1 + lost.count(), every: shown.every, first })
 }
+
+/// What a closed line lacks of which so much becomes dots, if that is a gap.
+fn gap((line, share): (&Line, &f32)) -> Option<LostLine> {
+    let is_closed = line.runs.iter().any(|run| run.closed) && !is_small_ring(line);
+    let is_open = is_closed && (GONE..WHOLE_RING).contains(share);
+    let length = (1.0 - share) * line.length();
+    is_open.then(|| LostLine { extent: extent(line), length, closed: true, is_faint: false })
+}
+
+/// A closed line of which less than this share becomes dots is open: less is lost where lines meet.
+const WHOLE_RING: f32 = 0.9;
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
 const WHOLE: f32 = 0.7;

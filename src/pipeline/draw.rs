@@ -7,6 +7,7 @@ use super::find_edges::{edges_of, find_edges};
 use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
+use super::key::KeySheets;
 use super::leaders;
 use super::legend::{self, LegendEntry};
 use super::lost_marks;
@@ -18,9 +19,9 @@ use super::overview::{draw_overview, seen_in_figure, told_of_few, told_of_overvi
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
+use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
-use super::textures::{draw_textures, told_bare};
 use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified, told_whole};
 use super::words::{Words, become_labels};
 use crate::edges::Edges;
@@ -62,6 +63,7 @@ pub(super) struct Found {
     texts: Vec<Text>,
     edges: Edges,
     decisions: Decisions,
+    legend: Vec<LegendEntry>,
     /// How large the overview should be: it may be laid out smaller.
     overview: OverviewSize,
     notes: Vec<Note>,
@@ -122,11 +124,15 @@ pub(super) fn find(
             draw,
         ));
     }
+    let legend = legend::entries(&edges, &texts, &picture.raster, &layout, plan);
+    if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
+        notes.extend(legend::moved_to_key(&mut edges, &legend, (&mut texts, become_labels(words)), &layout));
+    }
     let things = NamedThings::of(given, file, request);
     notes.extend(subject::prepare((given, things.as_ref()), (&mut edges, &mut decisions), source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
-    Ok(Found { picture, is_flat, layout, texts, edges, decisions, overview, notes })
+    Ok(Found { picture, is_flat, layout, texts, edges, decisions, legend, overview, notes })
 }
 
 /// Everything but the page: draws the contours and colours that were found.
@@ -137,10 +143,13 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, is_flat, layout, texts, edges, decisions, overview: size_of_overview, mut notes } = found;
+    let Found { picture, is_flat, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
+    let (mut legend, mut notes) = (found.legend, found.notes);
     let has_lines = plan.profile().figure.lines && !edges.is_empty();
     let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
     let follows_figure = has_lines && regions.is_some() && plan.lines().most_shapes.is_some();
+    let of_overview = leaders::without_leaders(&edges, &texts, &layout);
+    notes.extend(leaders::told_without(of_overview.as_ref(), &edges));
     let (drawn, (overview, mut areas_of_colours)) = {
         let (edges, layout) = (&edges, &layout);
         let lines_of = lines_of(given, regions.as_ref(), &decisions);
@@ -149,7 +158,7 @@ pub(super) fn draw(
             draw_overview(edges, lines_of, size_of_overview, layout, plan, watch)
         };
         let (drawn, (own, areas)) = in_parallel(has_lines, watch, lines, |watch| {
-            let own = (!follows_figure).then(|| overview(edges, watch));
+            let own = (!follows_figure).then(|| overview(of_overview.as_ref().unwrap_or(edges), watch));
             (own, AreasOfColours::of(given, &picture.raster, edges, layout, plan, watch))
         });
         let of_figure = |watch| overview(&seen_in_figure(edges, &drawn.lines.lines, layout, plan), watch);
@@ -163,23 +172,22 @@ pub(super) fn draw(
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
     if let Some(of_colours) = &mut areas_of_colours {
         let size = picture.raster.size();
+        of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
         notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, (&layout, plan)));
     }
-    let left_out = left_out(&drawn.lost, overview.lost.rings);
+    let left_out = left_out(&drawn.lost, overview.lost.rings, edges.of_drawing());
     notes.extend(told_of_overview(&overview));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
-    let legend = legend::entries(&edges, &texts, &picture.raster, &layout, plan);
     let of_drawing = edges.of_drawing();
     drop((picture.raster, edges));
-    let classes = areas_of_colours.map(|areas| areas.classes);
-    let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(
-        classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, of_drawing, plan)),
-    );
+    let of_legend = (&mut legend[..], of_drawing);
+    let areas = areas_of_colours.map(|areas| (areas.classes, areas.bars));
+    let (textures, told) = series::textured(areas, of_legend, &layout, &drawn.lines, plan, watch);
+    notes.extend(told);
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
@@ -387,7 +395,7 @@ fn draw_whole(
         if matches!(layout.medium, Medium::Dots(_)) {
             drawn.lines = by_hand_first(drawn.lines, edges, transform);
         }
-        let mut drawn = dots::pressed(drawn, layout.figure, layout, plan);
+        let mut drawn = dots::pressed(drawn, is_of_paths(edges), layout.figure, layout, plan);
         if is_all {
             drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
         }
@@ -399,6 +407,11 @@ fn draw_whole(
     }
     let plain = draw(&lines::Params { takes_points: false, ..*params });
     if plain.lost.signs.len() < drawn.lost.signs.len() { plain } else { drawn }
+}
+
+/// Whether contours are the paths of a vector drawing, each of one strength: those in pixels are stronger in parts.
+fn is_of_paths(edges: &Edges) -> bool {
+    edges.of_drawing() && edges.chains.iter().all(|chain| chain.kind.exact)
 }
 
 /// What the maker is told of a figure that is narrower than asked for.

@@ -80,6 +80,8 @@ pub(super) struct Entries<'a> {
     pub(super) classes: Vec<Class>,
     /// What colours mean by the legend of the drawing.
     pub(super) meanings: Vec<(Class, String)>,
+    /// What areas mean that have no room for the texture of their colour.
+    pub(super) blank: Vec<(Class, String)>,
     /// Abbreviations and what they stand for.
     pub(super) abbreviations: Vec<(String, String)>,
     /// The page number of its first sheet.
@@ -96,6 +98,7 @@ impl Entries<'_> {
         ToldInKey {
             colours: self.classes.iter().flat_map(|class| meanings(*class)).collect(),
             abbreviations: self.abbreviations.clone(),
+            blank: self.blank.clone(),
         }
     }
 }
@@ -154,7 +157,7 @@ pub(super) fn of_entries(
     source: Size,
     request: &Request<'_>,
 ) -> Result<Key, Error> {
-    if entries.classes.is_empty() && entries.abbreviations.is_empty() {
+    if entries.classes.is_empty() && entries.blank.is_empty() && entries.abbreviations.is_empty() {
         return Ok(Key::default());
     }
     let plan = request.plan;
@@ -273,6 +276,11 @@ fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> (Vec<Item>
             meanings => format!("{}: {meanings}", word(class.name())),
         };
         Item { patch: Some(class), lines: lines(&text, beside_patch), text }
+    }));
+    let blank: Vec<&str> = entries.blank.iter().map(|(_, text)| text.as_str()).collect();
+    items.extend((!blank.is_empty()).then(|| {
+        let text = format!("{}: {}", word("blank"), blank.join(", "));
+        Item { patch: None, lines: lines(&text, width), text }
     }));
     items.extend(entries.abbreviations.iter().map(|(short, text)| {
         // letter by letter, as on the page

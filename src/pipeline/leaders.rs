@@ -66,12 +66,13 @@ pub(super) fn whole_or_none(
     is_label: impl Fn(&Text) -> bool,
     layout: &Layout,
     draw: impl Fn(&Edges) -> Vec<Line>,
-) -> Option<Note> {
+) -> Vec<Note> {
     let transform = PageTransform::new(edges.size, layout.figure);
     let gap = match &layout.medium {
         Medium::Print(_) => GAP,
         Medium::Dots(dots) => GAP.max(DOTS_OF_GAP * dots.pitch),
     };
+    let mut to_nothing = Vec::new();
     for _ in 0..ROUNDS {
         let leaders = find(edges, (texts, beside), &is_label, layout.figure, &transform);
         if leaders.is_empty() {
@@ -81,6 +82,9 @@ pub(super) fn whole_or_none(
         let index = index_of_pieces(&lines, layout.figure);
         let (whole, torn): (Vec<Leader>, Vec<Leader>) =
             leaders.into_iter().partition(|leader| is_whole(&leader.path, &index, gap));
+        to_nothing = whole.iter().filter(|of| !leads_on_page(&of.path, &index)).map(|of| of.text).collect();
+        texts.iter_mut().for_each(|text| text.leader = None);
+        whole.iter().for_each(|of| texts[of.text].leader = of.path.first().copied());
         if torn.is_empty() {
             break;
         }
@@ -94,7 +98,61 @@ pub(super) fn whole_or_none(
         let mut number = 0..;
         edges.chains.retain(|_| number.next().is_none_or(|number| !torn.iter().any(|leader| leader.chain == number)));
     }
-    told(texts)
+    let names: Vec<&str> = to_nothing.iter().map(|&text| texts[text].string.as_str()).collect();
+    told(texts).into_iter().chain(told_to_nothing(&names)).collect()
+}
+
+/// Whether a leader line leads to another line that is drawn, or crosses one shortly before its tip.
+fn leads_on_page(path: &[MmPoint], drawn: &Nearby) -> bool {
+    let (from, tip) = (path[0], path[path.len() - 1]);
+    let Some((_, _, own)) = drawn.nearest(from.lerp(tip, 0.5), DRAWN, |_| true) else { return true };
+    let last = tip.lerp(from, (LAST / (tip - from).length()).min(1.0));
+    let steps = ((tip - last).length() / STEP).ceil().max(1.0) as u32;
+    let places = (0..=steps).map(|step| last.lerp(tip, step as f32 / steps as f32));
+    places.into_iter().any(|at| drawn.nearest(at, ON_PAGE, |segment| segment.line != own.line).is_some())
+}
+
+/// What a leader line leads to is drawn so near to it, mm, over so much of its end: lines are moved, and the tip may be
+/// within the outline of what it names.
+const ON_PAGE: f32 = 5.0;
+const LAST: f32 = 15.0;
+
+/// What is told of leader lines that lead to nothing on the page.
+fn told_to_nothing(names: &[&str]) -> Option<Note> {
+    let (lines, ends) = match names.len() {
+        0 => return None,
+        1 => ("the leader line", "ends"),
+        _ => ("the leader lines", "end"),
+    };
+    let told = format!(
+        "{lines} of {} {ends} in the blank, as what is there in the drawing has no room on the page; make the figure \
+         larger",
+        named(names)
+    );
+    Some(Note::TakenAs(About::Leaders, told))
+}
+
+/// The contours of an overview: it has no words, and a leader line to nothing would be felt as a part of the drawing.
+/// None where no leader line has to go.
+pub(super) fn without_leaders(edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Edges> {
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let leaders = layout.overview.map(|_| find(edges, (texts, BESIDE_PRINT), |_| true, layout.figure, &transform))?;
+    let is_leader = |number: usize| leaders.iter().any(|leader| leader.chain == number);
+    let mut without = edges.clone();
+    let mut numbers = 0..;
+    without.chains.retain(|_| numbers.next().is_none_or(|number| !is_leader(number)));
+    (!leaders.is_empty()).then_some(without)
+}
+
+/// What is told of them.
+pub(super) fn told_without(overview: Option<&Edges>, figure: &Edges) -> Option<Note> {
+    let (lines, they_lead) = match figure.chains.len() - overview?.chains.len() {
+        1 => ("1 leader line".to_owned(), "it leads"),
+        count => (format!("{count} leader lines"), "they lead"),
+    };
+    let told =
+        format!("{lines} of words in the figure only, as {they_lead} to no word in the overview, which has none");
+    Some(Note::TakenAs(About::Overview, told))
 }
 
 /// What the maker is told of those that are left out.
@@ -274,6 +332,8 @@ mod tests {
             size: 5.0,
             hidden: false,
             led_over: led_over.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
+            leader: None,
+            in_key: false,
         };
         let note = told(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
         assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");

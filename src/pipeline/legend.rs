@@ -43,6 +43,15 @@ pub struct LegendEntry {
     pub(super) class: Class,
     /// Its patch; none on a page that is drawn anew.
     pub(super) place: Option<MmRect>,
+    /// Whether areas that it stands for are blank, as they have no room for a texture.
+    pub(super) has_blank: bool,
+}
+
+impl LegendEntry {
+    /// Whether a text is its word.
+    fn is_of(&self, text: &Text) -> bool {
+        text.string == self.text && self.place.is_some_and(|place| is_beside(place, text.place))
+    }
 }
 
 /// The legend of a drawing: patches of different colours, two and more, each with a
@@ -83,16 +92,71 @@ pub(super) fn entries(
     let least = |place: MmRect| (LARGER as f32 * px2(place)) as usize / (STEP * STEP);
     let entry = |(number, (text, place, at)): (usize, &(&Text, MmRect, usize))| {
         let class = class_at(raster, *at, &params).filter(|_| elsewhere[number] >= least(*place))?;
-        Some(LegendEntry { text: text.string.clone(), class, place: Some(*place) })
+        Some(LegendEntry { text: text.string.clone(), class, place: Some(*place), has_blank: false })
     };
     let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
 }
 
+/// Takes a legend whose words would become labels out of a drawing that has a key: its patches have no room for a
+/// texture, and a blank one beside a word would say that blank areas are what it names; words alone say nothing there.
+/// Tells of it.
+pub(super) fn moved_to_key(
+    edges: &mut Edges,
+    entries: &[LegendEntry],
+    (texts, is_label): (&mut [Text], impl Fn(&Text) -> bool),
+    layout: &Layout,
+) -> Option<Note> {
+    let is_entry = |text: &Text| entries.iter().any(|entry| entry.is_of(text));
+    let own: Vec<bool> = texts.iter().map(|text| is_entry(text) && is_label(text)).collect();
+    if entries.is_empty() || own.iter().filter(|own| **own).count() < entries.len() {
+        return None;
+    }
+    texts.iter_mut().zip(own).for_each(|(text, own)| text.in_key = own);
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let patches: Vec<MmRect> =
+        entries.iter().filter_map(|entry| entry.place).map(|of| of.inflate(OF_PATCH, OF_PATCH)).collect();
+    let is_patch = |chain: &ChainRange| {
+        let mut points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
+        let first = points.next();
+        first
+            .and_then(|first| patches.iter().find(|patch| patch.contains(first)))
+            .is_some_and(|patch| points.all(|at| patch.contains(at)))
+    };
+    let gone: Vec<bool> = edges.chains.iter().map(is_patch).collect();
+    let mut gone = gone.into_iter();
+    edges.chains.retain(|_| !gone.next().unwrap_or(false));
+    let names: Vec<&str> = entries.iter().map(|entry| entry.text.as_str()).collect();
+    let why = "its patches have no room for textures, and blank they would say something else; the key has it";
+    let told = format!("the legend in the figure ({}), as {why}", named(&names));
+    Some(Note::NotOnPage(About::Areas, told))
+}
+
+/// The patches that were taken out of a drawing.
+pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmRect> {
+    let is_in_key = |entry: &&LegendEntry| texts.iter().any(|text| text.in_key && entry.is_of(text));
+    entries.iter().filter(is_in_key).filter_map(|entry| entry.place).collect()
+}
+
+/// Strokes around a patch reach no further beyond it, mm.
+const OF_PATCH: f32 = 1.0;
+
 /// The legend of a page that was read, as its key told it.
 pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
     let told = ToldInKey::of(page).unwrap_or_default();
-    told.meanings().map(|(class, text)| LegendEntry { text: text.to_owned(), class, place: None }).collect()
+    let is_blank = |class: Class, text: &str| told.blank.iter().any(|(of, blank)| *of == class && blank == text);
+    let entry = |(class, text): (Class, &str)| LegendEntry {
+        text: text.to_owned(),
+        class,
+        place: None,
+        has_blank: is_blank(class, text),
+    };
+    let mut entries: Vec<LegendEntry> = told.meanings().map(entry).collect();
+    let is_there = |class: Class, text: &str| entries.iter().any(|entry| entry.class == class && entry.text == text);
+    let blank = told.blank.iter().filter(|(class, text)| !is_there(*class, text));
+    let blank: Vec<LegendEntry> = blank.map(|(class, text)| entry((*class, text))).collect();
+    entries.extend(blank);
+    entries
 }
 
 /// Whether a text stands at the side of a patch, at its height.
@@ -151,7 +215,8 @@ pub(super) fn told(entries: &[LegendEntry], figure: &Figure, has_key: bool) -> V
         return note(&texts(&|_| true), "there is no key that tells it").into_iter().collect();
     }
     let shares = |entry: &LegendEntry| entries.iter().filter(|other| other.class == entry.class).count() > 1;
-    let lost = note(&texts(&|entry| !occurs(entry.class)), "no texture of such a colour is on the page");
+    let lost =
+        note(&texts(&|entry| !occurs(entry.class) && !entry.has_blank), "no texture of such a colour is on the page");
     let shared = note(&texts(&|entry| occurs(entry.class) && shares(entry)), "these colours have one texture");
     lost.into_iter().chain(shared).collect()
 }

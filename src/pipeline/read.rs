@@ -9,7 +9,7 @@ use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, DecodeOptions, Header};
 use crate::raster::rim::Rim;
-use crate::raster::vector::DrawnText;
+use crate::raster::vector::{DrawnText, PaintedPath, PixelArea, VectorDrawing};
 use crate::units::{PxPoint, Size};
 use crate::{About, Error, Note};
 
@@ -147,11 +147,15 @@ fn without_text(
         (finer, _) => finer,
     };
     let raster = finer.as_ref().unwrap_or(&decoded.raster);
-    let found = Lettering::find(raster, is_drawing);
+    let scale = working.width as f32 / raster.size().width as f32;
+    let is_painted = |line: &FoundLine| {
+        let of_drawing = decoded.drawing.as_ref();
+        of_drawing.is_none_or(|drawing| holds_letters(drawing, line, scale))
+    };
+    let found = Lettering::find(raster, is_drawing).keeping(is_painted);
     if found.is_empty() {
         return Read { picture: decoded, content };
     }
-    let scale = working.width as f32 / raster.size().width as f32;
     let mut notes = decoded.notes;
     let mut words = reader.and_then(|reader| {
         let why = |why| notes.push(Note::TextsNotRead(why));
@@ -202,6 +206,28 @@ fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOption
     let options = DecodeOptions { working_size: &working_size, ..*options };
     decode::decode_picture(picture, &options).ok().map(|picture| picture.raster)
 }
+
+/// Whether what was found in the pixels of a drawing may be letters that its paths paint, each by itself: a piece of a
+/// longer outline, such as that of a cloud, is none. `scale` is that of the working picture.
+fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool {
+    let DrawnText { min, max, .. } = text(line, String::new(), scale);
+    let reach = PxPoint::splat(AROUND_LETTERS * line.height * scale + 1.0).to_vector();
+    let (min, max) = (min - reach, max + reach);
+    let meets = |area: &PixelArea| area.min.x < max.x && area.max.x > min.x && area.min.y < max.y && area.max.y > min.y;
+    let near = drawing.paths.iter().filter(|painted| {
+        let bounds = painted.path.bounds();
+        meets(&PixelArea {
+            min: PxPoint::new(bounds.left(), bounds.top()),
+            max: PxPoint::new(bounds.right(), bounds.bottom()),
+        })
+    });
+    let is_inside =
+        |area: &PixelArea| area.min.x >= min.x && area.max.x <= max.x && area.min.y >= min.y && area.max.y <= max.y;
+    drawing.pixel_areas.iter().any(meets) || near.flat_map(PaintedPath::parts).filter(is_inside).count() > 1
+}
+
+/// How far beyond the box of a text its letters reach, as a share of their height: tails of small letters.
+const AROUND_LETTERS: f32 = 0.4;
 
 /// A line as a text of the working picture, which is smaller by `scale`.
 fn text(line: &FoundLine, string: String, scale: f32) -> DrawnText {

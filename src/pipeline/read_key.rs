@@ -32,7 +32,8 @@ pub(super) fn is_key(page: &Page) -> bool {
 /// Whether a page is a sheet of a key, or has one that its maker asked for, though nothing is abbreviated.
 pub(super) fn has_own_key(page: &Page) -> bool {
     is_key(page)
-        || ToldInKey::of(page).is_some_and(|told| told.abbreviations.is_empty() && told.meanings().count() == 0)
+        || ToldInKey::of(page)
+            .is_some_and(|told| told.abbreviations.is_empty() && told.blank.is_empty() && told.meanings().count() == 0)
 }
 
 /// The key of a page on its own paper or device. Left to the program, there is one where words are abbreviated that
@@ -98,10 +99,10 @@ fn outdated(told: &ToldInKey, page: &Page) -> Option<String> {
         (false, true) => Some(format!("it does not tell {}", class.name())),
         _ => None,
     });
-    let now = ToldInKey { colours: Vec::new(), abbreviations: key::abbreviations(&page.braille) };
+    let now = key::abbreviations(&page.braille);
     // as a page says it
-    let [before, now] = [&told.abbreviations, &now.abbreviations].map(|of| {
-        ToldInKey { colours: Vec::new(), abbreviations: of.clone() }.to_origin().into_iter().map(|(_, said)| said)
+    let [before, now] = [&told.abbreviations, &now].map(|of| {
+        ToldInKey { abbreviations: of.clone(), ..ToldInKey::default() }.to_origin().into_iter().map(|(_, said)| said)
     });
     let (before, now): (Vec<String>, Vec<String>) = (before.collect(), now.collect());
     let gone = before.iter().filter(|of| !now.contains(of)).map(|of| format!("\"{of}\" is not on the page"));
@@ -122,6 +123,7 @@ fn entries<'a>(page: &'a Page, written: &'a WrittenWords<'_>) -> Option<(Entries
         title: None,
         classes: Class::ALL.into_iter().filter(|of| page.figure.textures.iter().any(|t| t.class == *of)).collect(),
         meanings: Vec::new(),
+        blank: Vec::new(),
         abbreviations: Vec::new(),
         number: number.and_then(|text| text.text.parse().ok()),
     };
@@ -136,6 +138,9 @@ fn entries<'a>(page: &'a Page, written: &'a WrittenWords<'_>) -> Option<(Entries
             }
         } else if let Some(title) = after(said, translator.word("key")).filter(|_| at == 0) {
             entries.title = title;
+        } else if let Some(Some(of)) = after(said, translator.word("blank")) {
+            // of which colour they are in the drawing is not told there
+            entries.blank.push((Class::Grey, of.to_owned()));
         } else if let Some((short, of)) = said.split_once(": ") {
             let pair = (short.to_owned(), of.to_owned());
             entries.abbreviations.extend((!entries.abbreviations.contains(&pair)).then_some(pair));

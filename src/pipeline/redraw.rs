@@ -18,7 +18,7 @@ use super::words::Words;
 use crate::edges::Edges;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Figure, MediumParams, Page, TextRole};
+use crate::page::{BrailleText, Figure, LeftOut, MediumParams, Page, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
@@ -119,7 +119,7 @@ pub(super) fn marks(
         overview: overview.marks,
         layout,
         is_flat: false,
-        left_out: left_out(&drawn.lost, overview.lost.rings),
+        left_out: left_out(&drawn.lost, overview.lost.rings, !LeftOut::of(page).of_photograph),
         lost_signs: drawn.lost.signs,
         legend: Vec::new(),
         texts: Vec::new(),
@@ -129,14 +129,23 @@ pub(super) fn marks(
 
 /// Takes the leader lines among the lines of a page out that are not drawn as a whole: their labels are led to what
 /// they name, in the new layout.
-fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &Layout, plan: &Plan) -> Option<Note> {
+fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &Layout, plan: &Plan) -> Vec<Note> {
     let transform = PageTransform::new(edges.size, layout.figure);
     let before = PageTransform::new(edges.size, page.figure.place);
     let there = |at: MmPoint| transform.to_mm(before.to_px(at));
     let text = |text: &BrailleText| {
         let place = text.dots.bounds().filter(|_| text.leader.is_none()).unwrap_or_else(MmRect::zero);
         let place = MmRect::new(there(place.min), there(place.max));
-        Text { string: text.text.clone(), place, angle: 0.0, size: place.height(), hidden: false, led_over: None }
+        Text {
+            string: text.text.clone(),
+            place,
+            angle: 0.0,
+            size: place.height(),
+            hidden: false,
+            led_over: None,
+            leader: None,
+            in_key: false,
+        }
     };
     let mut texts: Vec<Text> = labels_of(page).map(text).collect();
     let is_label = |text: &Text| text.place.area() > 0.0;
@@ -172,7 +181,9 @@ fn keep_widths(drawn: &mut [Line], stand_for: &[usize], old: OldPage<'_>, plan: 
 /// A note as it is of use for a page: it has no parts to draw, and no sheets to be spread over.
 fn of_page(note: Note) -> Note {
     match note {
-        Note::TooDense { millimetres, percent, place, .. } => Note::LinesLeftOut { millimetres, percent, place },
+        Note::TooDense { millimetres, percent, place, is_larger_turned, .. } => {
+            Note::LinesLeftOut { millimetres, percent, place, is_larger_turned }
+        }
         other => other,
     }
 }

@@ -104,6 +104,7 @@ pub fn convert<'p>(
         }
         Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
     }
+    Note::sort(&mut notes);
     sheets.notes = notes;
     Ok(sheets)
 }

@@ -23,6 +23,10 @@ pub struct Text {
     pub hidden: bool,
     /// Of a text whose leader line in the drawing is not on the page, where that begins and its tip at what it names.
     pub(super) led_over: Option<(MmPoint, MmPoint)>,
+    /// Of a text whose leader line in the drawing is on the page, where that begins.
+    pub(super) leader: Option<MmPoint>,
+    /// Whether it is a word of a legend, which the key has instead.
+    pub(super) in_key: bool,
 }
 
 impl Text {
@@ -62,6 +66,8 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
         size: text.size * transform.mm_per_px(),
         hidden: text.hidden,
         led_over: None,
+        leader: None,
+        in_key: false,
     };
     texts.iter().map(placed).collect()
 }

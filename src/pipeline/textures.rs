@@ -165,27 +165,33 @@ fn bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], place: Mm
     bare.into_iter().map(|area| broadest[area].1).collect()
 }
 
-/// What the maker is told of those areas.
-fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layout: &Layout) -> Option<Note> {
-    let (place, width) = (layout.figure, classes.size.width as usize);
-    let mm_per_cell = place.width() / width as f32;
-    let bare = bare_areas(classes, textures, lines, place);
+/// How many areas have a colour and no texture, and where the first is, in words; nothing of none.
+fn counted_bare(bare: &[usize], classes: &Classes, place: MmRect) -> Option<String> {
+    let width = classes.size.width as usize;
     let first = *bare.first()?;
-    let at = place.min + MmVector::new((first % width) as f32, (first / width) as f32) * mm_per_cell;
+    let cell = MmVector::new((first % width) as f32, (first / width) as f32);
+    let at = place.min + cell * (place.width() / width as f32);
     let at = format!("at {:.0}, {:.0} mm", at.x, at.y);
-    let (areas, they_are) = match bare.len() {
-        1 => (format!("the texture of 1 area ({at})"), "it is"),
-        count => (format!("the textures of {count} areas (the first {at})"), "they are"),
-    };
+    Some(match bare.len() {
+        1 => format!("1 area ({at})"),
+        count => format!("{count} areas (the first {at})"),
+    })
+}
+
+/// What the maker is told of those areas on paper.
+fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layout: &Layout) -> Option<Note> {
+    let bare = bare_areas(classes, textures, lines, layout.figure);
+    let areas = counted_bare(&bare, classes, layout.figure)?;
+    let (texture, they_are) = if bare.len() == 1 { ("texture", "it is") } else { ("textures", "they are") };
     let told = format!(
-        "{areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; say in labels \
-         what matters of the colours, or make the figure larger"
+        "the {texture} of {areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; \
+         say in labels what matters of the colours, or make the figure larger"
     );
     Some(Note::NotOnPage(About::Areas, told))
 }
 
-/// What the maker is told of areas that have a colour and no room for its texture. On paper, only of a drawing: the
-/// colours of a photograph change from place to place.
+/// What the maker is told of areas that have a colour and no room for its texture: of a drawing how many and where, as
+/// the colours of a photograph change from place to place.
 pub(super) fn told_bare(
     classes: &Classes,
     textures: &[Texture],
@@ -197,24 +203,37 @@ pub(super) fn told_bare(
     match layout.medium {
         Medium::Print(_) if of_drawing => told_bare_areas(classes, textures, lines, layout),
         Medium::Print(_) => None,
-        Medium::Dots(_) => told_bare_share(classes, textures, layout, plan),
+        Medium::Dots(_) => {
+            let bare = if of_drawing { bare_areas(classes, textures, lines, layout.figure) } else { Vec::new() };
+            told_bare_on_dots(classes, textures, &bare, layout, plan)
+        }
     }
 }
 
-/// What the maker is told of the areas of a page of dots that have a colour and no texture, as a share of the figure.
-fn told_bare_share(classes: &Classes, textures: &[Texture], layout: &Layout, plan: &Plan) -> Option<Note> {
+/// What the maker is told of the areas of a page of dots that have a colour and no texture: as a share of the figure,
+/// and of a drawing how many.
+fn told_bare_on_dots(
+    classes: &Classes,
+    textures: &[Texture],
+    bare: &[usize],
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
     let coloured: u32 = classes.regions.iter().map(|region| region.cells).sum();
     let figure = layout.figure.area();
     let drawn: f32 = textures.iter().map(|texture| texture.area).sum::<f32>() / figure;
-    let bare = coloured as f32 / classes.size.area() as f32 - drawn;
-    let (percent, rows) = ((100.0 * bare).round(), plan.profile().dots.texture_rows);
-    let told = || {
-        format!(
-            "the textures of {percent} percent of the figure, as these areas have no room for {rows} rows of dots \
-             clear of lines (dots.texture_rows); a larger figure has"
-        )
+    let share = coloured as f32 / classes.size.area() as f32 - drawn;
+    let (percent, rows) = ((100.0 * share).round(), plan.profile().dots.texture_rows);
+    let of_figure = (share >= BARE).then(|| format!("{percent} percent of the figure"));
+    let what = match (counted_bare(bare, classes, layout.figure), of_figure) {
+        (Some(areas), Some(of_figure)) => format!("{of_figure}, {areas}"),
+        (areas, of_figure) => areas.or(of_figure)?,
     };
-    (bare >= BARE).then(|| Note::NotOnPage(About::Areas, told()))
+    let told = format!(
+        "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
+         (dots.texture_rows); a larger figure has"
+    );
+    Some(Note::NotOnPage(About::Areas, told))
 }
 
 pub(super) fn draw_textures(

@@ -10,9 +10,6 @@ use crate::profile::Plan;
 use crate::regions::OutlineAreas;
 use crate::{About, Note};
 
-/// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
-/// 0.2 to 0.3 and lose little by it.
-const CROWDED: f32 = 0.35;
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
 const DENSE: f32 = 0.2;
 /// Length of the lines left out from which the maker of a drawing is told, mm: there every line is meant. Less is lost
@@ -36,21 +33,34 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
         Medium::Print(_) => LEAST_TOLD,
         Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
     };
-    let of_drawing = edges.of_drawing();
+    let (of_drawing, is_larger_turned) = (edges.of_drawing(), is_larger_turned(layout));
     let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
     let place = drawn.lost.place_name();
     // a display has one sheet, so a figure is not spread over several
     let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
     if of_drawing && has_sheets && lost >= least && share >= DENSE {
         let width = layout.figure.width().round() as u32;
-        return Some(Note::TooDense { millimetres, percent, place, width });
+        return Some(Note::TooDense { millimetres, percent, place, width, is_larger_turned });
     }
-    (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
+    let is_told = share >= LeftOut::CROWDED || of_drawing && lost >= least;
+    is_told.then_some(Note::LinesLeftOut { millimetres, percent, place, is_larger_turned })
 }
+
+/// Whether a figure would be larger if the sheet of a device lay across, as the device can take it.
+fn is_larger_turned(layout: &Layout) -> bool {
+    let Medium::Dots(medium) = &layout.medium else { return false };
+    let ([width, height], is_sheet) = (layout.sheet, !matches!(medium.device.family, Family::Pins { .. }));
+    let is_wide = layout.figure.width() >= WIDE * layout.figure.height();
+    is_sheet && width < height && is_wide && medium.device.dot_area([height, width], medium.pitch).is_ok()
+}
+
+/// A picture so many times as wide as it is high is larger on a sheet that lies across: one of A4 is 1.4 times as wide
+/// as it is high.
+const WIDE: f32 = 1.2;
 
 /// What the maker is told of lines of a drawing that are not on the page as a whole.
 pub(super) fn told_whole(lost: &Lost) -> impl Iterator<Item = Note> {
-    told_gone(lost).into_iter().chain(told_gridlines(lost))
+    told_gone(lost).into_iter().chain(told_gaps(lost)).chain(told_gridlines(lost))
 }
 
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
@@ -64,6 +74,22 @@ fn told_gone(lost: &Lost) -> Option<Note> {
     };
     let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
     let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm): {why}", at.x, at.y);
+    Some(Note::NotOnPage(About::Lines, told))
+}
+
+/// What the maker is told of closed outlines of a drawing that are open on the page; small ones are told as lost.
+fn told_gaps(lost: &Lost) -> Option<Note> {
+    let longest = lost.gaps.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let (at, mm) = (longest.extent.center(), longest.length);
+    let (pieces, which, is_open) = match lost.gaps.len() {
+        1 => ("a piece of 1 closed outline".to_owned(), "", "it is open"),
+        count => (format!("pieces of {count} closed outlines"), "the longest ", "they are open"),
+    };
+    let told = format!(
+        "{pieces} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm), so that {is_open} on the page: there is no room \
+         beside other lines; make the figure larger, or say it in a label",
+        at.x, at.y
+    );
     Some(Note::NotOnPage(About::Lines, told))
 }
 
@@ -86,11 +112,11 @@ pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
 }
 
 /// What is kept in the page of contours that are not drawn.
-pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
+pub(super) fn left_out(lost: &Lost, shapes: usize, of_drawing: bool) -> LeftOut {
     let whole = |mm: f32| mm.max(0.0).round() as u32;
     let by_place = Some(lost.by_place.map(whole));
     let millimetres = whole(of_lines(lost));
-    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes: shapes as u32 }
+    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes: shapes as u32, of_photograph: !of_drawing }
 }
 
 /// How much of lines is lost, mm: marks that are too short are told by themselves, and no room would help them.
@@ -103,6 +129,22 @@ mod tests {
     use super::*;
     use crate::lines::LostLine;
     use crate::units::MmRect;
+
+    #[test]
+    fn closed_outlines_that_are_open_on_the_page_are_told() {
+        let gap = |x: f32, length: f32| LostLine {
+            extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
+            length,
+            closed: true,
+            is_faint: false,
+        };
+        let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }).map(|note| note.to_string());
+        assert_eq!(told(vec![]), None);
+        let one = told(vec![gap(20.0, 8.0)]).expect("a chamber");
+        assert!(one.contains("a piece of 1 closed outline (8 mm long, around 24, 40 mm), so that it is open"), "{one}");
+        let two = told(vec![gap(20.0, 8.0), gap(50.0, 12.0)]).expect("two");
+        assert!(two.contains("pieces of 2 closed outlines (the longest 12 mm long, around 56, 40 mm)"), "{two}");
+    }
 
     #[test]
     fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {

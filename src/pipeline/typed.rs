@@ -110,7 +110,16 @@ fn in_place(text: &TypedText, cells: &CellGrid<'_>) -> Text {
     let size = cells.extent(text.string.chars().count(), 1);
     let corner = MmPoint::new(text.at.x, text.at.y - size.y);
     let place = MmRect::new(corner, corner + size);
-    Text { string: text.string.clone(), place, angle: 0.0, size: size.y, hidden: false, led_over: None }
+    Text {
+        string: text.string.clone(),
+        place,
+        angle: 0.0,
+        size: size.y,
+        hidden: false,
+        led_over: None,
+        leader: None,
+        in_key: false,
+    }
 }
 
 /// Tells of Unicode braille that stands elsewhere than it was typed.

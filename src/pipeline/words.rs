@@ -293,16 +293,21 @@ impl<'a> WrittenWords<'a> {
         let abbreviations = key::abbreviations(braille);
         let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
         let is_wanted = match words.key {
-            KeySheets::Auto => !abbreviations.is_empty() || words.legend.iter().any(|entry| occurs(&entry.class)),
+            KeySheets::Auto => {
+                let is_told = |entry: &LegendEntry| occurs(&entry.class) || entry.has_blank || entry.place.is_some();
+                !abbreviations.is_empty() || words.legend.iter().any(is_told)
+            }
             KeySheets::Always => true,
             KeySheets::Never => false,
         };
         let translator = self.translator.as_ref().filter(|_| is_wanted)?;
         let classes = Class::ALL.into_iter().filter(occurs).collect();
-        let meanings = words.legend.iter().map(|entry| (entry.class, entry.text.clone())).collect();
+        let meaning = |entry: &LegendEntry| (entry.class, entry.text.clone());
+        let meanings = words.legend.iter().map(meaning).collect();
+        let blank = words.legend.iter().filter(|entry| entry.has_blank).map(meaning).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
         let number = self.number.map(|number| number.saturating_add(sheets_before));
-        Some(Entries { translator, language: &self.language, title, classes, meanings, abbreviations, number })
+        Some(Entries { translator, language: &self.language, title, classes, meanings, blank, abbreviations, number })
     }
 
     fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {
@@ -338,7 +343,8 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
     for label in words.labels {
         match label.on(figure.place, figure.source) {
             Some(at) => {
-                wanted.push(Wanted { text: label.text.clone(), anchor: MmRect::new(at, at), led_from: None });
+                let anchor = MmRect::new(at, at);
+                wanted.push(Wanted { text: label.text.clone(), anchor, led_from: None, leader: None });
             }
             None => outside.push(label.text.clone()),
         }
@@ -347,6 +353,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
         text: text.string.clone(),
         anchor: text.anchor(),
         led_from: text.led_over.map(|(from, _)| from),
+        leader: text.leader,
     }));
     (wanted, outside)
 }
@@ -361,7 +368,7 @@ pub(super) fn own_texts<'t>(texts: &'t [Text], words: &Words<'_>) -> impl Iterat
 pub(super) fn become_labels(words: &Words<'_>) -> impl Fn(&Text) -> bool + use<> {
     let (are_wanted, title) = (words.own_texts, words.title.map(|title| title.trim().to_owned()));
     let is_title = move |text: &Text| title.as_deref().is_some_and(|title| title == text.string.trim());
-    move |text| are_wanted && text.is_read() && !is_title(text)
+    move |text| are_wanted && text.is_read() && !text.in_key && !is_title(text)
 }
 
 /// Blank between braille and signs, mm.

@@ -212,6 +212,7 @@ impl Plan {
             diameter: device.diameter(),
             line_gap: dots.line_gap.round() as u32,
             heavy_from: dots.heavy_from,
+            whole_rows: false,
             has_heights: device.has_heights(),
             min_length: lines.min_length,
         }

@@ -1,6 +1,6 @@
 //! What a vector drawing is painted with, in pixels of the working picture.
 
-use resvg::tiny_skia::{Path, Stroke};
+use resvg::tiny_skia::{Path, PathSegment, Stroke};
 
 use crate::units::{PxPoint, Size};
 
@@ -23,6 +23,35 @@ pub struct PaintedPath {
     pub stroke: Option<Stroke>,
     /// Whether the stroke has dashes; the path has no gaps.
     pub dashed: bool,
+}
+
+impl PaintedPath {
+    /// The boxes around its parts, each from where its pen is set down to where it is lifted.
+    pub fn parts(&self) -> Vec<PixelArea> {
+        let mut parts: Vec<PixelArea> = Vec::new();
+        let mut pen_is_down = false;
+        for segment in self.path.segments() {
+            let points = match segment {
+                PathSegment::MoveTo(at) => {
+                    pen_is_down = false;
+                    vec![at]
+                }
+                PathSegment::LineTo(at) => vec![at],
+                PathSegment::QuadTo(a, at) => vec![a, at],
+                PathSegment::CubicTo(a, b, at) => vec![a, b, at],
+                PathSegment::Close => Vec::new(),
+            };
+            for at in points {
+                let at = PxPoint::new(at.x, at.y);
+                match parts.last_mut().filter(|_| pen_is_down) {
+                    Some(part) => (part.min, part.max) = (part.min.min(at), part.max.max(at)),
+                    None => parts.push(PixelArea { min: at, max: at }),
+                }
+                pen_is_down = true;
+            }
+        }
+        parts
+    }
 }
 
 /// A text of a drawing.

@@ -1,6 +1,7 @@
 //! Words in braille: the codes against liblouis, and pages read back dot by dot.
 
 mod back;
+mod charts;
 mod codes;
 mod key;
 mod labels;

@@ -50,21 +50,15 @@ pub(in crate::dots) fn on_grid(
     // of another's width.
     let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
     by_strength.sort_by_key(|&number| drawn[number].line);
+    let line_of = |number: usize| &lines[drawn[number].line];
+    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| !has_points[number]).collect();
+    let mut second_rows = taken.second_rows(&heavy, &drawn, line_of, within, params);
     let mut out = Vec::with_capacity(drawn.len());
     for number in by_strength {
         let DrawnPiece { line, piece } = &drawn[number];
         let line = &lines[*line];
         let mut rows = vec![piece.cells.clone()];
-        if params.has_second_row(line) && !has_points[number] {
-            // a piece too short for a line is felt as texture, unless it is most of the row
-            let least = (params.min_length / params.pitch).ceil() as usize + 1;
-            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
-            let mut second = taken.second_row((number, piece), least, |cell| within.holds(cell));
-            // where a tick goes through it, it has a dot already
-            second.retain(|cell| !taken.lines.contains_key(cell));
-            second.iter().for_each(|&cell| taken.take(cell, number));
-            rows.push(second);
-        }
+        rows.extend(second_rows[number].take());
         rows.retain(|row| !row.is_empty());
         let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
         let runs = rows.map(|row| params.run(row, params.height(line))).collect();
@@ -82,6 +76,36 @@ fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     let closed = line.closed || ends_touch(&cells);
     (rasterise::thin(cells, closed), closed)
 }
+
+/// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
+/// would be taken for lines of another kind. The lines come by their strength.
+fn alike(by_strength: &[usize], rows: &mut [Option<Vec<Cell>>], strength: impl Fn(usize) -> f32) {
+    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
+    let is_near = |a: &usize, b: &usize| {
+        let [a, b] = [a, b].map(|number| strength(*number));
+        a.max(b) <= ABOUT_AS_STRONG * a.min(b)
+    };
+    for lines in heavy.chunk_by(is_near) {
+        let has_row = |number: &&usize| rows[**number].as_ref().is_some_and(|row| !row.is_empty());
+        if (lines.iter().filter(has_row).count() as f32) < MOST_OF_THEM * lines.len() as f32 {
+            lines.iter().for_each(|&number| rows[number] = None);
+        }
+    }
+}
+
+/// Lines of which the stronger is so many times as strong as the other, at most, are about as strong: bars of several
+/// colours.
+const ABOUT_AS_STRONG: f32 = 1.25;
+/// Share of lines that are about as strong that have a second row, or none has.
+const MOST_OF_THEM: f32 = 0.9;
+
+/// So many steps of an outline of a bar go aslant at most: at a corner, or where two of its parts lie a step apart.
+const MOST_ASLANT: usize = 4;
+
+/// Share of a line along which a second row is that is to be whole, and the steps between two of its dots: at a corner
+/// one may be missing.
+const WHOLE: f32 = 0.9;
+const AT_CORNER: i32 = 2;
 
 /// A head is that of a line if its tip is so near to one of its ends, mm.
 const AT_TIP: f32 = 2.0;
@@ -122,6 +146,13 @@ struct DrawnPiece {
 }
 
 impl RowPiece {
+    /// Whether it is level and upright all along, as the outline of a bar, an axis or a box is.
+    fn is_of_bar(&self) -> bool {
+        let steps = self.cells.windows(2);
+        let aslant = steps.filter(|pair| pair[0][0] != pair[1][0] && pair[0][1] != pair[1][1]).count();
+        aslant <= MOST_ASLANT
+    }
+
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
         let (closed, through) = (ends_touch(&cells), cells.len());
@@ -199,6 +230,60 @@ impl OccupiedDots {
             own.insert(cell, i);
         }
         out
+    }
+
+    /// The second row of each of these pieces that has one, the strongest first.
+    fn second_rows<'l>(
+        &mut self,
+        numbers: &[usize],
+        drawn: &[DrawnPiece],
+        line_of: impl Fn(usize) -> &'l Line,
+        within: CellBox,
+        params: &Params,
+    ) -> Vec<Option<Vec<Cell>>> {
+        let mut rows: Vec<Option<Vec<Cell>>> = vec![None; drawn.len()];
+        for &number in numbers.iter().filter(|&&number| params.has_second_row(line_of(number))) {
+            let piece = &drawn[number].piece;
+            // a piece too short for a line is felt as texture, unless it is most of the row
+            let least = (params.min_length / params.pitch).ceil() as usize + 1;
+            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
+            let mut second = self.wider_side((number, piece), least, params, |cell| within.holds(cell));
+            // where a tick goes through it, it has a dot already
+            second.retain(|cell| !self.lines.contains_key(cell));
+            second.iter().for_each(|&cell| self.take(cell, number));
+            rows[number] = Some(second);
+        }
+        if params.whole_rows {
+            let of_bars: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_bar()).collect();
+            alike(&of_bars, &mut rows, |number| line_of(number).strength);
+        }
+        rows
+    }
+
+    /// The second row of a piece. Where it is to be whole, it is on the side on which more of it has room, if that is
+    /// nearly all of it: at its ends other lines may be.
+    fn wider_side(
+        &self,
+        (number, piece): (usize, &RowPiece),
+        least: usize,
+        params: &Params,
+        inside: impl Fn(Cell) -> bool,
+    ) -> Vec<Cell> {
+        let own = self.second_row((number, piece), least, &inside);
+        if !params.whole_rows || !piece.is_of_bar() {
+            return own;
+        }
+        let others = || {
+            let cells = piece.cells.iter().rev().copied().collect();
+            let mut row = self.second_row((number, &RowPiece { cells, ..*piece }), least, &inside);
+            row.reverse(); // as the line runs
+            row
+        };
+        let others = if piece.closed { Vec::new() } else { others() };
+        let row = if others.len() > own.len() { others } else { own };
+        let at_ends = 2 * (self.gap + 1) as usize;
+        let is_one = row.windows(2).all(|pair| distance(pair[0], pair[1]) <= AT_CORNER);
+        if is_one && (row.len() + at_ends) as f32 >= WHOLE * piece.cells.len() as f32 { row } else { Vec::new() }
     }
 
     /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece

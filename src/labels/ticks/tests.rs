@@ -26,9 +26,10 @@ fn counts_of(ticks: &[usize], (from, to): (f32, f32)) -> Vec<i64> {
             text: i.to_string(),
             anchor: MmRect::new(MmPoint::new(at(i) - 2.0, 27.0), MmPoint::new(at(i) + 2.0, 31.0)),
             led_from: None,
+            leader: None,
         })
         .collect();
-    let groups = super::super::groups::of(&wanted, |_| true, |_| false);
+    let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);
     assert_eq!(groups.len(), 1);
     selections(&groups[0], &wanted, &room).iter().map(|numbers| numbers.count).collect()
 }
@@ -63,9 +64,10 @@ fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
             text: format!("{i} \u{20ac}"),
             anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),
             led_from: None,
+            leader: None,
         };
         let wanted: Vec<Wanted> = (0..4).map(number).collect();
-        let groups = super::super::groups::of(&wanted, |_| true, |_| false);
+        let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);
         longer(&groups, &wanted, &room, 8.0).iter().map(|at| at.x).fold(f32::INFINITY, f32::min)
     };
     assert!(longest(2.5) < 33.5, "{}", longest(2.5));

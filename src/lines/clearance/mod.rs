@@ -25,7 +25,7 @@ pub(crate) use self_distance::{BEND, BEND_LEAST};
 use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};
 use self::extend::{Extended, extension};
-use self::queue::Queue;
+use self::queue::{Queue, QueuedLine};
 use self::self_distance::self_approach;
 use self::split::{PartEnds, split, without_stubs};
 use super::outlines::Rank;
@@ -73,25 +73,30 @@ pub(super) fn clear(
     let saliencies = bases::raised(saliencies, &polylines, area, params);
     for ((polyline, rank), saliency) in polylines.into_iter().zip(saliencies) {
         // Where a line comes near itself its earlier part stays.
-        queue.push_as(polyline.stronger_half_first(), rank, 0, saliency);
+        let polyline = polyline.stronger_half_first();
+        queue.push_as(QueuedLine { polyline, rank, round: 0, is_part: false }, saliency);
     }
     let mut drawn = DrawnLines::new(area, params);
     let mut own = Nearby::new(area, params.max_spacing());
     let mut cleared: Vec<Cleared> = Vec::new();
-    while let Some((polyline, rank, round)) = queue.pop() {
-        let is_whole_or_none = polyline.closed && params.whole_rings;
-        match judge(polyline, round, &drawn, &mut own) {
+    while let Some(line) = queue.pop() {
+        let (rank, round, is_part) = (line.rank, line.round + 1, line.is_part);
+        let is_whole_or_none = line.polyline.closed && params.whole_rings;
+        match judge(line, &drawn, &mut own) {
             // a part of such a ring is nothing: it is left out
             Decision::Open(_) | Decision::Split(_) if is_whole_or_none => {}
             Decision::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
             Decision::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));
-                queue.push(rest, rank, round + 1);
+                queue.push(QueuedLine { polyline: rest, rank, round, is_part: true });
             }
-            Decision::Shorten(line) | Decision::Displace(line) | Decision::Open(line) => {
-                queue.push(line, rank, round + 1)
+            Decision::Shorten(polyline) | Decision::Displace(polyline) | Decision::Open(polyline) => {
+                queue.push(QueuedLine { polyline, rank, round, is_part })
             }
-            Decision::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, rank, round + 1)),
+            Decision::Split(parts) => {
+                let part = |polyline| QueuedLine { polyline, rank, round, is_part: true };
+                parts.into_iter().for_each(|polyline| queue.push(part(polyline)))
+            }
         }
     }
     anchor::anchor(&mut cleared, &drawn);
@@ -100,9 +105,10 @@ pub(super) fn clear(
     cleared
 }
 
-/// What is to be done with a line, which was judged in so many rounds before, among those that are drawn. `own` is an
-/// empty index, and empty again afterwards.
-fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
+/// What is to be done with a line among those that are drawn. `own` is an empty index, and empty again afterwards.
+fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
+    let keeps_its_place = keeps_its_place(&line, drawn.params);
+    let QueuedLine { mut polyline, round, .. } = line;
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
     if let Some(shorter) = without_stubs(&polyline, drawn) {
@@ -110,7 +116,8 @@ fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own:
     }
     let states = drawn.states(&polyline);
     if states.contains(&LineState::TooNear) {
-        return match displaced(&polyline, drawn) {
+        let displaced = if keeps_its_place { None } else { displaced(&polyline, drawn) };
+        return match displaced {
             Some(displaced) => Decision::Displace(displaced),
             None => {
                 let ends = if round < EXTENDED_ROUNDS { PartEnds::Extended } else { PartEnds::AsCut };
@@ -129,6 +136,23 @@ fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own:
         Some(back) => until_return(polyline, back.start, drawn, own),
     }
 }
+
+/// Whether a line is not moved away from others: its height, or how far right it lies, is the value of a scale. It is a
+/// level or upright one of a drawing that gives way to others, as a gridline does, or what is left of one that was cut:
+/// its parts, each moved by itself, would be lines at several heights.
+fn keeps_its_place(line: &QueuedLine, params: &Params) -> bool {
+    let QueuedLine { polyline, rank, is_part, .. } = line;
+    let (Some(first), Some(last)) = (polyline.vertices.first(), polyline.vertices.last()) else { return false };
+    let along = last.at - first.at;
+    let is_level = along.x.abs().min(along.y.abs()) <= LEVEL * along.length();
+    let is_straight = !polyline.closed && along.length() >= STRAIGHT * polyline.length();
+    params.of_drawing && (*is_part || *rank == Rank::Faint) && is_level && is_straight
+}
+
+/// Sine of the angle by which a line is off level or upright, at most: half a degree, as of rounded coordinates.
+const LEVEL: f32 = 0.009;
+/// Least share of a straight line's length that its chord has: one of 100 mm bends by 0.7 mm.
+const STRAIGHT: f32 = 0.9999;
 
 /// The decision on an open line that comes back too near to itself from vertex `back` on.
 fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
@@ -227,7 +251,9 @@ pub(super) mod tests {
     fn decision(points: &[(f32, f32)], closed: bool) -> Decision {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
         let mut own = Nearby::new(area, Params::TEST.max_spacing());
-        judge(polyline(points, closed), 0, &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
+        let (polyline, rank) = (polyline(points, closed), Rank::Ordinary);
+        let line = QueuedLine { polyline, rank, round: 0, is_part: false };
+        judge(line, &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
     }
 
     #[test]
@@ -296,6 +322,26 @@ pub(super) mod tests {
         assert!(matches!(decision(&[(10.0, 54.5), (90.0, 54.5)], false), Decision::Displace(_)));
         assert!(matches!(decision(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Decision::Split(_)));
         assert_eq!(decision(&[(15.0, 52.0), (85.0, 52.0)], false), Decision::Split(Vec::new()), "nothing is left");
+    }
+
+    #[test]
+    fn a_gridline_and_the_parts_of_a_line_stay_at_their_height() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let params = Params { of_drawing: true, ..Params::TEST };
+        let heights = |rank: Rank, is_crossed: bool| {
+            // one along most of it is a little too near, and one crosses it
+            let near = polyline(&[(30.0, 54.5), (60.0, 54.5)], false);
+            let wall = polyline(&[(70.0, 49.0), (95.0, 49.0), (95.0, 52.0)], false);
+            let line = polyline(&[(5.0, 50.0), (99.0, 50.0)], false);
+            let walls = if is_crossed { vec![(wall, Rank::Subject)] } else { Vec::new() };
+            let lines = walls.into_iter().chain([(near, Rank::Stroke), (line, rank)]).collect();
+            let cleared = clear_all(lines, area, &params);
+            let own = cleared.iter().filter(|line| line.rank == rank).flat_map(|line| &line.polyline.vertices);
+            own.map(|vertex| (vertex.at.y - 50.0).abs()).fold(0.0, f32::max)
+        };
+        assert!(heights(Rank::Faint, false) < 0.01);
+        assert!(heights(Rank::Ordinary, false) > 0.1, "a whole line may move");
+        assert!(heights(Rank::Ordinary, true) < 0.01, "the parts of one are at one height");
     }
 
     #[test]

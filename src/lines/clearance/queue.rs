@@ -13,10 +13,15 @@ use crate::ranked::{Ranked, TotalOrder};
 /// A piece that is still too near after this many rounds is given up. None of the samples needs more than three.
 const MOST_ROUNDS: u8 = 8;
 
-/// A line that waits, and in how many rounds it was judged.
-struct QueuedLine {
-    polyline: Polyline<Vertex>,
-    round: u8,
+/// A line that waits.
+#[derive(Debug)]
+pub(super) struct QueuedLine {
+    pub(super) polyline: Polyline<Vertex>,
+    pub(super) rank: Rank,
+    /// In how many rounds it was judged.
+    pub(super) round: u8,
+    /// Whether it is what is left of a line that was cut.
+    pub(super) is_part: bool,
 }
 
 /// A line that is drawn.
@@ -43,25 +48,26 @@ impl<'a> Queue<'a> {
         Self { heap: BinaryHeap::with_capacity(capacity), count: 0, params }
     }
 
-    /// Adds a line that was judged in so many rounds, unless it is too short or was judged too often.
-    pub(super) fn push(&mut self, polyline: Polyline<Vertex>, rank: Rank, round: u8) {
-        let saliency = saliency(&polyline, self.params);
-        self.push_as(polyline, rank, round, saliency);
+    /// Adds a line, unless it is too short or was judged too often.
+    pub(super) fn push(&mut self, line: QueuedLine) {
+        let saliency = saliency(&line.polyline, self.params);
+        self.push_as(line, saliency);
     }
 
     /// [`Queue::push`] of a line that is as salient as this.
-    pub(super) fn push_as(&mut self, polyline: Polyline<Vertex>, rank: Rank, round: u8, saliency: f32) {
-        if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || round > MOST_ROUNDS {
+    pub(super) fn push_as(&mut self, line: QueuedLine, saliency: f32) {
+        let QueuedLine { polyline, rank, round, .. } = &line;
+        if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || *round > MOST_ROUNDS {
             return;
         }
-        let rank = (rank, TotalOrder(f64::from(saliency)), Reverse(self.count));
-        self.heap.push(Ranked { rank, item: QueuedLine { polyline, round } });
+        let rank = (*rank, TotalOrder(f64::from(saliency)), Reverse(self.count));
+        self.heap.push(Ranked { rank, item: line });
         self.count += 1;
     }
 
-    /// The next line, its rank and in how many rounds it was judged.
-    pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, Rank, u8)> {
-        self.heap.pop().map(|next| (next.item.polyline, next.rank.0, next.item.round))
+    /// The next line.
+    pub(super) fn pop(&mut self) -> Option<QueuedLine> {
+        self.heap.pop().map(|next| next.item)
     }
 }
 
@@ -74,13 +80,17 @@ mod tests {
     fn the_most_salient_comes_first_and_what_is_short_or_often_judged_not_at_all() {
         let mut queue = Queue::new(4, &Params::TEST);
         let lengths = [12.0, 30.0, 7.0, 30.0];
-        lengths
-            .iter()
-            .zip(0..)
-            .for_each(|(&x, round)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), Rank::Ordinary, round));
-        queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), Rank::Ordinary, MOST_ROUNDS + 1);
-        let order: Vec<(u32, u8)> =
-            std::iter::from_fn(|| queue.pop()).map(|(line, _, round)| (line.length().round() as u32, round)).collect();
+        let line = |x: f32, round: u8| QueuedLine {
+            polyline: polyline(&[(0.0, 0.0), (x, 0.0)], false),
+            rank: Rank::Ordinary,
+            round,
+            is_part: false,
+        };
+        lengths.iter().zip(0..).for_each(|(&x, round)| queue.push(line(x, round)));
+        queue.push(line(90.0, MOST_ROUNDS + 1));
+        let order: Vec<(u32, u8)> = std::iter::from_fn(|| queue.pop())
+            .map(|line| (line.polyline.length().round() as u32, line.round))
+            .collect();
         assert_eq!(order, [(30, 1), (30, 3), (12, 0)]);
     }
 }

@@ -11,7 +11,15 @@ fn line(strength: f32, points: &[(f32, f32)]) -> Line {
 }
 
 fn params() -> Params {
-    Params { pitch: 2.5, diameter: 1.6, line_gap: 1, heavy_from: 50.0, has_heights: false, min_length: 5.0 }
+    Params {
+        pitch: 2.5,
+        diameter: 1.6,
+        line_gap: 1,
+        heavy_from: 50.0,
+        whole_rows: false,
+        has_heights: false,
+        min_length: 5.0,
+    }
 }
 
 /// Lines without marks.

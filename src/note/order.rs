@@ -1,0 +1,72 @@
+//! In which order remarks are told: what makes a page wrong first, as a long list is not read to its end.
+
+use super::{About, Note};
+
+/// So much of the contours of a drawing is more than a few places where lines meet, percent.
+const MUCH: u32 = 5;
+
+impl Note {
+    /// Remarks in the order in which they are told; those that weigh as much stay in theirs.
+    pub(crate) fn sort(notes: &mut [Self]) {
+        notes.sort_by_key(Self::rank);
+    }
+
+    /// How far down it is told.
+    fn rank(&self) -> u8 {
+        match self {
+            // there is nothing on the page, or hardly anything
+            Self::EmptyPage | Self::NoLines | Self::NoContours | Self::LinesOff | Self::NoBrailleCode(_) => 0,
+            // it may be another page than is wanted
+            Self::FirstPageOnly { .. } => 0,
+            Self::Faulty(..) | Self::TooDense { .. } => 1,
+            // of an overview only, which a reader has beside the figure
+            Self::NotOnPage(About::Overview, _)
+            | Self::TakenAs(About::Overview, _)
+            | Self::ShapesNotInOverview(_)
+            | Self::LinesNotInOverview { .. }
+            | Self::NoRoomForOverview => 5,
+            // the page says something else
+            Self::TakenAs(About::Leaders | About::Braille, _) | Self::InOtherCells(_) | Self::MixedAreas { .. } => 2,
+            Self::NotOnPage(About::Widths | About::Print, _) => 4,
+            // it lacks something
+            Self::NotOnPage(..)
+            | Self::LabelsLeftOut { .. }
+            | Self::LetteringLeftOut { .. }
+            | Self::LeftOut(_)
+            | Self::NotInBraille { .. }
+            | Self::NotTranslated { .. }
+            | Self::NoRoomForTitle { .. }
+            | Self::NoRoomForNumber
+            | Self::NoSubject(_)
+            | Self::NoTexts
+            | Self::TextsLeftOut(_)
+            | Self::TextsNotRead(_)
+            | Self::TooBlack { .. } => 3,
+            Self::LinesLeftOut { percent, .. } if *percent >= MUCH => 3,
+            // how it is drawn
+            _ => 4,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_makes_a_page_wrong_is_told_first() {
+        let lost = |percent: u32| Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false };
+        let told = |about: About| Note::TakenAs(about, String::new());
+        let notes = [
+            lost(1),
+            told(About::Overview),
+            Note::NotOnPage(About::Areas, String::new()),
+            lost(30),
+            Note::EmptyPage,
+            told(About::Leaders),
+        ];
+        let mut sorted = notes.to_vec();
+        Note::sort(&mut sorted);
+        assert_eq!(sorted, [4, 5, 2, 3, 0, 1].map(|number: usize| notes[number].clone()));
+    }
+}

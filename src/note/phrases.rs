@@ -1,0 +1,93 @@
+//! Parts of the sentences of remarks.
+
+use crate::listing::{counted, first_few, list};
+
+/// Where most of something is, within a sentence.
+pub(super) fn most_in(place: Option<&str>, whole: &str) -> String {
+    place.map_or_else(|| format!("all over the {whole}"), |place| format!("most of them in the {place}"))
+}
+
+/// What a sheet that lies across is better for, as the rest of a sentence.
+pub(super) fn turned(is_larger: bool) -> &'static str {
+    if is_larger { "; on the same sheet lying across (page.orientation = landscape) it is larger" } else { "" }
+}
+
+/// Most texts that a note shows; it is read aloud.
+pub(super) const MOST_TEXTS: usize = 12;
+
+/// Texts in quotation marks, as many as a note shows.
+pub(super) fn listed(texts: &[String]) -> String {
+    first_few(texts, MOST_TEXTS, |text| format!("\"{}\"", short(text)))
+}
+
+pub(super) fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {
+    if is_of_one_text { format!("{character:?} (character {at})") } else { format!("{character:?}") }
+}
+
+pub(super) fn hexadecimal([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// How dark paper is where light falls off, as the rest of a sentence.
+pub(super) fn shade(darkest: u32) -> String {
+    /// Nobody sees less, percent.
+    const SEEN: u32 = 95;
+    if darkest > SEEN {
+        return String::new();
+    }
+    format!(", as if light were even: its darkest part has {darkest} percent of the light of its lightest")
+}
+
+pub(super) fn sides(of: &[(&str, u32)]) -> String {
+    let each: Vec<String> =
+        of.iter().map(|(side, percent)| format!("{percent} percent along the {side} side")).collect();
+    list(&each, "and")
+}
+
+pub(super) fn it_or_them(count: usize) -> &'static str {
+    if count == 1 { "it" } else { "them" }
+}
+
+pub(super) fn no_subject([x, y]: [i32; 2]) -> String {
+    if (0..=100).contains(&x) && (0..=100).contains(&y) {
+        format!(
+            "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a place in \
+             the middle of a thing that stands out from what is around it"
+        )
+    } else {
+        format!(
+            "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from 0 to \
+             100 percent or within its pixels, from the left and from the top"
+        )
+    }
+}
+
+pub(super) fn mixed_areas(count: usize, places: &[&str]) -> String {
+    let (have, each, of_it) = if count == 1 { ("has", "", " of it") } else { ("have", " each", "") };
+    let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
+    format!(
+        "{areas}, in the {places} of the figure, {have} the textures of several colours{each}, as none of them fills \
+         two thirds{of_it}"
+    )
+}
+
+pub(super) fn simplified(shapes: usize, lines: usize, most: usize) -> String {
+    let all = [(shapes, "shape"), (lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
+    let all: Vec<String> = all.map(|(count, noun)| counted(count, noun)).collect();
+    if all.is_empty() {
+        return format!(
+            "nothing is left out for few shapes (lines.shapes = {most}), as there are no more; ask for fewer to have \
+             less"
+        );
+    }
+    format!("left out, as few shapes are asked for (lines.shapes = {most}): {}", all.join(" and "))
+}
+
+/// The beginning of a text.
+pub(super) fn short(text: &str) -> String {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}

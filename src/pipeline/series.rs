@@ -1,0 +1,175 @@
+//! Bars of one colour are a series of a chart, which its legend names by that colour. So all of them have its texture
+//! or none: of a series of which only the high bars have one, the low ones would be taken for another series.
+
+use super::bars::Chart;
+use super::given::blank_cells;
+use super::legend::LegendEntry;
+use super::progress::Watch;
+use super::textures::{draw_textures, told_bare};
+use crate::classes::{Class, Classes, Region};
+use crate::edges::Edges;
+use crate::lines::Line;
+use crate::listing::list;
+use crate::page::Texture;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
+use crate::{About, Note};
+
+/// The colour of a bar is looked for so far inside of its outline, mm: there no stroke lies.
+const INSIDE: f32 = 0.8;
+/// A bar has the colour of at least this share of its cells; the parts of a stacked bar have several.
+const MOSTLY: f32 = 0.6;
+
+/// A bar of a chart that has one colour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ColouredBar {
+    place: MmRect,
+    class: Class,
+}
+
+/// The bars of a drawing's chart by the colours of these areas, of which the smallest are smaller than bars are.
+pub(super) fn of(edges: &Edges, fine: &Classes, figure: MmRect) -> Vec<ColouredBar> {
+    let Some(chart) = Chart::of(edges) else { return Vec::new() };
+    let transform = PageTransform::new(edges.size, figure);
+    let bar = |bar| {
+        let place = MmRect::from_points(chart.outline(bar).into_iter().map(|at| transform.to_mm(at)));
+        let cells: Vec<usize> = cells_in(place.inflate(-INSIDE, -INSIDE), fine, figure).collect();
+        let count = |class: Class| cells.iter().filter(|cell| class_of(fine, **cell) == Some(class)).count();
+        let (class, own) = Class::ALL.into_iter().map(|class| (class, count(class))).max_by_key(|(_, count)| *count)?;
+        (own > 0 && own as f32 >= MOSTLY * cells.len() as f32).then_some(ColouredBar { place, class })
+    };
+    chart.bars.iter().filter_map(bar).collect()
+}
+
+/// Gives bars their colour in areas that are larger than the smallest bars.
+pub(super) fn colour(classes: &mut Classes, fine: &Classes, bars: &[ColouredBar], figure: MmRect) {
+    for bar in bars {
+        let number = classes.regions.len() as u32;
+        let is_own = |cell: &usize| class_of(fine, *cell) == Some(bar.class);
+        let cells: Vec<usize> = cells_in(bar.place, fine, figure).filter(is_own).collect();
+        let Some(colour) = cells.first().and_then(|&cell| Some(fine.regions[fine.region[cell]? as usize].colour))
+        else {
+            continue;
+        };
+        let lacks = |cell: &&usize| class_of(classes, **cell) != Some(bar.class);
+        let lacking: Vec<usize> = cells.iter().filter(lacks).copied().collect();
+        // the rim of an area is smoothed
+        if (lacking.len() as f32) < (1.0 - MOSTLY) * cells.len() as f32 {
+            continue;
+        }
+        for cell in lacking {
+            if let Some(region) = classes.region[cell].replace(number) {
+                classes.regions[region as usize].cells -= 1;
+            }
+        }
+        let cells = classes.region.iter().filter(|region| **region == Some(number)).count() as u32;
+        classes.regions.push(Region { class: bar.class, colour, cells });
+    }
+}
+
+fn class_of(classes: &Classes, cell: usize) -> Option<Class> {
+    classes.region[cell].map(|number| classes.regions[number as usize].class)
+}
+
+/// The cells of a figure with their middle in a box.
+fn cells_in(place: MmRect, classes: &Classes, figure: MmRect) -> impl Iterator<Item = usize> + use<> {
+    let (width, height) = (classes.size.width, classes.size.height);
+    let range = |from: f32, to: f32, count: u32| {
+        let at = |share: f32| (share * count as f32).round().clamp(0.0, count as f32) as usize;
+        at(from)..at(to).max(at(from))
+    };
+    let share = |at: MmPoint| (at - figure.min).component_div(figure.size().to_vector());
+    let (low, high): (MmVector, MmVector) = (share(place.min), share(place.max));
+    let columns = range(low.x, high.x, width);
+    range(low.y, high.y, height).flat_map(move |y| columns.clone().map(move |x| y * width as usize + x))
+}
+
+/// A series whose bars have no texture, or some of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Lacking {
+    class: Class,
+    /// How many bars it has, and how many of them have none.
+    bars: usize,
+    bare: usize,
+}
+
+/// The textures of the figure, those of bars alike in each series, and what is told of areas without any. Entries of
+/// the legend whose series have bars without one are marked.
+pub(super) fn textured(
+    areas: Option<(Classes, Vec<ColouredBar>)>,
+    (legend, of_drawing): (&mut [LegendEntry], bool),
+    layout: &Layout,
+    lines: &[Line],
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> (Vec<Texture>, Vec<Note>) {
+    let (mut classes, bars) = areas.unzip();
+    let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
+    let mut notes = Vec::new();
+    if let (Some(classes), Some(bars)) = (&mut classes, bars) {
+        notes.extend(made_alike(&bars, classes, &mut textures, legend, layout.figure));
+    }
+    let bare = classes.as_ref().and_then(|classes| told_bare(classes, &textures, lines, layout, of_drawing, plan));
+    notes.extend(bare);
+    (textures, notes)
+}
+
+/// Makes the bars of a series alike where one series lacks textures, or one has hardly any: no bar of it has one. Where
+/// several lack some, nobody could tell these apart then, so that they stay as they are. Tells of both.
+fn made_alike(
+    bars: &[ColouredBar],
+    classes: &mut Classes,
+    textures: &mut Vec<Texture>,
+    legend: &mut [LegendEntry],
+    figure: MmRect,
+) -> Option<Note> {
+    let has_sign = |bar: &ColouredBar| {
+        let own = textures.iter().filter(|texture| texture.class == bar.class);
+        own.flat_map(|texture| &texture.glyphs).any(|glyph| bar.place.contains(glyph.at))
+    };
+    let is_bare: Vec<bool> = bars.iter().map(|bar| !has_sign(bar)).collect();
+    let count = |class: Class, is: &dyn Fn(usize) -> bool| {
+        (0..bars.len()).filter(|&bar| bars[bar].class == class && is(bar)).count()
+    };
+    let series =
+        |class: Class| Lacking { class, bars: count(class, &|_| true), bare: count(class, &|bar| is_bare[bar]) };
+    let series: Vec<Lacking> = Class::ALL.into_iter().map(series).filter(|series| series.bars > 0).collect();
+    let lacking: Vec<Lacking> = series.iter().copied().filter(|series| series.bare > 0).collect();
+    if series.len() < 2 || lacking.is_empty() {
+        return None;
+    }
+    let is_lacking = |class: Class| lacking.iter().any(|series| series.class == class);
+    legend.iter_mut().for_each(|entry| entry.has_blank |= is_lacking(entry.class));
+    let becomes_blank = |of: &Lacking| lacking.len() == 1 || 2 * of.bare >= of.bars;
+    let (blanked, partly): (Vec<Lacking>, Vec<Lacking>) = lacking.iter().partition(|of| becomes_blank(of));
+    let is_blanked = |class: Class| blanked.iter().any(|of| of.class == class);
+    let own: Vec<MmRect> = bars.iter().filter(|bar| is_blanked(bar.class)).map(|bar| bar.place).collect();
+    for texture in textures.iter_mut().filter(|texture| is_blanked(texture.class)) {
+        texture.glyphs.retain(|glyph| !own.iter().any(|place| place.contains(glyph.at)));
+    }
+    textures.retain(|texture| !texture.glyphs.is_empty());
+    let bare = bars.iter().zip(&is_bare).filter(|(_, is_bare)| **is_bare).map(|(bar, _)| bar.place);
+    let blank: Vec<MmRect> = own.into_iter().chain(bare).collect();
+    let cells: std::collections::BTreeSet<usize> =
+        blank.iter().flat_map(|place| cells_in(*place, classes, figure)).collect();
+    let numbers: Vec<bool> = classes.regions.iter().map(|region| is_lacking(region.class)).collect();
+    blank_cells(classes, |cell, region| numbers[region as usize] && cells.contains(&cell));
+    Some(told(&blanked, &partly, !legend.is_empty()))
+}
+
+/// What is told of series without textures, and of those of which some bars have none.
+fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
+    let all = |of: &Lacking| match of.bars - of.bare {
+        0 => format!("all {} {} bars", of.bars, of.class.name()),
+        _ => format!("all {} {} bars, so that they are alike ({} of them)", of.bars, of.class.name(), of.bare),
+    };
+    let some = |of: &Lacking| format!("{} of {} {} bars", of.bare, of.bars, of.class.name());
+    let each: Vec<String> = blanked.iter().map(all).chain(partly.iter().map(some)).collect();
+    let key = if has_legend { "the key names them as blank" } else { "say in a label which are which" };
+    let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
+    Note::NotOnPage(About::Areas, format!("the textures of bars of the chart, {each}, as they are {why}; {key}"))
+}
+
+#[cfg(test)]
+mod tests;

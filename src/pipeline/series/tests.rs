@@ -1,0 +1,98 @@
+//! Tests of `series`.
+
+use super::*;
+use crate::page::{Glyph, Shape};
+use crate::raster::plane::Plane;
+use crate::textures::Sign;
+use crate::units::Size;
+
+const FIGURE: MmRect = MmRect { min: MmPoint::new(0.0, 0.0), max: MmPoint::new(80.0, 40.0) };
+
+/// A bar from one place to another along the base of the figure, and so high.
+fn bar(from: f32, to: f32, height: f32, class: Class) -> ColouredBar {
+    ColouredBar { place: MmRect::new(MmPoint::new(from, 40.0 - height), MmPoint::new(to, 40.0)), class }
+}
+
+/// Cells of a square mm with these bars as areas.
+fn classes(bars: &[ColouredBar]) -> Classes {
+    let size = Size::new(80, 40);
+    let mut all = Classes {
+        size,
+        region: vec![None; size.len()],
+        regions: Vec::new(),
+        lightness: Plane::filled(size, 0.5),
+        fringe: Vec::new(),
+    };
+    for (number, bar) in (0..).zip(bars) {
+        let cells: Vec<usize> = cells_in(bar.place, &all, FIGURE).collect();
+        all.regions.push(Region { class: bar.class, colour: [0; 3], cells: cells.len() as u32 });
+        cells.into_iter().for_each(|cell| all.region[cell] = Some(number));
+    }
+    all
+}
+
+/// The texture of a bar: one sign in its middle.
+fn texture(bar: &ColouredBar) -> Texture {
+    let glyphs = vec![Glyph { at: bar.place.center(), shape: Shape::Dot { diameter: 1.0 } }];
+    Texture { class: bar.class, sign: Sign::Dot, colour: [0; 3], area: bar.place.area(), glyphs }
+}
+
+fn entry(text: &str, class: Class) -> LegendEntry {
+    LegendEntry { text: text.to_owned(), class, place: None, has_blank: false }
+}
+
+/// Which bars have a texture afterwards if these had one, which entries of the legend have blank ones, what is told.
+fn alike(bars: &[ColouredBar], had: &[usize]) -> (Vec<usize>, Vec<bool>, String) {
+    let mut textures: Vec<Texture> = had.iter().map(|&bar| texture(&bars[bar])).collect();
+    let mut legend = [entry("Girls", Class::Red), entry("Boys", Class::Yellow)];
+    let told = made_alike(bars, &mut classes(bars), &mut textures, &mut legend, FIGURE);
+    let has = |bar: &ColouredBar| {
+        let own = textures.iter().filter(|texture| texture.class == bar.class);
+        own.flat_map(|texture| &texture.glyphs).any(|glyph| bar.place.contains(glyph.at))
+    };
+    let with: Vec<usize> = (0..bars.len()).filter(|&number| has(&bars[number])).collect();
+    (with, legend.map(|entry| entry.has_blank).to_vec(), told.map(|note| note.to_string()).unwrap_or_default())
+}
+
+fn girls_and_boys() -> [ColouredBar; 6] {
+    let pair = |x: f32, girls: f32, boys: f32| {
+        [bar(x, x + 10.0, girls, Class::Red), bar(x + 10.0, x + 20.0, boys, Class::Yellow)]
+    };
+    let [[a, b], [c, d], [e, f]] = [pair(2.0, 30.0, 25.0), pair(27.0, 20.0, 5.0), pair(52.0, 35.0, 4.0)];
+    [a, b, c, d, e, f]
+}
+
+#[test]
+fn a_series_whose_low_bars_have_no_texture_has_none() {
+    let bars = girls_and_boys();
+    let (with, blank, told) = alike(&bars, &[0, 1, 2, 4]);
+    assert_eq!((with, blank), (vec![0, 2, 4], vec![false, true]));
+    assert!(told.contains("all 3 yellow bars, so that they are alike (2 of them)"), "{told}");
+    assert!(told.contains("names them as blank"), "{told}");
+}
+
+#[test]
+fn series_that_are_whole_and_several_that_lack_bars_stay_as_they_are() {
+    let bars = girls_and_boys();
+    assert_eq!(alike(&bars, &[0, 1, 2, 3, 4, 5]), (vec![0, 1, 2, 3, 4, 5], vec![false; 2], String::new()));
+    // blank, nobody could tell them apart
+    let (with, blank, told) = alike(&bars, &[0, 1, 3, 4]);
+    assert_eq!((with, blank), (vec![0, 1, 3, 4], vec![true; 2]));
+    assert!(told.contains("1 of 3 yellow bars and 1 of 3 red bars"), "{told}");
+    // but of a series that has hardly any texture, none is left
+    assert_eq!(alike(&bars, &[0, 1, 4]).0, [0, 4]);
+    // of one series only, the blank bars are no others
+    let of_one: Vec<ColouredBar> = bars.iter().map(|bar| ColouredBar { class: Class::Red, ..*bar }).collect();
+    assert_eq!(alike(&of_one, &[0, 1]).0, [0, 1]);
+}
+
+#[test]
+fn low_bars_have_the_colour_that_they_lack_in_areas_of_high_ones() {
+    let bars = girls_and_boys();
+    let fine = classes(&bars);
+    let mut coarse = classes(&bars[..3]);
+    colour(&mut coarse, &fine, &bars, FIGURE);
+    assert_eq!(coarse.regions.len(), 6);
+    assert_eq!(coarse.regions.iter().map(|region| region.cells).sum::<u32>(), 1190);
+    assert!((0..coarse.region.len()).all(|cell| class_of(&coarse, cell) == class_of(&fine, cell)));
+}

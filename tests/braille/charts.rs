@@ -1,0 +1,231 @@
+//! Charts and diagrams as teachers make them: numbers at their gridlines, bars of one series alike, legends in the key,
+//! leader lines only where their words are.
+
+use super::labels::{labels_of, place};
+use super::worksheets::{drawn, notes, svg};
+use std::fmt::Write as _;
+use tactograph::marks::Line;
+use tactograph::medium::Medium;
+use tactograph::{Class, Drawing, MmPoint, MmRect};
+
+const PROFILES: [&str; 4] = ["swell-a4", "index-basic-d", "viewplus-columbia", "pins-120x60"];
+const SIZE: [f32; 2] = [720.0, 480.0];
+/// Left and upper end of the axis, where it meets its base, and the right end of that.
+const AXIS: [f32; 4] = [70.0, 70.0, 410.0, 690.0];
+
+/// A chart of the axis up to `top` in steps, with a gridline at each; `below` is how far below its gridline a number
+/// is written. `bars` are from, to, value and colour.
+fn chart(top: f32, step: f32, below: f32, bars: &[(f32, f32, f32, &str)], more: &str) -> String {
+    let [left, up, base, right] = AXIS;
+    let y = |value: f32| base - (base - up) * value / top;
+    let mut marks = String::new();
+    let mut value = 0.0;
+    while value <= top {
+        let (at, text) = (y(value), y(value) + 6.0 + below);
+        if value > 0.0 {
+            write!(marks, "<path d='M{left} {at}H{right}' stroke='#ccc'/>").expect("text");
+        }
+        write!(marks, "<text x='{}' y='{text}' text-anchor='end'>{value}</text>", left - 10.0).expect("text");
+        value += step;
+    }
+    for (from, to, value, colour) in bars {
+        let (at, width, height) = (y(*value), to - from, base - y(*value));
+        let stroke = "stroke='#000' stroke-width='2'";
+        write!(marks, "<rect x='{from}' y='{at}' width='{width}' height='{height}' fill='{colour}' {stroke}/>")
+            .expect("text");
+    }
+    let axis = format!("<path d='M{left} {up}V{base}H{right}' fill='none' stroke='#000' stroke-width='3'/>");
+    svg(SIZE, &(marks + &axis + more))
+}
+
+fn on_page(figure: MmRect, x: f32, y: f32) -> MmPoint {
+    figure.min + MmPoint::new(x / SIZE[0] * figure.width(), y / SIZE[1] * figure.height()).to_vector()
+}
+
+/// Heights of the level lines of a page near to this one, within 1.5 mm.
+fn heights(lines: &[Line], y: f32) -> Vec<f32> {
+    let pairs = lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.windows(2));
+    let level = pairs.filter(|pair| (pair[0].y - pair[1].y).abs() < 0.01 && (pair[0].y - y).abs() < 1.5);
+    level.map(|pair| pair[0].y).collect()
+}
+
+/// Numbers of an axis stand at their gridlines, also where print stands above or below them, where there are only two,
+/// and where a word stands over the first. Those that do not are left out, and told.
+#[test]
+fn numbers_of_an_axis_stand_at_their_gridlines() {
+    let bars = [(120.0, 190.0, 12.0, "#1f77b4"), (300.0, 370.0, 18.0, "#1f77b4"), (480.0, 550.0, 7.0, "#1f77b4")];
+    let title = "<text x='20' y='46'>Books read</text>";
+    let cases = [(5.0, 0.0, ""), (5.0, -9.0, ""), (5.0, 11.0, ""), (20.0, 0.0, ""), (10.0, 0.0, title)];
+    for (step, below, more) in cases {
+        let svg = chart(20.0, step, below, &bars, more);
+        for profile in PROFILES {
+            let drawing = drawn(&svg, profile);
+            let (figure, of) = (drawing.page.figure.place, format!("step {step}, {below} below, {more} on {profile}"));
+            let [_, up, base, _] = AXIS;
+            let pitch = match &drawing.page.medium {
+                Medium::Dots(dots) => dots.pitch,
+                _ => 0.0,
+            };
+            let all = labels_of(&drawing);
+            let numbers = all.iter().filter_map(|label| Some((label, label.text.parse::<f32>().ok()?)));
+            let mut count = 0;
+            for (label, value) in numbers {
+                count += 1;
+                let y = on_page(figure, 0.0, base - (base - up) * value / 20.0).y;
+                let lines = heights(&drawing.page.figure.lines, y);
+                let off = lines.into_iter().chain([y]).map(|y| (place(label).center().y - y).abs());
+                let off = off.fold(f32::INFINITY, f32::min);
+                assert!(off <= 1.3 + 0.5 * pitch, "{of}: {} is {off} mm off", label.text);
+            }
+            let wanted = (20.0 / step) as usize + 1;
+            let is_told = || notes(&drawing).contains("left out, as there is");
+            assert!(count == wanted || count > 1 && is_told(), "{of}: {count}\n{}", notes(&drawing));
+            assert!(count == wanted || profile.starts_with("pins"), "{of}: {count}\n{}", notes(&drawing));
+        }
+    }
+}
+
+/// A gridline that bars interrupt is at one height in all its pieces.
+#[test]
+fn pieces_of_a_gridline_are_at_one_height() {
+    let bars = [
+        (110.0, 190.0, 14.4, "#2ca02c"),
+        (250.0, 330.0, 18.0, "#2ca02c"),
+        (390.0, 470.0, 9.3, "#2ca02c"),
+        (530.0, 610.0, 5.6, "#2ca02c"),
+    ];
+    for (step, grey) in [(5.0, "#ccc"), (4.0, "#999"), (2.5, "#bbb")] {
+        let drawing = drawn(&chart(20.0, step, 0.0, &bars, "").replace("#ccc", grey), "swell-a4");
+        let [_, up, base, _] = AXIS;
+        let mut value = step;
+        while value <= 20.0 {
+            let y = on_page(drawing.page.figure.place, 0.0, base - (base - up) * value / 20.0).y;
+            let heights = heights(&drawing.page.figure.lines, y);
+            let (low, high) = heights.iter().fold((f32::MAX, f32::MIN), |(low, high), &y| (low.min(y), high.max(y)));
+            assert!(heights.is_empty() || high - low < 0.1, "{grey}: {value} from {low} to {high}");
+            value += step;
+        }
+    }
+}
+
+/// Two series, each of a colour, with a legend.
+fn grouped(first: [f32; 4], second: [f32; 4], colours: [&str; 2]) -> String {
+    let mut bars = Vec::new();
+    for (number, (a, b)) in first.into_iter().zip(second).enumerate() {
+        let from = 90.0 + 150.0 * number as f32;
+        bars.push((from, from + 50.0, a, colours[0]));
+        bars.push((from + 50.0, from + 100.0, b, colours[1]));
+    }
+    let entry = |(x, colour, word): (f32, &str, &str)| {
+        format!(
+            "<rect x='{x}' y='22' width='22' height='22' fill='{colour}' stroke='#000' stroke-width='2'/>\
+             <text x='{}' y='40'>{word}</text>",
+            x + 30.0
+        )
+    };
+    let legend = [(420.0, colours[0], "Girls"), (560.0, colours[1], "Boys")].map(entry).concat();
+    chart(16.0, 4.0, 0.0, &bars, &legend)
+}
+
+/// In how many of the bars of a series there are signs of its texture: every second from this one on.
+fn textured(drawing: &Drawing, from: usize, heights: [f32; 4], class: Class) -> usize {
+    let figure = &drawing.page.figure;
+    let [_, up, base, _] = AXIS;
+    let has_sign = |(number, value): (usize, f32)| {
+        let left = 90.0 + 150.0 * number as f32 + 50.0 * from as f32;
+        let bar = MmRect::new(
+            on_page(figure.place, left, base - (base - up) * value / 16.0),
+            on_page(figure.place, left + 50.0, base),
+        );
+        let own = figure.textures.iter().filter(|texture| texture.class == class);
+        own.flat_map(|texture| &texture.glyphs).any(|glyph| bar.contains(glyph.at))
+    };
+    heights.into_iter().enumerate().filter(|of| has_sign(*of)).count()
+}
+
+/// Of a series all bars have its texture or none, and the key says what blank ones mean; the legend is in the key only.
+#[test]
+fn bars_of_a_series_are_alike_and_the_key_tells_of_blank_ones() {
+    let cases = [
+        ([12.0, 9.0, 14.0, 11.0], [10.0, 13.0, 3.0, 1.2], ["#d62728", "#f2c811"], [Class::Red, Class::Yellow]),
+        ([4.0, 2.0, 1.0, 3.0], [15.0, 12.0, 10.0, 13.0], ["#1f77b4", "#2ca02c"], [Class::Blue, Class::Green]),
+        ([12.0, 9.0, 14.0, 11.0], [10.0, 13.0, 8.0, 9.0], ["#1f77b4", "#ff7f0e"], [Class::Blue, Class::Yellow]),
+    ];
+    for (first, second, colours, classes) in cases {
+        let svg = grouped(first, second, colours);
+        for profile in ["swell-a4", "index-basic-d", "viewplus-columbia"] {
+            let drawing = drawn(&svg, profile);
+            let of = format!("{colours:?} on {profile}:\n{}", notes(&drawing));
+            let key: Vec<&str> =
+                drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
+            let blank = key.iter().find(|text| text.starts_with("blank: ")).copied().unwrap_or_default();
+            let mut blanks = 0;
+            for (number, (heights, word)) in [(first, "Girls"), (second, "Boys")].into_iter().enumerate() {
+                let count = textured(&drawing, number, heights, classes[number]);
+                let colour = format!("{}: {word}", classes[number].name());
+                assert_eq!(count > 0, key.contains(&colour.as_str()), "{key:?} {of}");
+                assert_eq!(count < 4, blank.contains(word), "{count} {key:?} {of}");
+                blanks += usize::from(count == 0);
+                // of one series only where the other has no blank ones either
+                assert!(count == 0 || count == 4 || blank == "blank: Girls, Boys", "{count} {key:?} {of}");
+            }
+            assert!(blank.is_empty() != notes(&drawing).contains("bars of the chart, "), "{key:?} {of}");
+            assert!(blanks < 2 || notes(&drawing).contains("all 4"), "{of}");
+            assert!(!labels_of(&drawing).iter().any(|label| ["Girls", "Boys"].contains(&label.text.as_str())), "{of}");
+            assert!(notes(&drawing).contains("the legend in the figure (\"Girls\", \"Boys\")"), "{of}");
+            // there are no patches
+            let legend = MmRect::new(
+                on_page(drawing.page.figure.place, 412.0, 0.0),
+                on_page(drawing.page.figure.place, 590.0, 50.0),
+            );
+            let lines = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+            assert_eq!(lines.filter(|at| legend.contains(**at)).count(), 0, "{of}");
+        }
+    }
+}
+
+/// A cell with leader lines from words, and a cloud whose outline is scalloped as small letters are.
+fn diagram() -> String {
+    let mut marks = "<ellipse cx='330' cy='250' rx='170' ry='120' fill='#cde' stroke='#000' stroke-width='3'/>\
+        <circle cx='300' cy='260' r='45' fill='#a36' stroke='#000' stroke-width='3'/>"
+        .to_owned();
+    let words = [("Wall", (560.0, 120.0), (452.0, 166.0)), ("Nucleus", (560.0, 400.0), (340.0, 280.0))];
+    for (word, (x, y), (to_x, to_y)) in words {
+        write!(
+            marks,
+            "<text x='{x}' y='{y}'>{word}</text><path d='M{} {}L{to_x} {to_y}' stroke='#000' stroke-width='2'/>",
+            x - 6.0,
+            y - 6.0
+        )
+        .expect("text");
+    }
+    let scallops: String = (0..12).map(|_| "q4 -9 8 0").collect();
+    svg(SIZE, &format!("{marks}<path d='M60 60{scallops}v60h-96z' fill='#fff' stroke='#000' stroke-width='2'/>"))
+}
+
+/// Leader lines are in the figure, where their words are, and not in the overview; it is told.
+#[test]
+fn an_overview_has_no_leader_lines() {
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = drawn(&diagram(), profile);
+        let overview = drawing.page.overview.as_ref().map(|overview| (overview.place, &overview.lines));
+        let apart = drawing.overview.as_ref().map(|page| (page.figure.place, &page.figure.lines));
+        let (place, lines) = overview.or(apart).expect("it has one");
+        let beyond = place.min.x + 510.0 / SIZE[0] * place.width();
+        let points = lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        assert_eq!(points.filter(|at| at.x > beyond).count(), 0, "{profile}");
+        assert!(notes(&drawing).contains("of words in the figure only, as"), "{}", notes(&drawing));
+        let beside = on_page(drawing.page.figure.place, 510.0, 0.0).x;
+        let points = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        assert!(points.filter(|at| at.x > beside).count() > 0, "{profile}: the figure has them");
+    }
+}
+
+/// A piece of an outline that looks like a row of small letters is no text.
+#[test]
+fn a_piece_of_an_outline_is_no_text() {
+    for profile in PROFILES {
+        let told = notes(&drawn(&diagram(), profile));
+        assert!(!told.contains("letters"), "{profile}: {told}");
+    }
+}
