@@ -40,10 +40,10 @@ fn a_page_for_the_back_of_the_sheet_is_taken_as_its_picture_lies() {
         };
         let ((lines, signs), (of_back, signs_of_back)) = (with(&own), with(&back));
         assert!(are_near(&lines, &of_back) && are_near(&of_back, &lines), "mirrored: {mirrored}");
-        assert_eq!(signs.len(), 2);
+        assert_eq!((signs.len(), signs_of_back.len()), (2, 2));
         for ((class, at), (class_of_back, at_of_back)) in signs.iter().zip(&signs_of_back) {
             assert_eq!(class, class_of_back);
-            assert!(are_near(at, at_of_back), "{class}, mirrored: {mirrored}");
+            assert!(are_near(at, at_of_back) && are_near(at_of_back, at), "{class}, mirrored: {mirrored}");
         }
     }
 }

@@ -28,12 +28,12 @@ fn triangle(squares: usize) -> (String, [(f32, f32); 3]) {
 
 /// The greatest width of the lines at a place; 0 if none is there.
 fn width_at(at: MmPoint, lines: &[Line]) -> f32 {
-    let far = |run: &&Run| {
+    let is_near = |run: &&Run| {
         let back = run.points.last().zip(run.points.first()).filter(|_| run.closed);
         let sides = run.points.windows(2).map(|pair| (pair[0], pair[1])).chain(back.map(|(a, b)| (*a, *b)));
         sides.map(|(a, b)| nearest_on_segment(at, a, b).0).fold(f32::INFINITY, f32::min) <= NEAR
     };
-    lines.iter().flat_map(|line| &line.runs).filter(far).map(|run| run.width).fold(0.0, f32::max)
+    lines.iter().flat_map(|line| &line.runs).filter(is_near).map(|run| run.width).fold(0.0, f32::max)
 }
 
 #[test]

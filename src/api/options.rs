@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::fonts::Fonts;
+use super::rendering::as_felt;
 use crate::braille::{Code, Translate};
 use crate::page::{LANGUAGE, Page, PartShown};
 use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, Position, TextReader, Words};
@@ -254,14 +255,10 @@ impl Options {
     /// [`Error::NotAPage`] if it is no SVG or has none of the layers of a page, and [`Error::Undecodable`] where it is
     /// broken or over a limit.
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        let mut read = as_felt(reading::read(svg.as_ref())?);
-        self.given.part_of_areas = PartShown::of(&read.page);
-        let mut notes = std::mem::take(&mut read.notes);
-        notes.extend(not_written(&std::mem::take(&mut read.texts)));
-        let (own, refused) = Profile::of_origin(&read.page.origin)?;
-        notes.extend(refused);
-        let plan = Plan::new(&own)?;
+        let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read(svg.as_ref())?)?;
         let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
+        self.given.part_of_areas = PartShown::of(&read.page);
+        self.given.drawn_areas = read.areas.len();
         self.given.areas = Some(areas);
         notes.extend(told);
         self.add_notes(notes);
@@ -356,13 +353,11 @@ impl Options {
 
     /// The lines of a page as its own profile means them.
     fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
-        let Reading { page, mut notes, texts, areas, .. } = as_felt(reading::read_any(svg)?);
-        notes.extend(not_written(&texts));
-        notes.extend(pipeline::dots_left_out(&page));
-        let (own, refused) = Profile::of_origin(&page.origin)?;
-        notes.extend(refused);
+        let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read_any(svg)?)?;
+        let page = &read.page;
+        notes.extend(pipeline::dots_left_out(page));
         self.given.texts_of_page = page.braille.len();
-        let lines = HandLines::of_figure(&page, &Plan::new(&own)?).beside_areas(areas.len());
+        let lines = HandLines::of_figure(page, &plan).beside_areas(read.areas.len());
         notes.extend(lines.told_outside());
         self.add_notes(notes);
         Ok(lines)
@@ -430,9 +425,29 @@ impl Options {
     }
 }
 
-/// A page as fingers meet it, whichever side of the sheet it is made for: as its picture lies.
-fn as_felt(read: Reading) -> Reading {
-    if read.page.is_mirrored() { read.turned_over(|_| 0.0) } else { read }
+/// A page of which lines or areas are taken, as its picture lies.
+struct GivenPage {
+    read: Reading,
+    /// What it was made with.
+    plan: Plan,
+    /// What was taken otherwise than it looks, and what is not taken.
+    notes: Vec<Note>,
+}
+
+impl GivenPage {
+    /// # Errors
+    /// If the profile that it names has faults.
+    fn of(mut read: Reading) -> Result<Self, Error> {
+        let mut notes = std::mem::take(&mut read.notes);
+        notes.extend(not_written(&read.texts));
+        let (own, refused) = Profile::of_origin(&read.page.origin)?;
+        notes.extend(refused);
+        let plan = Plan::new(&own)?;
+        if read.page.is_mirrored() {
+            read = as_felt(read, &plan);
+        }
+        Ok(Self { read, plan, notes })
+    }
 }
 
 /// What is told of texts that were typed into a page of which lines or areas are taken.

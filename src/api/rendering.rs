@@ -163,8 +163,8 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     Ok(Drawing { notes, ..drawing })
 }
 
-/// A mirrored page as it is felt.
-fn as_felt(read: Reading, own: &Plan) -> Reading {
+/// A mirrored page as it is felt; `own` is the plan that it was made with.
+pub(super) fn as_felt(read: Reading, own: &Plan) -> Reading {
     let (medium, cell) = (read.page.medium.clone(), own.profile().braille.cell);
     read.turned_over(|cells| CellGrid::of(&medium, cell).extent(cells, 1).x)
 }

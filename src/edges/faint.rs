@@ -15,13 +15,13 @@ const STRONG: f32 = 0.1;
 /// Strokes are of one width if they differ by less than this, px: drawings give it exactly.
 const ONE_WIDTH: f32 = 0.01;
 /// A line of a grid that lies under another stroke for most of its length is as pale as the grid at this share of its
-/// places, or paler.
-const PALEST: f32 = 0.1;
+/// places at least; less is where another line hides a black one. Chosen by us.
+const PALEST: f32 = 0.25;
 /// What the place of a line among pixels makes of its contrast: on the border of two it is seen in both. Chosen by us.
 const SEEN: f32 = 1.5;
 
 /// A stroke among others.
-pub(super) struct Stroke {
+pub(super) struct WeighedStroke {
     /// Its width, px, and that times its contrast.
     width: f32,
     weight: f32,
@@ -30,7 +30,7 @@ pub(super) struct Stroke {
     ends: Option<[PxPoint; 2]>,
 }
 
-impl Stroke {
+impl WeighedStroke {
     pub(super) fn of(width: f32, line: PolylineRef<'_, Edgel>) -> Self {
         let weight = width * contrast(line, 0.5);
         Self { width, weight, length: line.length(), ends: straight_ends(line) }
@@ -58,15 +58,19 @@ pub struct FaintStrokes {
 impl FaintStrokes {
     /// Among those of a drawing.
     pub fn of(edges: &Edges) -> Self {
-        let strokes = edges.chains.iter().filter_map(|range| Some(Stroke::of(exact_width(range)?, edges.chain(range))));
+        let strokes = edges.chains.iter().filter_map(|range| Some(WeighedStroke::of(exact_width(range)?, edges.chain(range))));
         Self::among(strokes.collect())
     }
 
     /// Among these strokes.
-    pub(super) fn among(mut all: Vec<Stroke>) -> Self {
+    pub(super) fn among(mut all: Vec<WeighedStroke>) -> Self {
         all.sort_by(|a, b| a.width.total_cmp(&b.width));
-        let grids = all.chunk_by_mut(|a, b| b.width - a.width < ONE_WIDTH).filter_map(grid_counted_once);
-        let grid = grids.max_by(|a, b| a.length.total_cmp(&b.length));
+        let mut grid: Option<Grid> = None;
+        for of_width in all.chunk_by_mut(|a, b| b.width - a.width < ONE_WIDTH) {
+            of_width.sort_by(|a, b| a.weight.total_cmp(&b.weight));
+            let grids = of_width.chunk_by_mut(|a, b| b.weight <= SEEN * a.weight).filter_map(grid_counted_once);
+            grid = grids.chain(grid).max_by(|a, b| a.length.total_cmp(&b.length));
+        }
         all.sort_by(|a, b| b.weight.total_cmp(&a.weight));
         let whole: f32 = all.iter().map(|stroke| stroke.length).sum();
         let mut sum = 0.0;
@@ -110,11 +114,11 @@ fn exact_width(range: &ChainRange) -> Option<f32> {
     range.kind.stroke.filter(|_| range.kind.exact)
 }
 
-/// The grid among strokes of one width, of which only the longest line then has a length.
-fn grid_counted_once(strokes: &mut [Stroke]) -> Option<Grid> {
+/// The grid among strokes of one width and about one weight, of which only the longest line then has a length.
+fn grid_counted_once(strokes: &mut [WeighedStroke]) -> Option<Grid> {
     let ends: Vec<Option<[PxPoint; 2]>> = strokes.iter().map(|stroke| stroke.ends).collect();
     let are_gridlines = which_are_gridlines(&ends);
-    let mut of_grid: Vec<&mut Stroke> =
+    let mut of_grid: Vec<&mut WeighedStroke> =
         strokes.iter_mut().zip(are_gridlines).filter(|(_, is)| *is).map(|(stroke, _)| stroke).collect();
     of_grid.sort_by(|a, b| a.weight.total_cmp(&b.weight));
     let middle = of_grid.get(of_grid.len() / 2)?;

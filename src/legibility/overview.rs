@@ -17,9 +17,11 @@ const STEP: f32 = 0.5;
 const ALONG: f32 = 0.77;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;
-/// One that a person drew, which may replace one that is there, is missing with this share, and nothing is like it that
-/// is farther off than this share of the clearance of lines.
+/// A shape that a person drew may lie where another was, which the overview still shows. So it is missing there from
+/// this share on: a circle in place of a square of its width lies apart from it for half of its length.
 const MISSING_BY_HAND: f32 = 0.25;
+/// And only what is no farther off than this share of the clearance of lines is like it: half of it is what drawing
+/// by eye and simplifying may move a line by. Both are chosen by us.
 const NEAR_BY_HAND: f32 = 0.5;
 
 /// `paths` are those of the figure, `index` their segments.

@@ -1,5 +1,7 @@
 //! Lines one by one: their width and length, and the blank between them.
 
+use std::f32::consts::SQRT_2;
+
 use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
@@ -7,6 +9,7 @@ use super::limits::{MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
+use crate::dots::longest_cut;
 use crate::geom::{nearest_on_segment, polyline};
 use crate::page::{Line, Medium, Pen, Run};
 use crate::units::{MmPoint, MmRect};
@@ -114,8 +117,8 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let row = |line: &Line| line.runs.first().map_or_else(Vec::new, |run| run.points.clone());
     let own = row(&lines[number]);
     let ([first, second, ..], [.., before, last]) = (&own[..], &own[..]) else { return false };
-    // as far as a line is cut where it crosses one of two rows at the least angle, along a diagonal
-    let reach = BESIDE * (4 * line_gap + 3) as f32 * pitch;
+    // along a diagonal, and with a dot to both sides
+    let reach = SQRT_2 * (longest_cut(line_gap) + 2) as f32 * pitch;
     let lies_between = |a: MmPoint, b: MmPoint, but: usize| {
         let others = lines.iter().enumerate().filter(|(other, _)| ![number, but].contains(other));
         others.flat_map(|(_, line)| points(line)).any(|dot| nearest_on_segment(dot, a, b).0 <= pitch)

@@ -27,7 +27,7 @@ pub(super) struct Vertex {
     pub(super) width: f32,
     /// Where it was found.
     pub(super) source: FoundIn,
-    /// How far clearance has displaced it in all.
+    /// How far being displaced by itself (`clearance/displace`) has moved it in all rounds.
     pub(super) displaced: MmVector,
 }
 

@@ -147,16 +147,19 @@ impl PartShown {
             Some(InSet::One(name, _)) => Some(name),
             Some(InSet::Followed | InSet::Overview | InSet::OverviewOf(_)) | None => None,
         };
-        let crop = value(PART).and_then(|part| part.parse().ok());
+        let crop = match value(PART).map(str::parse) {
+            Some(Err(_)) => return None,
+            part => part.and_then(Result::ok),
+        };
         let page_number = value(DOCUMENT_PAGE).and_then(|number| number.parse().ok());
         (!page.origin.is_empty()).then_some(Self { crop, page: page_number, sheet })
     }
 
-    /// Whether both show the same.
-    pub fn is_same(&self, other: &Self) -> bool {
+    /// Whether both show the same, as far as that can be said without the size of the picture.
+    pub fn may_be_same(&self, other: &Self) -> bool {
         let crop = |part: &Self| part.crop.filter(|crop| !crop.is_all());
         let is_same_crop = match (crop(self), crop(other)) {
-            (Some(own), Some(other)) => own.is_same(&other),
+            (Some(own), Some(other)) => own.may_be_same(&other),
             (own, other) => own.is_none() && other.is_none(),
         };
         is_same_crop && self.page.unwrap_or(1) == other.page.unwrap_or(1) && self.sheet == other.sheet

@@ -125,19 +125,16 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
     let (count, place, params) = (strokes.len(), parts.figure.place, plan.dots(medium));
     // on such a page the width of a stroke says how heavy its line is
     let thin = |line: &&mut Line| line.runs.iter().all(|run| run.width < params.pitch);
-    let mut light = 0;
-    for line in strokes.iter_mut().filter(thin) {
-        line.strength = line.strength.min(LIGHT * params.heavy_from);
-        light += 1;
-    }
+    strokes.iter_mut().filter(thin).for_each(|line| line.strength = line.strength.min(LIGHT * params.heavy_from));
+    let light = strokes.iter().filter(|line| line.strength < params.heavy_from).count();
     let drawn = dots::lines(&strokes, place, &medium.area, &params);
     let (stand_for, shares) = kept_lines::matched(&strokes, place, &drawn, place);
     let (light_is, heavy_is) = match params.has_heights {
-        true => ("low", "high"),
+        true => ("of middle height", "high"),
         false => ("one row of dots", "two rows"),
     };
     let how = match (light, count - light) {
-        (_, 0) => format!("{light_is}; a stroke of {} mm and more is {heavy_is}", params.pitch),
+        (_, 0) => light_is.to_owned(),
         (0, _) => format!("{heavy_is}; a stroke narrower than {} mm is {light_is}", params.pitch),
         (light, heavy) => {
             format!("{light} {light_is} and {heavy} {heavy_is}, those with a stroke of {} mm and more", params.pitch)
@@ -150,7 +147,7 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
     std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
 }
 
-/// A line of this share of the strength of heavy ones is none.
+/// A line of this share of the strength of heavy ones is none, whatever rounding does.
 const LIGHT: f32 = 0.99;
 
 /// Which textures have signs of another class; of dots none, which look alike.

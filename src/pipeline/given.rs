@@ -27,6 +27,8 @@ pub struct Given {
     pub areas: Option<Classes>,
     /// Who reads text in the pixels of the picture; without, nobody knows what it says.
     pub text_reader: Option<TextReader>,
+    /// How many areas somebody drew on the page of which areas are taken.
+    pub drawn_areas: usize,
     /// How much of a picture the page shows of which areas are taken, as far as it says.
     pub part_of_areas: Option<PartShown>,
     /// How many braille texts the page has that the lines are of: they are not taken from it.
@@ -99,13 +101,14 @@ impl Given {
         let told = || {
             let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
             let why =
-                "lines are taken from a page or drawing, and no areas; give it as a page of areas too (--regions)";
+                "of a page or drawing that is given as lines no areas are taken; draw them on a page, and give that as areas";
             Note::NotOnPage(
                 About::Areas,
                 format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}"),
             )
         };
-        (count > 0 && self.areas.is_none()).then(told)
+        // a page that is given as both has them among its areas
+        (count > 0 && self.drawn_areas != count).then(told)
     }
 
     /// Refuses lines and areas of a page that shows another part of the picture than `fit` asks for: they would lie over
@@ -116,7 +119,7 @@ impl Given {
     pub fn check_parts(&self, fit: &Fit) -> Result<(), Error> {
         let drawn = fit.part();
         let of_lines = self.hand_lines().filter_map(HandLines::part);
-        match of_lines.chain(&self.part_of_areas).find(|part| !part.is_same(&drawn)) {
+        match of_lines.chain(&self.part_of_areas).find(|part| !part.may_be_same(&drawn)) {
             Some(part) => Err(Error::OtherPart { page: part.in_words(), drawn: drawn.in_words() }),
             None => Ok(()),
         }

@@ -87,12 +87,17 @@ impl Crop {
     /// Whether it is all of a picture, by what it says.
     pub(crate) fn is_all(&self) -> bool {
         let whole = Length::Percent(100.0);
-        self.is_same(&Self([Length::Percent(0.0), Length::Percent(0.0), whole, whole]))
+        self.0[..2].iter().all(Length::is_nothing) && self.0[2..] == [whole, whole]
     }
 
-    /// Whether two parts are the same in the same units; nothing is nothing in any.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        self.0.iter().zip(&other.0).all(|(a, b)| a == b || (a.is_nothing() && b.is_nothing()))
+    /// Whether two parts are the same, as far as that can be said without the size of the picture: lengths in different
+    /// units may be the same.
+    pub(crate) fn may_be_same(&self, other: &Self) -> bool {
+        let may_be = |(a, b): (&Length, &Length)| {
+            let is_other_unit = std::mem::discriminant(a) != std::mem::discriminant(b);
+            a == b || a.is_nothing() && b.is_nothing() || is_other_unit && !a.is_nothing() && !b.is_nothing()
+        };
+        self.0.iter().zip(&other.0).all(may_be)
     }
 
     /// The part of a picture of `size` pixels; what is in percent is rounded to whole pixels, its edges one by one, so

@@ -91,7 +91,7 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let notes = tally.notes().chain(tally::left_out([pictures, far, clipped, patterned])).collect();
+    let notes = tally.notes().chain(tally::told_of_file([pictures, far, clipped, patterned])).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();

@@ -29,7 +29,7 @@ pub(super) enum What {
 
 /// What is told of pictures of pixels, of marks far beyond the sheet, of what cuts off others, and of what is filled
 /// unevenly, by how many there are.
-pub(super) fn left_out([pictures, far, clipped, patterned]: [usize; 4]) -> impl Iterator<Item = Note> {
+pub(super) fn told_of_file([pictures, far, clipped, patterned]: [usize; 4]) -> impl Iterator<Item = Note> {
     let all = [
         (pictures, format!("{}: convert what is in a picture to lines first", counted(pictures, "picture"))),
         (far, format!("{} far beyond the sheet", counted(far, "mark"))),

@@ -160,6 +160,12 @@ impl RowPiece {
     }
 }
 
+/// Most dots of a line that are left out where it crosses another one with a gap of so many dots: at no smaller angle
+/// than makes the gap on both sides twice as long as at a right one.
+pub fn longest_cut(gap: u32) -> u32 {
+    4 * gap + 1
+}
+
 /// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
 struct OccupiedDots {
     lines: BTreeMap<Cell, usize>,
@@ -351,10 +357,9 @@ impl OccupiedDots {
         arms.map(|(range, through)| RowPiece { through, ..RowPiece::cut_out(cells[range].to_vec()) }).collect()
     }
 
-    /// Whether the dots of a line between two pieces, of these distances, only cross another: it is met, and at no
-    /// smaller angle than makes the gap on both sides twice as long as at a right one.
+    /// Whether the dots of a line between two pieces, of these distances, only cross another: it is met, and soon left.
     fn is_crossing(&self, cut: &[Option<i32>]) -> bool {
-        cut.iter().flatten().any(|steps| *steps <= 1) && cut.len() <= (4 * self.gap + 1) as usize
+        cut.iter().flatten().any(|steps| *steps <= 1) && cut.len() <= longest_cut(self.gap as u32) as usize
     }
 
     /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and

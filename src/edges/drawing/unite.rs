@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
-use crate::edges::faint::{FaintStrokes, Stroke};
+use crate::edges::faint::{FaintStrokes, WeighedStroke};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::units::{PxPoint, PxVector, Size};
@@ -25,7 +25,7 @@ const CORNER: f32 = 25.0;
 /// faint strokes, as a line of a grid on the top of a bar; then those with the longest side between two corners: so a
 /// side that goes on beyond the other's corners is whole, and the other ends on it.
 pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
-    let strokes = confirmed.iter().filter_map(|contour| Some(Stroke::of(contour.stroke?, contour.line.view())));
+    let strokes = confirmed.iter().filter_map(|contour| Some(WeighedStroke::of(contour.stroke?, contour.line.view())));
     let faint = FaintStrokes::among(strokes.collect());
     let rank = |contour: &Confirmed| {
         contour.stroke.map_or(1, |width| 2 * u8::from(faint.holds_stroke(width, contour.line.view())))
