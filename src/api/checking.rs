@@ -128,6 +128,7 @@ pub fn describe(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Descrip
     let bytes = page.as_ref();
     let read = reading::read(bytes)?;
     let checked = checked(bytes, Some(&read), options)?;
+    options.go_on()?;
     let wording = wording.unwrap_or_else(|| Wording::nearest(&read.page.description_language));
     // what somebody drew or typed is told as render makes it
     let page = if read.areas.is_empty() && read.texts.is_empty() {
