@@ -151,7 +151,8 @@ pub fn convert_with_words<'p>(
 /// As [`convert`].
 pub fn redraw(
     old: OldPage<'_>,
-    (key, translate): (KeySheets, Option<&Translate>),
+    key: KeySheets,
+    translate: Option<&Translate>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
@@ -202,7 +203,7 @@ fn compose(
             Medium::Print(_) => Ok((assemble(figure, overview, left_out, braille, &layout, request)?, None)),
             Medium::Dots(medium) => {
                 let braille = [braille, written.above_overview(&layout, plan)];
-                dots::assemble(figure, overview, left_out, braille, (&layout, medium), request)
+                dots::assemble(figure, overview, left_out, braille, &layout, medium, request)
             }
         }?;
         Ok::<_, Error>((page.with_key(&key.told), overview, key.sheets))

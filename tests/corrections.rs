@@ -1,6 +1,6 @@
 //! Lines and areas of a page that a person corrected, given to a new conversion of its picture.
 
-use tactograph::{Crop, Error, MmPoint, Options, Page, Profile, SheetGrid};
+use tactograph::{Crop, Error, MmPoint, Options, Page, PageOptions, Profile, RenderOptions, SheetGrid};
 
 const PICTURE: &str = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>\
     <rect width='300' height='200' fill='#fff'/>\
@@ -86,4 +86,72 @@ fn a_page_of_another_part_of_the_picture_is_refused() {
     let sheet = sheets.pages[0].to_svg();
     let (page, _) = refused(options().lines(sheet).expect("a page of the program")).expect("it is a piece");
     assert!(page.contains("sheet a1"), "{page}");
+}
+
+/// The rules that a check of a page finds broken, each with what it says.
+fn found(svg: &str) -> Vec<(&'static str, String)> {
+    let checked = tactograph::check(svg, &PageOptions::new()).expect("a page");
+    checked.findings.into_iter().map(|finding| (finding.rule.id, finding.what)).collect()
+}
+
+#[test]
+fn an_area_in_the_group_of_another_colour_is_found() {
+    let svg = page(&options()).to_svg();
+    assert_eq!(found(&svg), []);
+    let red = svg.find("<g id=\"texture-red\"").expect("it has a red area");
+    let begin = red + svg[red..].find("<path").expect("a path of it");
+    let end = begin + svg[begin..].find("/>").expect("it ends") + 2;
+    let (area, without) = (&svg[begin..end], [&svg[..begin], &svg[end..]].concat());
+    let blue = without.find("<g id=\"texture-blue\"").expect("it has a blue area");
+    let inside = blue + without[blue..].find('>').expect("it begins") + 1;
+    let moved = [&without[..inside], area, &without[inside..]].concat();
+    let found = found(&moved);
+    assert!(matches!(&found[..], [("texture-sign", what)] if what.contains("is blue")), "{found:?}");
+    let drawing = tactograph::render(&moved, &RenderOptions::new()).expect("a page");
+    assert!(drawing.page.figure.textures.iter().all(|texture| texture.class == tactograph::Class::Blue));
+    assert_eq!(self::found(&drawing.page.to_svg()), [], "render draws its marks anew");
+}
+
+#[test]
+fn a_shape_drawn_in_place_of_another_is_missing_in_the_overview() {
+    let round = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><rect width='300' height='200' fill='#fff'/>\
+                 <circle cx='150' cy='100' r='60' fill='none' stroke='#000' stroke-width='3'/></svg>";
+    let page = tactograph::convert(round.as_bytes(), &options()).expect("a page").page;
+    let svg = page.to_svg();
+    let place = page.figure.place;
+    let mm = |px: f32| px * place.width() / 300.0;
+    let [x, y, side] = [place.min.x + mm(90.0), place.min.y + mm(40.0), mm(120.0)];
+    let square = format!("<path fill='none' stroke='#000' stroke-width='1.5' d='M{x} {y}h{side}v{side}h-{side}z'/>");
+    let begin = svg.find("<g id=\"lines\"").expect("it has lines");
+    let inside = begin + svg[begin..].find('>').expect("it begins") + 1;
+    let end = inside + svg[inside..].find("</g>").expect("it ends");
+    let redrawn = [&svg[..inside], &square, &svg[end..]].concat();
+    let ids: Vec<&str> = found(&redrawn).into_iter().map(|(id, _)| id).collect();
+    assert!(ids.contains(&"overview-lacks"), "{ids:?}");
+}
+
+#[test]
+fn white_marks_are_told_and_a_white_ground_is_not() {
+    let svg = page(&options()).to_svg();
+    let told = |mark: &str| {
+        let edited = svg.replacen("</svg>", &format!("{mark}</svg>"), 1);
+        let notes = tactograph::render(edited, &RenderOptions::new()).expect("a page").notes;
+        notes.iter().any(|note| note.to_string().contains("1 white mark"))
+    };
+    assert!(told("<rect x='20' y='20' width='120' height='150' fill='#fff'/>"));
+    assert!(told("<path d='M20 20H120' fill='none' stroke='#fff' stroke-width='5'/>"));
+    assert!(!told("<rect width='210' height='297' fill='#fff'/>"), "a ground");
+    assert!(!told("<path d='M20 20H120' fill='none'/>"), "nothing is painted");
+}
+
+#[test]
+fn groups_that_take_too_much_memory_are_refused() {
+    let groups = "<g opacity='.9'>".repeat(60) + "<path d='M10 10h500v500z'/>" + &"</g>".repeat(60);
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='690mm' height='690mm' viewBox='0 0 690 690'>\
+         <g id='texture-red'>{groups}</g></svg>"
+    );
+    let refused = |error: Option<Error>| matches!(error, Some(Error::TooMuchMemory { .. }));
+    assert!(refused(tactograph::check(&svg, &PageOptions::new()).err()));
+    assert!(refused(tactograph::feel(&svg, &PageOptions::new()).err()));
 }

@@ -32,7 +32,8 @@ use crate::{Error, pipeline, reading};
 ///
 /// # Errors
 /// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken or over a limit,
-/// [`Error::Profile`] if the profile has faults, [`Error::Cancelled`].
+/// [`Error::TooMuchMemory`] if it would take more than [`Limits::default`](crate::Limits) to draw, [`Error::Profile`] if
+/// the profile has faults, [`Error::Cancelled`].
 pub fn check(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Checked, Error> {
     let bytes = page.as_ref();
     let read = match reading::read(bytes) {
@@ -52,6 +53,7 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let parsing = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
     let tree = Tree::from_xmltree(&document, &parsing).map_err(|fault| undecodable(fault.to_string()))?;
+    legibility::check_memory(&tree)?;
     go_on()?;
     let is_written_anew = options.profile.is_none() && read.is_some_and(|read| read.is_changed);
     let render = if is_written_anew { Render::Mends } else { Render::LeavesAsItIs };
@@ -128,6 +130,7 @@ pub fn describe(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Descrip
     let bytes = page.as_ref();
     let read = reading::read(bytes)?;
     let checked = checked(bytes, Some(&read), options)?;
+    options.go_on()?;
     let wording = wording.unwrap_or_else(|| Wording::nearest(&read.page.description_language));
     // what somebody drew or typed is told as render makes it
     let page = if read.areas.is_empty() && read.texts.is_empty() {

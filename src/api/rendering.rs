@@ -149,7 +149,7 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
     notes.extend(more);
     let old = OldPage { page: &page, lines: &lines, plan: &own };
-    let mut drawing = pipeline::redraw(old, (key, translate), &request(&plan, mirrored), &mut |_| ())?;
+    let mut drawing = pipeline::redraw(old, key, translate, &request(&plan, mirrored), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));

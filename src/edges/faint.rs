@@ -58,7 +58,8 @@ pub struct FaintStrokes {
 impl FaintStrokes {
     /// Among those of a drawing.
     pub fn of(edges: &Edges) -> Self {
-        let strokes = edges.chains.iter().filter_map(|range| Some(WeighedStroke::of(exact_width(range)?, edges.chain(range))));
+        let strokes =
+            edges.chains.iter().filter_map(|range| Some(WeighedStroke::of(exact_width(range)?, edges.chain(range))));
         Self::among(strokes.collect())
     }
 

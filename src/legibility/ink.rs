@@ -9,12 +9,15 @@ use usvg::{Fill, Group, Node, Paint, Tree};
 use super::finding::FoundBreach;
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
+use crate::Error;
 use crate::geom::components::{self, Connectivity};
 use crate::geom::distance::squared_distances;
+use crate::raster::decode::check_canvases;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 
 /// Pixels for a millimetre.
 const PX_PER_MM: f32 = 8.0;
+const SCALE: f32 = MM_PER_CSS_PX * PX_PER_MM;
 /// What pixels may take off a width, mm.
 const BLUR: f32 = 0.2;
 /// Smaller places, in mm^2, are tips of ink, and corners between lines that meet.
@@ -32,6 +35,20 @@ const MOST: usize = 12;
 struct DrawnInk {
     size: Size,
     black: Vec<bool>,
+}
+
+/// The size of the canvas on which a drawing is looked at; none if that is too large.
+fn canvas_of(tree: &Tree) -> Option<Size> {
+    let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * SCALE).ceil());
+    (width.max(height) <= LONGEST * PX_PER_MM).then(|| Size::new(width as u32, height as u32))
+}
+
+/// Refuses a drawing that takes too much memory to look at.
+///
+/// # Errors
+/// [`Error::TooMuchMemory`].
+pub fn check_memory(tree: &Tree) -> Result<(), Error> {
+    canvas_of(tree).map_or(Ok(()), |size| check_canvases(tree, size))
 }
 
 /// What is wrong with a drawing, or nothing if it is too large to be drawn.
@@ -125,16 +142,12 @@ impl DrawnInk {
 
     /// The pixels that `is_ink`; none if the drawing is too large.
     fn of(tree: &Tree, is_ink: fn(&[u8]) -> bool) -> Option<Self> {
-        let scale = MM_PER_CSS_PX * PX_PER_MM;
-        let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * scale).ceil());
-        if width.max(height) > LONGEST * PX_PER_MM {
-            return None;
-        }
-        let mut canvas = Pixmap::new(width as u32, height as u32)?;
+        let size = canvas_of(tree)?;
+        let mut canvas = Pixmap::new(size.width, size.height)?;
         canvas.fill(Color::WHITE);
-        resvg::render(tree, Transform::from_scale(scale, scale), &mut canvas.as_mut());
+        resvg::render(tree, Transform::from_scale(SCALE, SCALE), &mut canvas.as_mut());
         let black = canvas.data().chunks_exact(4).map(is_ink).collect();
-        Some(Self { size: Size::new(width as u32, height as u32), black })
+        Some(Self { size, black })
     }
 
     /// The black pixels (or the white ones) that no disc of this diameter, mm, covers that is all black (or white).

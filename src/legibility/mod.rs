@@ -34,6 +34,7 @@ mod words;
 pub use finding::{Finding, Render};
 pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
+pub use ink::check_memory;
 pub(crate) use joins::{APPROACH, BEND_LEAST, SMALL_RING};
 pub use layer::{LAYER, marked};
 pub use limits::{MediumLimits, RuleLimits};

@@ -138,7 +138,7 @@ fn mirror_lines(lines: &mut [Line], width: f32) {
 fn mirror_glyph(glyph: &mut Glyph, width: f32) {
     mirror(&mut glyph.at, width);
     if let Shape::Rhombus { degrees, .. } = &mut glyph.shape {
-        *degrees = 180.0 - *degrees;
+        *degrees = (180.0 - *degrees).rem_euclid(180.0);
     }
 }
 

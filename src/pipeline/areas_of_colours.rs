@@ -73,7 +73,8 @@ impl AreasOfColours {
         decisions: &Decisions,
         outlines: Option<&OutlineAreas>,
         picture: Size,
-        (layout, plan): (&Layout, &Plan),
+        layout: &Layout,
+        plan: &Plan,
     ) -> Vec<Note> {
         let Self { classes, with_small, .. } = self;
         // which areas a person gave have a texture is theirs to say

@@ -149,7 +149,8 @@ pub(super) fn assemble(
     overview: Option<(MmRect, Vec<Line>)>,
     left_out: LeftOut,
     [braille, above_overview]: [Vec<BrailleText>; 2],
-    (layout, medium): (&Layout, &DotMedium),
+    layout: &Layout,
+    medium: &DotMedium,
     request: &Request<'_>,
 ) -> Result<(Page, Option<Page>), Error> {
     let source = figure.source;

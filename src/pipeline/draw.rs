@@ -118,7 +118,8 @@ pub(super) fn find(
         let draw = |edges: &Edges| draw_lines(edges, lines_of, &layout, plan, &mut |_| ()).lines.lines;
         notes.extend(leaders::whole_or_none(
             &mut edges,
-            (&mut texts, leaders::BESIDE_PRINT),
+            &mut texts,
+            leaders::BESIDE_PRINT,
             become_labels(words),
             &layout,
             draw,
@@ -129,7 +130,7 @@ pub(super) fn find(
         notes.extend(legend::moved_to_key(&mut edges, &legend, (&mut texts, become_labels(words)), &layout));
     }
     let things = NamedThings::of(given, file, request);
-    notes.extend(subject::prepare((given, things.as_ref()), (&mut edges, &mut decisions), source, &layout, plan));
+    notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
     Ok(Found { picture, is_flat, layout, texts, edges, decisions, legend, overview, notes })
@@ -173,7 +174,7 @@ pub(super) fn draw(
     if let Some(of_colours) = &mut areas_of_colours {
         let size = picture.raster.size();
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
-        notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, (&layout, plan)));
+        notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings, edges.of_drawing());
     notes.extend(told_of_overview(&overview));

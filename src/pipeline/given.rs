@@ -100,8 +100,7 @@ impl Given {
         let count: usize = self.hand_lines().map(HandLines::areas).sum();
         let told = || {
             let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
-            let why =
-                "of a page or drawing that is given as lines no areas are taken; draw them on a page, and give that as areas";
+            let why = "of a page or drawing that is given as lines no areas are taken; draw them on a page, and give that as areas";
             Note::NotOnPage(
                 About::Areas,
                 format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}"),

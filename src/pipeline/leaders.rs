@@ -62,7 +62,8 @@ struct Leader {
 /// stand up to `beside` mm beside them, are led to what they name by labels.
 pub(super) fn whole_or_none(
     edges: &mut Edges,
-    (texts, beside): (&mut [Text], f32),
+    texts: &mut [Text],
+    beside: f32,
     is_label: impl Fn(&Text) -> bool,
     layout: &Layout,
     draw: impl Fn(&Edges) -> Vec<Line>,

@@ -150,7 +150,7 @@ fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &
     let mut texts: Vec<Text> = labels_of(page).map(text).collect();
     let is_label = |text: &Text| text.place.area() > 0.0;
     let draw = |edges: &Edges| draw_lines(edges, LinesOf::Person, layout, plan, &mut |_| ()).lines.lines;
-    let told = leaders::whole_or_none(edges, (&mut texts, leaders::BESIDE_BRAILLE), is_label, layout, draw);
+    let told = leaders::whole_or_none(edges, &mut texts, leaders::BESIDE_BRAILLE, is_label, layout, draw);
     for (label, text) in labels.iter_mut().zip(&texts) {
         if let Some((_, tip)) = text.led_over {
             [label.x, label.y] = Position::in_figure(tip, layout.figure);

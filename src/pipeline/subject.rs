@@ -28,8 +28,10 @@ const DRAWN: f32 = 0.4;
 /// Finds the subjects among regions, or within closed contours, and writes them into the decisions; where a calm
 /// background is asked for, takes what is not of them out of the contours.
 pub(super) fn prepare(
-    (given, things): (&Given, Option<&NamedThings>),
-    (edges, decisions): (&mut Edges, &mut Decisions),
+    given: &Given,
+    things: Option<&NamedThings>,
+    edges: &mut Edges,
+    decisions: &mut Decisions,
     source: Size,
     layout: &Layout,
     plan: &Plan,
@@ -80,9 +82,8 @@ pub(super) fn told_lacking(
     layout: &Layout,
     plan: &Plan,
 ) -> impl Iterator<Item = Note> {
-    let lacking = |lines: &[Line], place: MmRect, part: PagePart| {
-        lacking(decisions, lines, (picture, place), (layout, plan), part)
-    };
+    let lacking =
+        |lines: &[Line], place: MmRect, part: PagePart| lacking(decisions, lines, picture, place, layout, plan, part);
     let of_figure = lacking(figure, layout.figure, PagePart::Figure);
     of_figure.into_iter().chain(overview.and_then(|(place, lines)| lacking(lines, *place, PagePart::Overview)))
 }
@@ -91,8 +92,10 @@ pub(super) fn told_lacking(
 fn lacking(
     decisions: &Decisions,
     lines: &[Line],
-    (picture, place): (Size, MmRect),
-    (layout, plan): (&Layout, &Plan),
+    picture: Size,
+    place: MmRect,
+    layout: &Layout,
+    plan: &Plan,
     part: PagePart,
 ) -> Option<Note> {
     if decisions.borders.is_empty() {

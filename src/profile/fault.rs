@@ -7,7 +7,8 @@ const LONGEST: usize = 40;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Fault {
-    /// Where: a file's name and line, or the option.
+    /// Where: a file's name and line, or what the place of a value was called
+    /// ([`Profile::set_from`](crate::Profile::set_from)).
     pub place: String,
     /// What is wrong and what would do.
     pub what: String,

@@ -11,7 +11,7 @@ use super::measure::PX_PER_MM;
 use super::signs::Signs;
 use crate::Error;
 use crate::page::{Class, Sign};
-use crate::raster::decode::checked_document;
+use crate::raster::decode::{check_canvases, checked_document};
 use crate::raster::plane::Plane;
 use crate::units::{MM_PER_CSS_PX as MM_PER_PX, MmPoint, MmRect, Size};
 
@@ -170,6 +170,7 @@ fn draw(tree: &Tree, area: MmRect) -> Result<Plane, Error> {
         return Ok(plane);
     }
     let too_large = || Error::TooLargeToFeel { width: area.width(), height: area.height(), longest: LONGEST };
+    check_canvases(tree, size)?;
     let mut canvas = Pixmap::new(size.width, size.height).ok_or_else(too_large)?;
     canvas.fill(Color::WHITE);
     let per_px = PX_PER_MM as f32 * MM_PER_PX;

@@ -30,7 +30,7 @@ fn prepared(edges: &mut Edges, places: &[[f32; 2]], calm_background: bool) -> (D
     let subjects = places.iter().map(|place| place.map(Position::Percent)).collect();
     let given = Given { subjects, calm_background, ..Given::default() };
     let mut decisions = Decisions::default();
-    let notes = prepare((&given, None), (edges, &mut decisions), SIZE, &layout, &plan);
+    let notes = prepare(&given, None, edges, &mut decisions, SIZE, &layout, &plan);
     (decisions, notes)
 }
 

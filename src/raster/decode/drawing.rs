@@ -217,6 +217,16 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     Ok(Size::new(width, height))
 }
 
+/// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels: each group that
+/// is blended as a whole has a canvas of that size.
+///
+/// # Errors
+/// [`Error::TooMuchMemory`].
+pub(crate) fn check_canvases(tree: &Tree, target: Size) -> Result<(), Error> {
+    let canvas = target.area().saturating_mul(4);
+    check_memory(FORMAT, target, (1 + canvases(tree.root())).saturating_mul(canvas), Limits::default())
+}
+
 /// Most canvases one inside the other below a group.
 fn canvases(group: &usvg::Group) -> u64 {
     let below = |node: &usvg::Node| match node {

@@ -28,7 +28,7 @@ use self::sniff::PictureFormat;
 use crate::{Error, picture};
 
 pub(crate) use self::complexity::no_longer_than;
-pub(crate) use self::drawing::{checked_document, unless_beyond_numbers};
+pub(crate) use self::drawing::{check_canvases, checked_document, unless_beyond_numbers};
 pub use self::job::{DecodeOptions, Decoded, FontLoader, Header, Limits};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
