@@ -75,30 +75,4 @@ pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geom::polygon::circle_points;
-    use crate::page::Run;
-
-    fn ring(x: f32, y: f32, radius: f32) -> Line {
-        let points = circle_points(MmPoint::new(x, y), radius, 24).collect();
-        Line { strength: 1.0, runs: vec![Run { closed: true, ..Run::stroke(1.0, points) }] }
-    }
-
-    fn text(text: &str, x: f32, y: f32) -> Wanted {
-        let anchor = MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 4.0));
-        Wanted { text: text.into(), anchor, led_from: None, leader: None }
-    }
-
-    #[test]
-    fn a_text_beside_a_small_ring_names_it_and_others_do_not() {
-        let rings = rings(&[ring(50.0, 50.0, 2.5), ring(100.0, 100.0, 20.0), ring(102.0, 60.0, 4.0)]);
-        assert_eq!(rings.len(), 2, "the large ring is a shape");
-        let texts =
-            [text("far", 10.0, 90.0), text("Quell", 55.0, 49.0), text("River", 57.0, 55.0), text("B", 97.0, 58.0)];
-        let anchors = anchors(&texts, &rings);
-        let is_own: Vec<bool> = anchors.iter().zip(&texts).map(|(anchor, text)| *anchor == text.anchor).collect();
-        assert_eq!(is_own, [true, false, true, true], "far, beside a ring, beside one that has a name, in a ring");
-        assert!(anchors[1].is_empty() && (anchors[1].min - MmPoint::new(50.0, 50.0)).length() < 0.1);
-    }
-}
+mod tests;

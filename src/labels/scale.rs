@@ -109,45 +109,4 @@ fn groups_of_three(text: &str) -> Option<usize> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(texts: &[&str]) -> Option<Vec<i64>> {
-        let positions: Vec<f32> = (0..texts.len()).map(|i| 10.0 * i as f32).collect();
-        steps(texts, &positions)
-    }
-
-    #[test]
-    fn numbers_in_even_steps_are_a_scale() {
-        assert_eq!(of(&["-2", "\u{2212}1", "0", "1"]), Some(vec![-2, -1, 0, 1]));
-        assert_eq!(of(&["25 °C", "20 °C", "15 °C", "0"]), None, "15 and 0 are three steps apart, and stand as one");
-        assert_eq!(of(&["10 °C", "5 °C", "0"]), Some(vec![2, 1, 0]));
-        assert_eq!(of(&["0,5", "1,0", "1,5"]), Some(vec![1, 2, 3]));
-        assert_eq!(of(&["1", "3", "5"]), Some(vec![0, 1, 2]), "zero is none of these steps");
-        assert_eq!(of(&["1990", "1995", "2000"]), Some(vec![398, 399, 400]));
-        assert_eq!(of(&["500", "1,000", "1,500"]), Some(vec![1, 2, 3]));
-        assert_eq!(of(&["0 m", "1 000 m", "2 000 m"]), Some(vec![0, 1, 2]));
-        assert_eq!(of(&["0,125", "0,250", "0,375"]), Some(vec![1, 2, 3]), "no thousands");
-        assert_eq!(of(&["0", "1/4", "1/2", "3/4", "1"]), Some(vec![0, 1, 2, 3, 4]));
-        assert_eq!(of(&["1/0", "1/2", "1"]), None);
-        assert_eq!(of(&["10 km/h", "20 km/h", "30 km/h"]), Some(vec![1, 2, 3]));
-        assert_eq!(of(&["1", "10", "100"]), None, "a scale of logarithms");
-        assert_eq!(of(&["Jan", "Feb", "Mar"]), None);
-        assert_eq!(of(&["1", "2", "2"]), None);
-        assert_eq!(of(&["1 m", "2 s", "3 m"]), None);
-    }
-
-    #[test]
-    fn a_unit_is_what_is_behind_a_number() {
-        assert_eq!(without_unit("-25 °C"), Some("-25"));
-        assert_eq!(without_unit("25%"), Some("25"));
-        assert_eq!((without_unit("25"), without_unit("P 3")), (None, None));
-    }
-
-    #[test]
-    fn a_number_may_stand_a_little_aside() {
-        let texts = ["-1", "0", "1"];
-        assert_eq!(steps(&texts, &[0.0, 8.0, 20.0]), Some(vec![-1, 0, 1]));
-        assert_eq!(steps(&texts, &[0.0, 4.0, 20.0]), None);
-    }
-}
+mod tests;

@@ -50,23 +50,4 @@ impl Note {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_makes_a_page_wrong_is_told_first() {
-        let lost = |percent: u32| Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false };
-        let told = |about: About| Note::TakenAs(about, String::new());
-        let notes = [
-            lost(1),
-            told(About::Overview),
-            Note::NotOnPage(About::Areas, String::new()),
-            lost(30),
-            Note::EmptyPage,
-            told(About::Leaders),
-        ];
-        let mut sorted = notes.to_vec();
-        Note::sort(&mut sorted);
-        assert_eq!(sorted, [4, 5, 2, 3, 0, 1].map(|number: usize| notes[number].clone()));
-    }
-}
+mod tests;

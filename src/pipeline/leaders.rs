@@ -296,48 +296,4 @@ fn is_whole(path: &[MmPoint], drawn: &Nearby, longest_gap: f32) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::lines::Run;
-
-    /// Whether a leader line from 0 to 40 mm is whole of which these pieces are drawn.
-    fn whole(pieces: &[(f32, f32)], y: f32) -> bool {
-        let at = |x: f32, y: f32| MmPoint::new(x, y);
-        let line = |&(from, to): &(f32, f32)| Line {
-            strength: 1.0,
-            runs: vec![Run::stroke(1.0, vec![at(from, y), at(0.5 * (from + to), y), at(to, y)])],
-        };
-        // what it crosses is no piece of it
-        let crossed = Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![at(20.0, 0.0), at(20.0, 90.0)])] };
-        let lines: Vec<Line> = pieces.iter().map(line).chain([crossed]).collect();
-        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        is_whole(&[at(0.0, 50.0), at(40.0, 50.0)], &index_of_pieces(&lines, area), GAP)
-    }
-
-    #[test]
-    fn a_leader_line_that_lacks_its_tip_or_its_middle_is_torn() {
-        assert!(whole(&[(0.0, 40.0)], 50.0));
-        assert!(whole(&[(0.0, 19.0), (21.0, 39.0)], 50.5), "moved, and with a gap at what it crosses");
-        assert!(!whole(&[(0.0, 18.0)], 50.0), "only outside of what it crosses");
-        assert!(!whole(&[(22.0, 40.0)], 50.0), "only inside");
-        assert!(!whole(&[(0.0, 15.0), (25.0, 40.0)], 50.0), "a gap of 10 mm");
-        assert!(!whole(&[], 50.0));
-    }
-
-    #[test]
-    fn those_left_out_are_told_by_their_texts() {
-        let text = |string: &str, led_over: bool| Text {
-            string: string.to_owned(),
-            place: MmRect::zero(),
-            angle: 0.0,
-            size: 5.0,
-            hidden: false,
-            led_over: led_over.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
-            leader: None,
-            in_key: false,
-        };
-        let note = told(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
-        assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");
-        assert_eq!(told(&[text("vacuole", false)]), None);
-    }
-}
+mod tests;

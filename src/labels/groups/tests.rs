@@ -1,0 +1,68 @@
+//! Tests of `groups`.
+
+use super::*;
+use crate::units::MmPoint;
+
+/// A text with its box: its left and upper edge, its width and height, mm.
+fn text(text: &str, [x, y, width, height]: [f32; 4]) -> Wanted {
+    let corner = MmPoint::new(x, y);
+    let anchor = MmRect::new(corner, MmPoint::new(x + width, y + height));
+    Wanted { text: text.to_owned(), anchor, led_from: None, leader: None }
+}
+
+fn groups(wanted: &[Wanted]) -> Vec<(GroupDirection, Vec<usize>)> {
+    let groups = of(wanted, |_| true, |_| true, |_| true);
+    groups.into_iter().map(|group| (group.lies, group.members)).collect()
+}
+
+#[test]
+fn words_in_a_row_and_numbers_in_a_column_are_groups_in_their_order() {
+    let mut wanted: Vec<Wanted> = ["Mon", "Tue", "Wed"]
+        .into_iter()
+        .zip([70.0, 30.0, 50.0])
+        .map(|(day, x)| text(day, [x, 90.0, 8.0, 4.0]))
+        .collect();
+    // numbers end in line, whatever their lengths
+    wanted.extend([(0, 80.0), (50, 60.0), (100, 40.0)].map(|(number, y)| {
+        let number = number.to_string();
+        let width = 2.0 * number.len() as f32;
+        text(&number, [20.0 - width, y, width, 4.0])
+    }));
+    assert_eq!(
+        groups(&wanted),
+        [(GroupDirection::Row, vec![1, 2, 0]), (GroupDirection::Column(Edge::Right), vec![5, 4, 3])]
+    );
+    let all = of(&wanted, |_| true, |_| true, |_| true);
+    assert!(all[0].is_beside_column && all[0].steps.is_none());
+    assert_eq!(all[1].steps.as_deref(), Some(&[2, 1, 0][..]), "steps of 50, from the top down");
+    assert_eq!(all[1].every(2).members, [5, 3]);
+}
+
+#[test]
+fn two_texts_are_no_group_and_what_is_not_written_is_in_none() {
+    let row = |count: usize| -> Vec<Wanted> {
+        (0..count).map(|i| text("a", [10.0 * i as f32, 20.0 * i as f32 % 0.5, 3.0, 4.0])).collect()
+    };
+    assert_eq!(groups(&row(2)), []);
+    assert_eq!(groups(&row(4)), [(GroupDirection::Row, vec![0, 1, 2, 3])]);
+    let all = of(&row(4), |label| label != 2, |_| true, |_| true);
+    assert_eq!(all[0].members, [0, 1, 3]);
+}
+
+#[test]
+fn two_numbers_are_a_scale_where_both_stand_at_lines() {
+    let wanted = [text("0", [14.0, 80.0, 3.0, 4.0]), text("20", [11.0, 20.0, 6.0, 4.0])];
+    let scale = of(&wanted, |_| true, |_| true, |_| true);
+    assert_eq!((scale.len(), scale[0].steps.as_deref()), (1, Some(&[1, 0][..])));
+    assert!(of(&wanted, |_| true, |_| true, |label| label == 0).is_empty());
+    let words = [text("oak", [11.0, 80.0, 6.0, 4.0]), text("ash", [11.0, 20.0, 6.0, 4.0])];
+    assert!(of(&words, |_| true, |_| true, |_| true).is_empty());
+}
+
+#[test]
+fn points_are_a_row_only_where_they_are_at_the_lower_side_of_shapes() {
+    let points: Vec<Wanted> =
+        [0.0, 1.5, 0.8].iter().zip([30.0, 10.0, 20.0]).map(|(y, x)| text("bar", [x, 50.0 + y, 0.0, 0.0])).collect();
+    assert_eq!(groups(&points), [(GroupDirection::BelowPoints, vec![1, 2, 0])]);
+    assert!(of(&points, |_| true, |_| false, |_| true).is_empty());
+}

@@ -1,0 +1,56 @@
+//! Tests of `lost`.
+
+use super::*;
+use crate::lines::vertex::FoundIn;
+use crate::units::MmVector;
+
+fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
+    let vertex = |(x, y): (f32, f32)| Vertex {
+        at: MmPoint::new(x, y),
+        strength: 20.0,
+        contrast: [0.0; 3],
+        width: 1.0,
+        source: FoundIn::Pixels,
+        displaced: MmVector::zero(),
+    };
+    let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
+    line.fill();
+    line
+}
+
+#[test]
+fn a_closed_line_that_lacks_a_piece_is_open_and_one_whose_border_another_has_is_not() {
+    let side = |points: &[(f32, f32)], closed: bool| {
+        let all = points.windows(2).map(|pair| line(pair[0], pair[1]).vertices);
+        Polyline { vertices: all.flatten().collect(), closed }
+    };
+    let corners = [(20.0, 20.0), (50.0, 20.0), (50.0, 40.0), (20.0, 40.0), (20.0, 20.0)];
+    let ring = side(&corners, true);
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 70.0));
+    let gaps_of = |drawn: &[Polyline<Vertex>]| {
+        let gaps = gaps(&[&ring], drawn.iter(), area, &Params::TEST);
+        gaps.iter().map(|gap| (gap.length.round(), gap.extent.center().x.round())).collect::<Vec<_>>()
+    };
+    assert!(gaps_of(std::slice::from_ref(&ring)).is_empty());
+    let open = [(32.0, 20.0), (20.0, 20.0), (20.0, 40.0), (50.0, 40.0), (50.0, 20.0), (44.0, 20.0)];
+    // to a vertex or two
+    assert_eq!(gaps_of(&[side(&open, false)]), [(11.0, 38.0)]);
+    let [one, other] = [side(&corners[..3], false), side(&corners[2..], false)];
+    assert!(gaps_of(&[one.clone(), other]).is_empty());
+    assert!(gaps_of(&[side(&[(20.0, 21.0), (24.0, 21.0)], false)]).is_empty(), "it is gone");
+}
+
+#[test]
+fn what_is_lost_is_told_with_its_length_and_its_place() {
+    let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
+    let (mut wanted, mut kept) = (LossTally::new(area), LossTally::new(area));
+    wanted.add(&line((12.0, 12.0), (32.0, 12.0)));
+    wanted.add(&line((80.0, 40.0), (95.0, 40.0)));
+    kept.add(&line((12.0, 12.0), (32.0, 12.0)));
+    let lost = wanted.lost(&kept);
+    assert!((lost.lost - 15.0).abs() < 1e-3 && (lost.share() - 15.0 / 35.0).abs() < 1e-3, "{lost:?}");
+    assert_eq!(lost.place_name(), Some("middle right"));
+    let even = Lost { by_place: [2.0, 3.0, 3.0, 1.0, 0.0, 2.0, 1.0, 0.0, 1.0], ..lost.clone() };
+    assert_eq!(even.place_name(), None);
+    assert!((lost.keeping(0.5).lost - 25.0).abs() < 1e-3);
+}

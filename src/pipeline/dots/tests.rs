@@ -1,0 +1,24 @@
+//! Tests of `dots`.
+
+use super::*;
+use crate::units::MmPoint;
+
+#[test]
+fn a_squared_grid_that_is_torn_is_known_as_such() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let line = |from: (f32, f32), to: (f32, f32), strength: f32| Line {
+        strength,
+        runs: vec![Run::stroke(1.0, vec![from.into(), to.into()])],
+    };
+    let level = |y: f32, to: f32| line((10.0, y), (to, y), 7.0);
+    let upright = |x: f32| line((x, 10.0), (x, 90.0), 7.0);
+    let places = || (0..5).map(|i| 10.0 + 20.0 * i as f32);
+    let axis = line((5.0, 50.0), (95.0, 50.0), 90.0);
+    let all = |to: f32| -> Vec<Line> {
+        std::iter::once(axis.clone()).chain(places().map(|y| level(y, to))).chain(places().map(upright)).collect()
+    };
+    assert_eq!(torn_gridlines(&all(90.0), &all(90.0), area, 7.0), [0; 0], "it is whole");
+    assert_eq!(torn_gridlines(&all(90.0), &all(30.0), area, 7.0), (1..=10).collect::<Vec<_>>());
+    let only_level: Vec<Line> = places().map(|y| level(y, 90.0)).collect();
+    assert_eq!(torn_gridlines(&only_level, &[], area, 7.0), [0; 0], "gridlines of a chart are each told");
+}

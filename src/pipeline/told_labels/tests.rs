@@ -1,0 +1,24 @@
+//! Tests of `told_labels`.
+
+use super::*;
+
+#[test]
+fn a_label_that_stands_at_what_another_names_is_told() {
+    let place = |x: f32| MmRect::new(MmPoint::new(x, 10.0), MmPoint::new(x + 10.0, 16.0));
+    let wanted = |text: &str, x: f32| Wanted { text: text.to_owned(), anchor: place(x), led_from: None, leader: None };
+    let placed = |x: f32| {
+        Ok(Placed {
+            place: place(x),
+            lines: Vec::new(),
+            lacking: Vec::new(),
+            abbreviation: None,
+            attachment: Attachment::Beside,
+            stands: PlacedAs::Alone,
+            is_bare: false,
+        })
+    };
+    let all = [wanted("11", 20.0), wanted("6", 80.0)];
+    let told = nearer_to_others(&all, &[placed(60.0), placed(80.0)]).expect("a note").to_string();
+    assert!(told.contains("than to their own: \"11\" near \"6\"; make the figure larger"), "{told}");
+    assert_eq!(nearer_to_others(&all, &[placed(25.0), placed(80.0)]), None);
+}

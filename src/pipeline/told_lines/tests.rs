@@ -1,0 +1,41 @@
+//! Tests of `told_lines`.
+
+use super::*;
+use crate::lines::LostLine;
+use crate::units::MmRect;
+
+#[test]
+fn closed_outlines_that_are_open_on_the_page_are_told() {
+    let gap = |x: f32, length: f32| LostLine {
+        extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
+        length,
+        closed: true,
+        is_faint: false,
+    };
+    let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }).map(|note| note.to_string());
+    assert_eq!(told(vec![]), None);
+    let one = told(vec![gap(20.0, 8.0)]).expect("a chamber");
+    assert!(one.contains("a piece of 1 closed outline (8 mm long, around 24, 40 mm), so that it is open"), "{one}");
+    let two = told(vec![gap(20.0, 8.0), gap(50.0, 12.0)]).expect("two");
+    assert!(two.contains("pieces of 2 closed outlines (the longest 12 mm long, around 56, 40 mm)"), "{two}");
+}
+
+#[test]
+fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
+    let line = |x: f32, length: f32, closed: bool| LostLine {
+        extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
+        length,
+        closed,
+        is_faint: false,
+    };
+    let told = |gone: Vec<LostLine>| {
+        let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
+        told_gone(&lost).map(|note| note.to_string())
+    };
+    assert_eq!(told(vec![]), None);
+    assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
+    let hand = told(vec![line(20.0, 36.0, false)]).expect("a hand of a clock");
+    assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm)"), "{hand}");
+    let two = told(vec![line(20.0, 12.0, false), line(50.0, 30.0, true)]).expect("two");
+    assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm)"), "{two}");
+}
