@@ -48,7 +48,7 @@ mod typed;
 mod unwritten;
 mod words;
 
-pub use adapt::{Adapted, adapted};
+pub use adapt::{Adapted, adapted, as_felt};
 pub use drawn_areas::areas_of;
 pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::{Given, GivenLines};

@@ -58,8 +58,12 @@ fn areas_drawn_beside_lines_that_are_given_are_told() {
     };
     assert_eq!(told(options().add_lines(own).expect("a drawing")), 1);
     assert_eq!(told(options().lines(own).expect("a drawing")), 1);
-    let areas = page(&options()).to_svg();
-    assert_eq!(told(options().add_lines(own).and_then(|options| options.areas(areas)).expect("a page")), 0);
+    let other = page(&options()).to_svg();
+    assert_eq!(told(options().add_lines(own).and_then(|options| options.areas(&other)).expect("a page")), 1);
+    // of a page that is given as both, its area is taken
+    let both = other.replacen("</svg>", "<rect x='90' y='60' width='20' height='30' fill='#06c'/></svg>", 1);
+    assert_eq!(told(options().lines(&both).expect("a page")), 1);
+    assert_eq!(told(options().lines(&both).and_then(|options| options.areas(&both)).expect("a page")), 0);
 }
 
 #[test]
@@ -98,11 +102,11 @@ fn found(svg: &str) -> Vec<(&'static str, String)> {
 fn an_area_in_the_group_of_another_colour_is_found() {
     let svg = page(&options()).to_svg();
     assert_eq!(found(&svg), []);
-    let red = svg.find("<g id=\"texture-red\"").expect("it has a red area");
+    let red = svg.find("id=\"texture-red\"").expect("it has a red area");
     let begin = red + svg[red..].find("<path").expect("a path of it");
     let end = begin + svg[begin..].find("/>").expect("it ends") + 2;
     let (area, without) = (&svg[begin..end], [&svg[..begin], &svg[end..]].concat());
-    let blue = without.find("<g id=\"texture-blue\"").expect("it has a blue area");
+    let blue = without.find("id=\"texture-blue\"").expect("it has a blue area");
     let inside = blue + without[blue..].find('>').expect("it begins") + 1;
     let moved = [&without[..inside], area, &without[inside..]].concat();
     let found = found(&moved);
@@ -122,7 +126,7 @@ fn a_shape_drawn_in_place_of_another_is_missing_in_the_overview() {
     let mm = |px: f32| px * place.width() / 300.0;
     let [x, y, side] = [place.min.x + mm(90.0), place.min.y + mm(40.0), mm(120.0)];
     let square = format!("<path fill='none' stroke='#000' stroke-width='1.5' d='M{x} {y}h{side}v{side}h-{side}z'/>");
-    let begin = svg.find("<g id=\"lines\"").expect("it has lines");
+    let begin = svg.find("id=\"lines\"").expect("it has lines");
     let inside = begin + svg[begin..].find('>').expect("it begins") + 1;
     let end = inside + svg[inside..].find("</g>").expect("it ends");
     let redrawn = [&svg[..inside], &square, &svg[end..]].concat();

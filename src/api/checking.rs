@@ -8,7 +8,7 @@ use crate::description::{self, Description};
 use crate::legibility::{self, Checked, Drawn, Fingertip, Render, Rule};
 use crate::page::{Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
-use crate::raster::decode::checked_document;
+use crate::raster::decode::{check_canvases, checked_document};
 use crate::reading::Reading;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 use crate::wording::Wording;
@@ -32,8 +32,8 @@ use crate::{Error, pipeline, reading};
 ///
 /// # Errors
 /// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken or over a limit,
-/// [`Error::TooMuchMemory`] if it would take more than [`Limits::default`](crate::Limits) to draw, [`Error::Profile`] if
-/// the profile has faults, [`Error::Cancelled`].
+/// [`Error::TooMuchMemory`] if it would take more than [`Limits::default`](crate::Limits) to draw,
+/// [`Error::Profile`] if the profile has faults, [`Error::Cancelled`].
 pub fn check(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Checked, Error> {
     let bytes = page.as_ref();
     let read = match reading::read(bytes) {
@@ -53,7 +53,7 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let parsing = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
     let tree = Tree::from_xmltree(&document, &parsing).map_err(|fault| undecodable(fault.to_string()))?;
-    legibility::check_memory(&tree)?;
+    legibility::canvas_of(&tree).map_or(Ok(()), |size| check_canvases(&tree, size))?;
     go_on()?;
     let is_written_anew = options.profile.is_none() && read.is_some_and(|read| read.is_changed);
     let render = if is_written_anew { Render::Mends } else { Render::LeavesAsItIs };

@@ -4,7 +4,6 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::fonts::Fonts;
-use super::rendering::as_felt;
 use crate::braille::{Code, Translate};
 use crate::page::{LANGUAGE, Page, PartShown};
 use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, Position, TextReader, Words};
@@ -444,7 +443,7 @@ impl GivenPage {
         notes.extend(refused);
         let plan = Plan::new(&own)?;
         if read.page.is_mirrored() {
-            read = as_felt(read, &plan);
+            read = pipeline::as_felt(read, &plan);
         }
         Ok(Self { read, plan, notes })
     }

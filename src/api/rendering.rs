@@ -5,12 +5,11 @@ use std::sync::Arc;
 
 use super::options::Cancelled;
 use crate::braille::Translate;
-use crate::page::cells::CellGrid;
 use crate::page::{BrailleText, MediumParams, Page};
 use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, OldPage, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
-use crate::reading::{self, Reading};
+use crate::reading;
 use crate::{About, Error, Note};
 
 /// How a page is rendered. A builder, owned and cheap to clone as [`Options`](crate::Options); what is not set has a
@@ -116,7 +115,7 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     // what a person changed, and another device, want the page as it is felt
     let turned_over = was_mirrored && (read.is_changed || options.profile.is_some());
     if turned_over {
-        read = as_felt(read, &own);
+        read = pipeline::as_felt(read, &own);
     }
     let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
     let cancelled = || options.is_cancelled();
@@ -161,12 +160,6 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     }
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })
-}
-
-/// A mirrored page as it is felt; `own` is the plan that it was made with.
-pub(super) fn as_felt(read: Reading, own: &Plan) -> Reading {
-    let (medium, cell) = (read.page.medium.clone(), own.profile().braille.cell);
-    read.turned_over(|cells| CellGrid::of(&medium, cell).extent(cells, 1).x)
 }
 
 /// What is told of a mirrored page that is rendered for a paper.

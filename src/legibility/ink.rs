@@ -9,10 +9,8 @@ use usvg::{Fill, Group, Node, Paint, Tree};
 use super::finding::FoundBreach;
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
-use crate::Error;
 use crate::geom::components::{self, Connectivity};
 use crate::geom::distance::squared_distances;
-use crate::raster::decode::check_canvases;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 
 /// Pixels for a millimetre.
@@ -38,17 +36,9 @@ struct DrawnInk {
 }
 
 /// The size of the canvas on which a drawing is looked at; none if that is too large.
-fn canvas_of(tree: &Tree) -> Option<Size> {
+pub fn canvas_of(tree: &Tree) -> Option<Size> {
     let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * SCALE).ceil());
     (width.max(height) <= LONGEST * PX_PER_MM).then(|| Size::new(width as u32, height as u32))
-}
-
-/// Refuses a drawing that takes too much memory to look at.
-///
-/// # Errors
-/// [`Error::TooMuchMemory`].
-pub fn check_memory(tree: &Tree) -> Result<(), Error> {
-    canvas_of(tree).map_or(Ok(()), |size| check_canvases(tree, size))
 }
 
 /// What is wrong with a drawing, or nothing if it is too large to be drawn.

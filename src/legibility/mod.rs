@@ -34,13 +34,14 @@ mod words;
 pub use finding::{Finding, Render};
 pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
-pub use ink::check_memory;
+pub use ink::canvas_of;
 pub(crate) use joins::{APPROACH, BEND_LEAST, SMALL_RING};
 pub use layer::{LAYER, marked};
 pub use limits::{MediumLimits, RuleLimits};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
+pub(crate) use strokes::longest_cut;
 pub use verdict::{Fingertip, Textures, Verdict};
 
 use std::collections::BTreeMap;

@@ -9,7 +9,6 @@ use super::limits::{MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
-use crate::dots::longest_cut;
 use crate::geom::{nearest_on_segment, polyline};
 use crate::page::{Line, Medium, Pen, Run};
 use crate::units::{MmPoint, MmRect};
@@ -109,6 +108,14 @@ const BESIDE: f32 = 1.5;
 /// A line of dots goes on beyond another that it crosses if this is the least cosine between its end and the step to
 /// the other piece: 45 degrees.
 const GOES_ON: f32 = 0.7;
+/// Over so many dots the direction of its end is taken: from one to the next it is a multiple of 45 degrees.
+const STEPS: usize = 3;
+
+/// Most dots that are left out of a line where it crosses another with a gap of so many dots (`profile/plan` ties it to
+/// how lines are drawn).
+pub(crate) const fn longest_cut(gap: u32) -> u32 {
+    4 * gap + 1
+}
 
 /// Whether a line of dots is an arm of a cross: at one end it goes on beyond a third line, after a gap on both sides of
 /// that, and both arms together are long enough.
@@ -116,7 +123,8 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
     let row = |line: &Line| line.runs.first().map_or_else(Vec::new, |run| run.points.clone());
     let own = row(&lines[number]);
-    let ([first, second, ..], [.., before, last]) = (&own[..], &own[..]) else { return false };
+    let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
+    let back = STEPS.min(own.len() - 1);
     // along a diagonal, and with a dot to both sides
     let reach = SQRT_2 * (longest_cut(line_gap) + 2) as f32 * pitch;
     let lies_between = |a: MmPoint, b: MmPoint, but: usize| {
@@ -124,7 +132,7 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
         others.flat_map(|(_, line)| points(line)).any(|dot| nearest_on_segment(dot, a, b).0 <= pitch)
     };
     let goes_on = |tip: MmPoint, before: MmPoint| {
-        let way = (tip - before).normalize();
+        let way = (tip - before).try_normalize().unwrap_or_default();
         lines.iter().enumerate().filter(|(other, _)| *other != number).any(|(other, line)| {
             let beyond = row(line);
             [beyond.first(), beyond.last()].into_iter().flatten().any(|&end| {
@@ -136,7 +144,7 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
             })
         })
     };
-    goes_on(*first, *second) || goes_on(*last, *before)
+    goes_on(*first, own[back]) || goes_on(*last, own[own.len() - 1 - back])
 }
 
 fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {

@@ -3,7 +3,6 @@
 
 use super::parts::{Class, Page, TextRole};
 use crate::geom::ninths::most_of;
-use crate::raster::crop::Crop;
 
 const CONTOURS: &str = "contours left out in mm";
 const PLACES: &str = "contours left out in mm by ninths";
@@ -124,8 +123,8 @@ const DOCUMENT_PAGE: &str = "page of the document";
 /// How much of a picture a page shows.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PartShown {
-    /// The part; without one all of it.
-    pub crop: Option<Crop>,
+    /// The part, as it was asked for; without one all of it.
+    pub crop: Option<String>,
     /// The page of a document; without one the first.
     pub page: Option<u32>,
     /// The name of the sheet, where the part lies on several.
@@ -136,7 +135,7 @@ impl PartShown {
     /// As entries of a page's origin; nothing of all of a picture. The sheet has an entry of its own.
     pub fn to_origin(&self) -> Vec<(String, String)> {
         let page = self.page.map(|page| (DOCUMENT_PAGE.to_owned(), page.to_string()));
-        let part = self.crop.map(|crop| (PART.to_owned(), crop.to_string()));
+        let part = self.crop.clone().map(|crop| (PART.to_owned(), crop));
         page.into_iter().chain(part).collect()
     }
 
@@ -147,27 +146,14 @@ impl PartShown {
             Some(InSet::One(name, _)) => Some(name),
             Some(InSet::Followed | InSet::Overview | InSet::OverviewOf(_)) | None => None,
         };
-        let crop = match value(PART).map(str::parse) {
-            Some(Err(_)) => return None,
-            part => part.and_then(Result::ok),
-        };
+        let crop = value(PART).map(str::to_owned);
         let page_number = value(DOCUMENT_PAGE).and_then(|number| number.parse().ok());
         (!page.origin.is_empty()).then_some(Self { crop, page: page_number, sheet })
     }
 
-    /// Whether both show the same, as far as that can be said without the size of the picture.
-    pub fn may_be_same(&self, other: &Self) -> bool {
-        let crop = |part: &Self| part.crop.filter(|crop| !crop.is_all());
-        let is_same_crop = match (crop(self), crop(other)) {
-            (Some(own), Some(other)) => own.may_be_same(&other),
-            (own, other) => own.is_none() && other.is_none(),
-        };
-        is_same_crop && self.page.unwrap_or(1) == other.page.unwrap_or(1) && self.sheet == other.sheet
-    }
-
     /// In words.
     pub fn in_words(&self) -> String {
-        let part = self.crop.map_or_else(|| "all of it".to_owned(), |crop| format!("the part {crop} of it"));
+        let part = self.crop.as_ref().map_or_else(|| "all of it".to_owned(), |crop| format!("the part {crop} of it"));
         let page = self.page.map_or_else(String::new, |page| format!(", page {page}"));
         let sheet = self.sheet.as_ref().map_or_else(String::new, |name| format!(", of which sheet {name} has a piece"));
         format!("{part}{page}{sheet}")

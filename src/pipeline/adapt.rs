@@ -11,6 +11,7 @@ use super::words::blank_to_signs;
 use crate::braille::Translate;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
+use crate::page::cells::CellGrid;
 use crate::page::{DotMedium, Glyph, Medium, Names, Page, Parts};
 use crate::profile::Plan;
 use crate::reading::Reading;
@@ -149,6 +150,12 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
 
 /// A line of this share of the strength of heavy ones is none, whatever rounding does.
 const LIGHT: f32 = 0.99;
+
+/// A mirrored page as it is felt; `own` is the plan that it was made with.
+pub fn as_felt(read: Reading, own: &Plan) -> Reading {
+    let (medium, cell) = (read.page.medium.clone(), own.profile().braille.cell);
+    read.turned_over(|cells| CellGrid::of(&medium, cell).extent(cells, 1).x)
+}
 
 /// Which textures have signs of another class; of dots none, which look alike.
 fn wrong_signs(page: &Page) -> Vec<usize> {

@@ -100,25 +100,23 @@ impl Given {
         let count: usize = self.hand_lines().map(HandLines::areas).sum();
         let told = || {
             let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
-            let why = "of a page or drawing that is given as lines no areas are taken; draw them on a page, and give that as areas";
-            Note::NotOnPage(
-                About::Areas,
-                format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}"),
-            )
+            let why = "of what is given as lines no areas are taken; draw them on a page, and give that as areas";
+            let told = format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}");
+            Note::NotOnPage(About::Areas, told)
         };
         // a page that is given as both has them among its areas
         (count > 0 && self.drawn_areas != count).then(told)
     }
 
-    /// Refuses lines and areas of a page that shows another part of the picture than `fit` asks for: they would lie over
-    /// something else.
+    /// Refuses lines and areas of a page that shows another part of the picture than `fit` asks for: they would lie
+    /// over something else.
     ///
     /// # Errors
     /// [`Error::OtherPart`].
     pub fn check_parts(&self, fit: &Fit) -> Result<(), Error> {
         let drawn = fit.part();
         let of_lines = self.hand_lines().filter_map(HandLines::part);
-        match of_lines.chain(&self.part_of_areas).find(|part| !part.may_be_same(&drawn)) {
+        match of_lines.chain(&self.part_of_areas).find(|part| !fit.may_show(part)) {
             Some(part) => Err(Error::OtherPart { page: part.in_words(), drawn: drawn.in_words() }),
             None => Ok(()),
         }

@@ -78,7 +78,21 @@ impl Fit {
 
     /// How much of the picture is drawn.
     pub(super) fn part(&self) -> PartShown {
-        PartShown { crop: self.crop, page: self.page, sheet: None }
+        PartShown { crop: self.crop.map(|crop| crop.to_string()), page: self.page, sheet: None }
+    }
+
+    /// Whether a page shows the same, as far as that can be said without the size of the picture.
+    pub(super) fn may_show(&self, part: &PartShown) -> bool {
+        let of_page = part.crop.as_ref().map(|crop| crop.parse::<Crop>());
+        let is_part = |crop: Crop| Some(crop).filter(|crop| !crop.is_all());
+        let is_same_crop = match (of_page.map(|crop| crop.map(is_part)), self.crop.and_then(is_part)) {
+            // somebody has changed what the page says
+            (Some(Err(_)), _) => true,
+            (Some(Ok(Some(own))), Some(other)) => own.may_be_same(&other),
+            (Some(Ok(own)), other) => own.is_none() && other.is_none(),
+            (None, other) => other.is_none(),
+        };
+        is_same_crop && self.page.unwrap_or(1) == part.page.unwrap_or(1) && part.sheet.is_none()
     }
 
     /// As lines of a page's origin; nothing where it is the default.

@@ -35,6 +35,7 @@ const _: () = assert!(
         && legibility::STRAIGHTNESS <= lines::STRAIGHTNESS
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
         && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
+        && legibility::longest_cut(2) >= dots::longest_cut(2)
 );
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.

@@ -76,9 +76,7 @@ impl Tally {
                         n("shape", "shapes")
                     ),
                 ),
-                What::OffSheet => {
-                    left_out(About::Marks, format!("{}{at} beyond the edge of the sheet", n("mark", "marks")))
-                }
+                What::OffSheet => left_out(About::Marks, format!("{}{at} beyond the sheet", n("mark", "marks"))),
                 What::Shaded => taken(
                     About::Marks,
                     format!("{}{at} in grey or colour, taken as black: only black rises", n("mark", "marks")),

@@ -217,7 +217,7 @@ mod tests {
     #[test]
     fn what_is_no_page_is_refused_in_one_line() {
         for (text, want) in [
-            ("hello", "not an SVG"),
+            ("hello", "cannot be read"),
             ("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>", "figure"),
             (
                 "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><g id='figure'><g id='lines'>\

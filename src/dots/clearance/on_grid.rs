@@ -162,7 +162,7 @@ impl RowPiece {
 
 /// Most dots of a line that are left out where it crosses another one with a gap of so many dots: at no smaller angle
 /// than makes the gap on both sides twice as long as at a right one.
-pub fn longest_cut(gap: u32) -> u32 {
+pub const fn longest_cut(gap: u32) -> u32 {
     4 * gap + 1
 }
 

@@ -217,8 +217,8 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     Ok(Size::new(width, height))
 }
 
-/// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels: each group that
-/// is blended as a whole has a canvas of that size.
+/// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels: each group
+/// that is blended as a whole has a canvas of that size.
 ///
 /// # Errors
 /// [`Error::TooMuchMemory`].
