@@ -41,7 +41,7 @@ pub use limits::{MediumLimits, RuleLimits};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
-pub(crate) use strokes::longest_cut;
+pub(crate) use strokes::{GOES_ON, STEPS, longest_cut};
 pub use verdict::{Fingertip, Textures, Verdict};
 
 use std::collections::BTreeMap;

@@ -107,9 +107,9 @@ fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
 const BESIDE: f32 = 1.5;
 /// A line of dots goes on beyond another that it crosses if this is the least cosine between its end and the step to
 /// the other piece: 45 degrees.
-const GOES_ON: f32 = 0.7;
+pub(crate) const GOES_ON: f32 = 0.7;
 /// Over so many dots the direction of its end is taken: from one to the next it is a multiple of 45 degrees.
-const STEPS: usize = 3;
+pub(crate) const STEPS: usize = 3;
 
 /// Most dots that are left out of a line where it crosses another with a gap of so many dots (`profile/plan` ties it to
 /// how lines are drawn).

@@ -36,6 +36,8 @@ const _: () = assert!(
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
         && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
         && legibility::longest_cut(2) >= dots::longest_cut(2)
+        && legibility::GOES_ON <= dots::GOES_ON
+        && legibility::STEPS == dots::STEPS
 );
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.

@@ -5,5 +5,5 @@ mod on_grid;
 mod order;
 
 pub(super) use anywhere::anywhere;
-pub use on_grid::longest_cut;
 pub(super) use on_grid::on_grid;
+pub use on_grid::{GOES_ON, STEPS, longest_cut};

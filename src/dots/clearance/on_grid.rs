@@ -15,7 +15,7 @@ use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{rasterise, second_row};
 use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
-use crate::units::{MmPoint, MmRect};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines on a grid, the strongest first.
 pub(in crate::dots) fn on_grid(
@@ -164,6 +164,23 @@ impl RowPiece {
 /// than makes the gap on both sides twice as long as at a right one.
 pub const fn longest_cut(gap: u32) -> u32 {
     4 * gap + 1
+}
+
+/// A line goes on beyond another that it crosses if this is the least cosine between the step from piece to piece and
+/// each of the two: 45 degrees.
+pub const GOES_ON: f32 = 0.7;
+/// Over so many dots the direction of a piece is taken: from one to the next it is a multiple of 45 degrees.
+pub const STEPS: usize = 3;
+
+/// Whether a piece of a line goes on in the next one without a bend.
+fn goes_on(one: &[Cell], next: &[Cell]) -> bool {
+    let ([before @ .., tip], [begin, after @ ..]) = (one, next) else { return false };
+    let point = |cell: &Cell| MmPoint::new(cell[0] as f32, cell[1] as f32);
+    let step = point(begin) - point(tip);
+    let back = before.iter().rev().take(STEPS).last().map(|from| point(tip) - point(from));
+    let on = after.iter().take(STEPS).last().map(|to| point(to) - point(begin));
+    let is_straight = |way: MmVector| way.dot(step) >= GOES_ON * way.length() * step.length();
+    back.is_some_and(is_straight) && on.is_some_and(is_straight)
 }
 
 /// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
@@ -349,7 +366,9 @@ impl OccupiedDots {
             Some(from..from + stretch.len())
         });
         let stretches: Vec<Range<usize>> = stretches.filter(|range| range.len() >= LEAST_DOTS).collect();
-        let crosses = |one: &Range<usize>, next: &Range<usize>| self.is_crossing(&distances[one.end..next.start]);
+        let crosses = |one: &Range<usize>, next: &Range<usize>| {
+            self.is_crossing(&distances[one.end..next.start]) && goes_on(&cells[one.clone()], &cells[next.clone()])
+        };
         let arms = stretches.chunk_by(crosses).flat_map(|line| {
             let through = line.last().map_or(0, |last| last.end) - line.first().map_or(0, |first| first.start);
             line.iter().map(move |range| (range.clone(), through))

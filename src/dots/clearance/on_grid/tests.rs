@@ -112,6 +112,10 @@ fn the_arms_of_a_line_that_crosses_another_count_together() {
     let along: Vec<Cell> =
         (-7..0).map(|y| [0, y]).chain((0..12).map(|x| [x, 0])).chain((1..9).map(|y| [11, y])).collect();
     assert_eq!(through(&along), [(5, 5), (6, 6)]);
+    // nor is what turns where it is cut
+    let column: Vec<Cell> = (0..4).map(|y| [0, y]).collect();
+    assert!(goes_on(&column, &(9..13).map(|y| [1, y]).collect::<Vec<Cell>>()));
+    assert!(!goes_on(&column, &row(5, 3..7)));
 }
 
 #[test]
