@@ -37,7 +37,7 @@ pub(super) fn told_of_file([pictures, far, clipped, patterned]: [usize; 4]) -> i
     ];
     let left_out = all.into_iter().filter(|(count, _)| *count > 0);
     let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
-    let taken = (patterned > 0).then(|| Note::TakenAs(About::Marks, patterned_as));
+    let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, patterned_as));
     left_out.map(|(_, what)| Note::NotOnPage(About::Marks, what)).chain(taken)
 }
 

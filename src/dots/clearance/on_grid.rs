@@ -177,8 +177,8 @@ fn goes_on(one: &[Cell], next: &[Cell]) -> bool {
     let ([before @ .., tip], [begin, after @ ..]) = (one, next) else { return false };
     let point = |cell: &Cell| MmPoint::new(cell[0] as f32, cell[1] as f32);
     let step = point(begin) - point(tip);
-    let back = before.iter().rev().take(STEPS).last().map(|from| point(tip) - point(from));
-    let on = after.iter().take(STEPS).last().map(|to| point(to) - point(begin));
+    let back = before.get(before.len().saturating_sub(STEPS)).map(|from| point(tip) - point(from));
+    let on = after.get(STEPS.min(after.len()).saturating_sub(1)).map(|to| point(to) - point(begin));
     let is_straight = |way: MmVector| way.dot(step) >= GOES_ON * way.length() * step.length();
     back.is_some_and(is_straight) && on.is_some_and(is_straight)
 }
