@@ -1,0 +1,63 @@
+//! Tests of `unify`.
+
+use super::*;
+use crate::raster::plane::Plane;
+use crate::units::Size;
+
+/// Classes of rows of letters: blue, red, white.
+fn classes(rows: &[&str]) -> Classes {
+    let size = Size::new(rows[0].len() as u32, rows.len() as u32);
+    let label = |letter: u8| match letter {
+        b'b' => Some(Class::Blue),
+        b'r' => Some(Class::Red),
+        _ => None,
+    };
+    let labels: Vec<AreaClass> = rows.iter().flat_map(|row| row.bytes()).map(label).collect();
+    let lightness = labels.iter().map(|label| if label.is_none() { 1.0 } else { 0.4 }).collect();
+    let lightness = Plane { size, values: lightness };
+    let mut classes = Classes { size, region: Vec::new(), regions: Vec::new(), lightness, fringe: Vec::new() };
+    let nothing = vec![None; labels.len()];
+    classes.region = nothing.clone();
+    relabel(&mut classes, &labels, &labels);
+    classes
+}
+
+fn rows(classes: &Classes) -> Vec<String> {
+    let letter = |region: &Option<u32>| match region.map(|region| classes.regions[region as usize].class) {
+        Some(Class::Blue) => 'b',
+        Some(_) => 'r',
+        None => '.',
+    };
+    classes.region.chunks(classes.size.width as usize).map(|row| row.iter().map(letter).collect()).collect()
+}
+
+fn areas(rows: &[&str]) -> Vec<usize> {
+    rows.iter().flat_map(|row| row.bytes()).map(|digit| usize::from(digit - b'0')).collect()
+}
+
+#[test]
+fn an_outlined_area_is_of_the_class_that_holds_it() {
+    let mut sorted = classes(&["bbbbbbbb", "bbrrr.bb", "bbrrrrbb", "bbbrrrrb", "bbbbbbbb"]);
+    let mixed = unify_areas(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0);
+    assert_eq!(rows(&sorted), ["bbbbbbbb", "bbrrrrbb", "bbrrrrbb", "bbrrrrbb", "bbbbbbbb"]);
+    assert_eq!(mixed, [0_usize; 0]);
+    assert_eq!(sorted.regions.len(), 2);
+    assert!(sorted.lightness.values.iter().all(|lightness| (lightness - 0.4).abs() < 1e-6), "of one boldness");
+}
+
+#[test]
+fn an_area_of_two_classes_keeps_them_and_is_told() {
+    let two = ["bbbbbb", "brrbbb", "brrbbb", "bbbbbb"];
+    let mut sorted = classes(&two);
+    let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0);
+    assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), vec![1]));
+}
+
+#[test]
+fn a_crumb_joins_its_own_side() {
+    // three red cells beyond the outline, fewer than the least
+    let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
+    let area = areas(&["1111000000", "1111000000", "1111000000", "1111000000"]);
+    assert_eq!(unify_areas(&mut sorted, &area, 4.0), [0_usize; 0]);
+    assert_eq!(rows(&sorted), ["rrrr......"; 4]);
+}

@@ -1,0 +1,51 @@
+//! Tests of `abbreviate`.
+
+use super::*;
+use crate::braille::Code;
+
+fn short(texts: &[&str], language: &str) -> Vec<String> {
+    let translator = Translator::new(Code::of_language(language).and_then(Code::table), None).expect("a table");
+    let known = texts.iter().map(|&text| (text, translator.translate(text))).collect();
+    let all = all(texts, &known, &translator);
+    all.into_iter().map(|short| short.map_or_else(|| "-".to_owned(), |short| short.letters)).collect()
+}
+
+#[test]
+fn abbreviations_are_short_readable_and_unique() {
+    let texts = ["Apple", "Apricot", "North Hill", "apple tree", "Apple", "1995", "ap", "X", "Aps"];
+    // "ap" is a label of its own
+    assert_eq!(short(&texts, "en"), ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
+}
+
+#[test]
+fn what_tells_numbered_things_apart_is_kept() {
+    assert_eq!(short(&["cup 1", "cup 2", "cup 12", "cap 2"], "en"), ["c1", "c2", "c12", "ca"]);
+    assert_eq!(short(&["glass 1", "cup 2"], "en"), ["gl", "cu"], "their words tell them apart");
+    assert_eq!(short(&["Area 12", "Area 123", "Room 2007", "Room 2008"], "en"), ["a12", "a123", "r2007", "r2008"]);
+    assert_eq!(short(&["Area 1.2", "Area 2.2", "Cup 1 of 3", "Cup 2 of 3"], "en"), ["a1.2", "a2.2", "c1", "c2"]);
+    assert_eq!(short(&["Kante 1,5", "Kante 2,5"], "de"), ["k1,5", "k2,5"]);
+}
+
+/// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may
+/// write two letters alike, and cells of abbreviations are never the same.
+#[test]
+fn abbreviations_differ_in_their_cells() {
+    for code in Code::all() {
+        let letters = "aàáâãäåæbcçdeèéêëfghiìíîïjklmnñoòóôõöøpqrsßtuùúûüvwxyýząćęłńóśźżčďěňřšťůž";
+        let texts: Vec<String> = letters.chars().map(|letter| format!("m{letter}n")).collect();
+        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        let table = code.table().expect("a table");
+        let mut seen = BTreeSet::new();
+        for short in short(&texts, code.language).iter().filter(|short| *short != "-").collect::<BTreeSet<_>>() {
+            let braille = table.translate(short);
+            assert!(braille.lacking.is_empty() && braille.cells.len() <= MOST_CELLS, "{}: {short}", code.language);
+            assert!(seen.insert(braille.cells), "{}: {short}", code.language);
+        }
+    }
+}
+
+/// Letters that the code lacks are in no abbreviation.
+#[test]
+fn letters_without_cells_are_passed_over() {
+    assert_eq!(short(&["\u{65e5}\u{672c} Tokyo", "\u{65e5}\u{672c}"], "en"), ["to", "-"]);
+}

@@ -1,0 +1,54 @@
+//! Tests of `join`.
+
+use super::*;
+use crate::lines::vertex::FoundIn;
+use crate::units::MmPoint;
+
+fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
+    let [from, to] = [from, to].map(|(x, y)| MmPoint::new(x, y));
+    let vertex = |k: u32| Vertex {
+        at: from.lerp(to, k as f32 / 20.0),
+        strength: 30.0,
+        contrast: [step, 0.0, 0.0],
+        width: 0.0,
+        source: FoundIn::Pixels,
+        displaced: MmVector::zero(),
+    };
+    Polyline::open((0..=20).map(vertex).collect())
+}
+
+#[test]
+fn pieces_of_a_straight_line_become_one_whichever_way_they_run() {
+    let pieces = vec![straight((0., 0.), (8., 0.), 20.0), straight((18., 0.), (10., 0.), -20.0)];
+    let joined = join(pieces, 3.0);
+    assert_eq!(joined.len(), 1);
+    assert!((joined[0].length() - 18.0).abs() < 1e-3 && !joined[0].closed);
+    assert!(joined[0].vertices.iter().all(|v| v.contrast[0] > 0.0), "the second piece was turned round");
+    assert!(joined[0].segments().all(|(a, b)| (b.at - a.at).length() <= 0.51), "the gap is filled");
+}
+
+#[test]
+fn what_has_other_colours_or_another_direction_stays_apart() {
+    let other_colours = vec![straight((0., 0.), (8., 0.), 20.0), straight((10., 0.), (18., 0.), -20.0)];
+    assert_eq!(join(other_colours, 3.0).len(), 2);
+    let aside = vec![straight((0., 0.), (8., 0.), 20.0), straight((8., 2.5), (8., 12.), 20.0)];
+    assert_eq!(join(aside, 3.0).len(), 2);
+    let far = vec![straight((0., 0.), (8., 0.), 20.0), straight((11.5, 0.), (18., 0.), 20.0)];
+    assert_eq!(join(far, 3.0).len(), 2);
+}
+
+#[test]
+fn an_arc_whose_ends_meet_is_a_ring() {
+    let angle = |k: u32| 0.1 + k as f32 * 6.1 / 100.0;
+    let vertex = |k: u32| Vertex {
+        at: MmPoint::new(10.0 * angle(k).cos(), 10.0 * angle(k).sin()),
+        strength: 30.0,
+        contrast: [20.0, 0.0, 0.0],
+        width: 0.0,
+        source: FoundIn::Pixels,
+        displaced: MmVector::zero(),
+    };
+    let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
+    assert!(joined.len() == 1 && joined[0].closed);
+    assert!(joined[0].vertices.first() != joined[0].vertices.last());
+}
