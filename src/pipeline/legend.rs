@@ -69,7 +69,9 @@ pub(super) fn entries(
     for chain in edges.chains.iter().filter(|chain| chain.closed && chain.kind.of_drawing) {
         let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
         let place = MmRect::from_points(points);
-        let text = texts.iter().find(|text| text.is_read() && is_beside(place, text.place));
+        // in a legend in one line a patch has the word of another on its other side
+        let beside = texts.iter().filter(|text| text.is_read() && is_beside(place, text.place));
+        let text = beside.min_by(|a, b| gap(place, a.place).total_cmp(&gap(place, b.place)));
         let is_patch = PATCH.contains(&place.width()) && PATCH.contains(&place.height());
         let known = |(other, of, _): &(&Text, MmRect, usize)| {
             text.is_some_and(|text| std::ptr::eq(*other, text)) || of.contains(place.center())
@@ -162,8 +164,12 @@ pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
 /// Whether a text stands at the side of a patch, at its height.
 fn is_beside(patch: MmRect, text: MmRect) -> bool {
     let level = (patch.center().y - text.center().y).abs() <= 0.5 * patch.height().max(text.height());
-    let gap = (text.min.x - patch.max.x).max(patch.min.x - text.max.x);
-    level && (0.0..=BESIDE).contains(&gap)
+    level && (0.0..=BESIDE).contains(&gap(patch, text))
+}
+
+/// The blank between a patch and a text on its left or right, mm.
+fn gap(patch: MmRect, text: MmRect) -> f32 {
+    (text.min.x - patch.max.x).max(patch.min.x - text.max.x)
 }
 
 /// How many pixels have each colour outside of the patches.

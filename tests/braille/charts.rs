@@ -108,7 +108,7 @@ fn pieces_of_a_gridline_are_at_one_height() {
     }
 }
 
-/// Two series, each of a colour, with a legend.
+/// Two series, each of a colour, with a legend in one line: the word of the first patch is beside the second too.
 fn grouped(first: [f32; 4], second: [f32; 4], colours: [&str; 2]) -> String {
     let mut bars = Vec::new();
     for (number, (a, b)) in first.into_iter().zip(second).enumerate() {
@@ -123,7 +123,7 @@ fn grouped(first: [f32; 4], second: [f32; 4], colours: [&str; 2]) -> String {
             x + 30.0
         )
     };
-    let legend = [(420.0, colours[0], "Girls"), (560.0, colours[1], "Boys")].map(entry).concat();
+    let legend = [(420.0, colours[0], "Girls"), (535.0, colours[1], "Boys")].map(entry).concat();
     chart(16.0, 4.0, 0.0, &bars, &legend)
 }
 
