@@ -1,6 +1,9 @@
 //! Lines and areas of a page that a person corrected, given to a new conversion of its picture.
 
-use tactograph::{Crop, Error, MmPoint, Options, Page, PageOptions, Profile, RenderOptions, SheetGrid};
+use tactograph::marks::{Line, Parts, Pen, Run};
+use tactograph::{
+    Crop, DotFormat, Embossing, Error, MmPoint, Options, Page, PageOptions, Profile, RenderOptions, SheetGrid,
+};
 
 const PICTURE: &str = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>\
     <rect width='300' height='200' fill='#fff'/>\
@@ -158,4 +161,37 @@ fn groups_that_take_too_much_memory_are_refused() {
     let refused = |error: Option<Error>| matches!(error, Some(Error::TooMuchMemory { .. }));
     assert!(refused(tactograph::check(&svg, &PageOptions::new()).err()));
     assert!(refused(tactograph::feel(&svg, &PageOptions::new()).err()));
+}
+
+#[test]
+fn of_lines_given_twice_the_last_ones_count_and_are_told() {
+    let outside = |x: u32| {
+        format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><text x='{x}' y='40'>Word</text>\
+                 <path d='M20 20H280' fill='none' stroke='#000'/></svg>"
+        )
+    };
+    let told = |options: Options| {
+        let drawing = tactograph::convert(PICTURE.as_bytes(), &options).expect("a page");
+        drawing.notes.iter().filter(|note| note.to_string().contains("Word")).count()
+    };
+    let [first, last] = [20, 60].map(outside);
+    assert_eq!(told(options().lines(&first).expect("a drawing")), 1);
+    assert_eq!(told(options().lines(&first).and_then(|options| options.lines(&last)).expect("a drawing")), 1);
+    // the same file as two things is told once
+    assert_eq!(told(options().lines(&first).and_then(|options| options.add_lines(&first)).expect("a drawing")), 1);
+}
+
+#[test]
+fn a_page_of_dots_with_strokes_is_written_for_no_device() {
+    let options = Options::new(Profile::named("index-basic-d").expect("it is built in"));
+    let page = tactograph::convert(PICTURE.as_bytes(), &options).expect("a page").page;
+    let write =
+        |page: &Page| tactograph::write_dots("dots", [page.clone()].as_slice(), DotFormat::Ubrl, Embossing::default());
+    assert!(write(&page).is_ok());
+    let mut parts = Parts::clone(&page);
+    let run = Run { pen: Pen::Stroke, ..parts.figure.lines[0].runs[0].clone() };
+    parts.figure.lines.push(Line { strength: 1.0, runs: vec![run] });
+    let refused = write(&Page::new(parts).expect("its marks lie on the sheet"));
+    assert!(matches!(refused, Err(Error::CannotPress(why)) if why[0].contains("strokes")));
 }

@@ -219,7 +219,7 @@ impl Options {
     /// black on white and of the shape of the part that is drawn, along the middle of its strokes. Colours, textures,
     /// overview and frame are made around them. All of them are drawn that have room: `lines.detail` counts as 1 and
     /// `lines.shapes` as 0. The page has to show the same part of the picture; one that says that it shows another is
-    /// refused when the picture is converted ([`Error::OtherPart`]).
+    /// refused when the picture is converted ([`Error::OtherPart`]). Called again, the last counts.
     ///
     /// # Errors
     /// Of an SVG [`Error::NotAPage`] where its sheet is smaller than 5 mm or larger than 2500 mm, and
@@ -229,26 +229,31 @@ impl Options {
     /// [`Error::OtherShape`] above all.
     pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
         self.given.lines = Some(if reading::is_svg(lines.as_ref()) {
-            GivenLines::Vectors(self.hand_lines(lines.as_ref())?)
+            let (lines, notes) = self.hand_lines(lines.as_ref())?;
+            self.given.notes[0] = notes;
+            GivenLines::Vectors(lines)
         } else {
-            GivenLines::picture(lines.as_ref())?
+            let picture = GivenLines::picture(lines.as_ref())?;
+            self.given.notes[0].clear();
+            picture
         });
         Ok(self)
     }
 
     /// Adds the lines of a page, or of any SVG as [`Options::lines`] takes them, to those that are found. What is found
-    /// too near to them gives way.
+    /// too near to them gives way. Called again, the last counts.
     ///
     /// # Errors
     /// As [`Options::lines`] of an SVG; [`Error::NotAPage`] of anything else.
     pub fn add_lines(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        self.given.added = Some(self.hand_lines(svg.as_ref())?);
+        let (lines, notes) = self.hand_lines(svg.as_ref())?;
+        (self.given.added, self.given.notes[1]) = (Some(lines), notes);
         Ok(self)
     }
 
     /// Takes the areas of textures from a page that somebody changed, in place of the colours of the picture: an
     /// area that was deleted stays blank, one that was moved to another group of textures has the colour of that,
-    /// and a shape that was drawn and filled with a colour is an area of it.
+    /// and a shape that was drawn and filled with a colour is an area of it. Called again, the last counts.
     ///
     /// # Errors
     /// [`Error::NotAPage`] if it is no SVG or has none of the layers of a page, and [`Error::Undecodable`] where it is
@@ -260,7 +265,7 @@ impl Options {
         self.given.drawn_areas = read.areas.len();
         self.given.areas = Some(areas);
         notes.extend(told);
-        self.add_notes(notes);
+        self.given.notes[2] = notes;
         Ok(self)
     }
 
@@ -350,25 +355,15 @@ impl Options {
         self
     }
 
-    /// The lines of a page as its own profile means them.
-    fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
+    /// The lines of a page as its own profile means them, and what is told of it.
+    fn hand_lines(&mut self, svg: &[u8]) -> Result<(HandLines, Vec<Note>), Error> {
         let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read_any(svg)?)?;
         let page = &read.page;
         notes.extend(pipeline::dots_left_out(page));
         self.given.texts_of_page = page.braille.len();
         let lines = HandLines::of_figure(page, &plan).beside_areas(read.areas.len());
         notes.extend(lines.told_outside());
-        self.add_notes(notes);
-        Ok(lines)
-    }
-
-    /// Adds what is to be told of a page that is given; of one that is given twice, once.
-    fn add_notes(&mut self, notes: Vec<Note>) {
-        for note in notes {
-            if !self.given.notes.contains(&note) {
-                self.given.notes.push(note);
-            }
-        }
+        Ok((lines, notes))
     }
 
     /// The profile.

@@ -4,7 +4,7 @@ use super::dots::{DocumentWords, DotMatrix, brf, dots, gcode, index, pef, pixels
 use super::format::DotFormat;
 use crate::Error;
 use crate::devices::{Device, DotArea};
-use crate::page::{BrailleText, DotMedium, Medium, Page, TextRole};
+use crate::page::{BrailleText, DotMedium, Medium, Page, Pen, Shape, TextRole};
 
 /// What an Index embosser is told beside the dots; other devices ignore it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,8 +42,8 @@ impl Embossing {
 /// them all says it; files of one page say that page's own title, and the other formats have no place for words.
 ///
 /// # Errors
-/// [`Error::NoPages`] without pages; [`Error::CannotPress`] if a page is not one of dots, pages are for different
-/// devices, or the device does not take the format or cannot reach all dots.
+/// [`Error::NoPages`] without pages; [`Error::CannotPress`] if a page is not one of dots or has other marks, pages are
+/// for different devices, or the device does not take the format or cannot reach all dots.
 pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossing) -> Result<Vec<Vec<u8>>, Error> {
     let pages = pages.iter().map(|page| Ok((page, medium_of(page, format)?))).collect::<Result<Vec<_>, Error>>()?;
     let &(first, medium) = pages.first().ok_or(Error::NoPages)?;
@@ -89,9 +89,22 @@ fn medium_of(page: &Page, format: DotFormat) -> Result<&DotMedium, Error> {
         ))),
         Medium::Dots(medium) => match format.refusal(medium.device) {
             Some(why) => Err(cannot_press(why)),
+            None if has_other_marks(page) => Err(cannot_press(
+                "the page has strokes or rhombuses, and its device presses dots; draw them as dots".to_owned(),
+            )),
             None => Ok(medium),
         },
     }
+}
+
+/// Whether a page has marks that are no dots: pages that the program makes have none.
+fn has_other_marks(page: &Page) -> bool {
+    let lines = page.figure.lines.iter().chain(page.overview.iter().flat_map(|overview| &overview.lines));
+    let beside = page.orientation_mark.iter().chain(&page.registration);
+    let leaders = page.braille.iter().filter_map(|text| text.leader.as_ref());
+    let mut runs = lines.flat_map(|line| &line.runs).chain(beside).chain(leaders);
+    let mut glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
+    runs.any(|run| run.pen == Pen::Stroke) || glyphs.any(|glyph| matches!(glyph.shape, Shape::Rhombus { .. }))
 }
 
 fn words(page: &Page) -> DocumentWords<'_> {

@@ -38,6 +38,11 @@ impl Dpi {
         (least..=most).contains(&dpi).then_some(Self(dpi)).ok_or(Error::NoSuchDpi { dpi, least, most })
     }
 
+    /// How many.
+    pub fn get(self) -> u32 {
+        self.0
+    }
+
     fn pixels(self, mm: f32) -> u32 {
         (f64::from(mm) / 25.4 * f64::from(self.0)).round().max(1.0) as u32
     }

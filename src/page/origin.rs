@@ -228,8 +228,8 @@ impl Page {
         self
     }
 
-    /// What this sheet is among those of its picture, in a word: the figure, its overview, its key, or the name of
-    /// one of the sheets on which a picture lies.
+    /// What this sheet is among those of its picture, in a word: `figure`, `overview`, `key`, or the name of one of the
+    /// sheets on which a picture lies, its row as a letter from `a` and its column as a number from 1.
     pub fn part_of_set(&self) -> String {
         match InSet::of(self) {
             Some(InSet::Overview | InSet::OverviewOf(_)) => "overview".to_owned(),

@@ -55,7 +55,8 @@ pub struct Parts {
     pub braille: Vec<BrailleText>,
     /// The same words in print, for those who see; none unless somebody asks for it.
     pub print: Vec<PrintText>,
-    /// What the page is made for; of dots, every mark is a dot that the device can raise.
+    /// What the page is made for. Of dots, every mark is to be a dot that the device can raise: in files for the device
+    /// the nearest one is raised, and a page with strokes or rhombuses is refused there.
     pub medium: Medium,
 }
 

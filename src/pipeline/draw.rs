@@ -98,7 +98,7 @@ pub(super) fn find(
     let overview = overview_of(&picture, &content, given, plan);
     let (laid_out, layout) = overview.fitting(source, plan, layout_of)?;
     let layout = with_room(&lettered, layout, &|size| layout_of(size, laid_out));
-    let mut notes = given.notes.clone();
+    let mut notes = given.told();
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
     let mut texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));

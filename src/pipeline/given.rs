@@ -33,8 +33,8 @@ pub struct Given {
     pub part_of_areas: Option<PartShown>,
     /// How many braille texts the page has that the lines are of: they are not taken from it.
     pub texts_of_page: usize,
-    /// What the maker should know of these files.
-    pub notes: Vec<Note>,
+    /// What the maker should know of these files: of that of the lines, of the added ones, and of the areas.
+    pub notes: [Vec<Note>; 3],
     /// Parts of the picture, as it is drawn, that stay blank.
     pub erased: Vec<Crop>,
     /// Parts outside which it stays blank; without any, it does so nowhere.
@@ -93,6 +93,17 @@ impl Given {
             Some(GivenLines::Picture(_)) | None => None,
         };
         lines.into_iter().chain(&self.added)
+    }
+
+    /// What is told of the files that are given; of one that is given as two things, once.
+    pub(super) fn told(&self) -> Vec<Note> {
+        let mut told: Vec<Note> = Vec::new();
+        for note in self.notes.iter().flatten() {
+            if !told.contains(note) {
+                told.push(note.clone());
+            }
+        }
+        told
     }
 
     /// What is told of areas that somebody drew beside lines of which only these are taken.

@@ -23,7 +23,8 @@ use crate::{Error, Note, dots};
 pub struct Sheets {
     /// The overview, which has the first sheet to itself, if there is one.
     pub overview: Option<Page>,
-    /// The picture, row by row.
+    /// The picture, row by row, without sheets on which nothing of it lies. Which one each is says
+    /// [`Page::part_of_set`]: its row as a letter and its column as a number, such as `b1`.
     pub pages: Vec<Page>,
     /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
     pub key: Vec<Page>,
