@@ -2,7 +2,7 @@
 //! pictures pass: the figures of docs/checking.md.
 //!
 //! ```text
-//! cargo run -p tactograph-tools --bin checking
+//! cargo run --release -p tactograph-tools --bin checking
 //! ```
 
 #![allow(clippy::print_stdout, reason = "this is a program")]
