@@ -153,7 +153,7 @@ pub(super) const TEXTURE_SIGN: Rule = Rule {
     id: "texture-sign",
     asks: "The marks of a texture have the direction of its colour.",
     severity: Severity::Error,
-    source: "the profile's textures.signs, which says the direction of each colour",
+    source: "the profile's textures.palette, which says the sign of each colour",
     remedy: "move the area to the texture of its marks, or let the program draw them anew",
     number: none,
 };
