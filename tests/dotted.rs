@@ -92,6 +92,9 @@ fn every_dot_is_one_that_the_device_presses_and_none_is_pressed_twice() {
     }
 }
 
+/// The sides of a sharp corner are taken over so many dots.
+const SIDE: isize = 3;
+
 /// Each dot is a neighbour of the next and, but for rings, of no other: no doubled corners, no clots, no gaps.
 #[test]
 fn lines_are_one_dot_wide_and_hold_together() {
@@ -114,8 +117,23 @@ fn lines_are_one_dot_wide_and_hold_together() {
                     (a[0] == b[0] || a[1] == b[1]) && (b[0] == c[0] || b[1] == c[1])
                 })
             };
+            // so has the tip of a sharp one, from which its sides part
+            let tips = |i: usize, j: usize| {
+                let ring = apart(way[0], way[n - 1]) <= 1;
+                let middle = if i - j == 2 { j + 1 } else { (i + 1) % n };
+                let at = |step: isize| {
+                    let index = middle as isize + step;
+                    let index = if ring { index.rem_euclid(n as isize) } else { index };
+                    usize::try_from(index).ok().and_then(|index| way.get(index).copied())
+                };
+                at(-SIDE).zip(at(SIDE)).is_some_and(|(back, on)| {
+                    let to = |at: Cell| [at[0] - way[middle][0], at[1] - way[middle][1]];
+                    let (back_step, on_step) = (to(back), to(on));
+                    back_step[0] * on_step[0] + back_step[1] * on_step[1] > 0 && apart(back, on) >= 2
+                })
+            };
             for (i, j) in clots {
-                assert!(corners(i, j), "{name}: a clot at {:?} and {:?} in {way:?}", way[i], way[j]);
+                assert!(corners(i, j) || tips(i, j), "{name}: a clot at {:?} and {:?} in {way:?}", way[i], way[j]);
             }
             lines += 1;
         }

@@ -10,22 +10,31 @@
 //!   . # #    ->   . #  #        . . #        steps straight to and from it, and stays
 //!                               . . #
 //! ```
+//!
+//! A sharp corner keeps its tip, though the dots on both sides of it touch, as other lines may end there. One that is
+//! sharper still would be a clot of dots.
+
+use std::ops::RangeInclusive;
+
+use lyon::geom::euclid::{Point2D, UnknownUnit};
 
 use super::cell::{Cell, GridPoint, distance, nearest, to_grid};
 use crate::devices::Grid;
-use crate::geom::polyline::PolylineRef;
+use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::units::MmPoint;
 
 /// The dots along a line, in its order. The last dot of a closed line is a neighbour of the first.
 pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
     let closed = line.closed;
     let points: Vec<GridPoint> = line.path().map(|&at| to_grid(at, grid)).collect();
+    let tips = sharp_tips(line, grid);
     let mut cells = Vec::new();
     if !closed {
         cells.extend(points.first().map(|&at| nearest(at)));
     }
     for pair in points.windows(2) {
         crossed(pair[0], pair[1], &mut cells);
+        cells.extend(Some(nearest(pair[1])).filter(|tip| tips.contains(tip)));
     }
     if !closed {
         cells.extend(points.last().map(|&at| nearest(at)));
@@ -35,7 +44,32 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell
         cells.extend(points.first().map(|&at| nearest(at)));
     }
     cells.dedup();
-    smooth(thin(connected(cells, closed), closed), closed)
+    smooth(thin(connected(cells, closed), closed, &tips), closed, &tips)
+}
+
+/// The sides of a corner are taken over so many steps of the grid.
+const SIDE: f32 = 3.0;
+/// A side is straight if its chord is at least this share of it.
+const STRAIGHT: f32 = 0.95;
+/// Cosines between the sides of such corners, from 80 degrees, as at a right angle no dots touch but its own, down to
+/// 50, where its sides are two dots apart after three.
+const SHARP: RangeInclusive<f32> = 0.17..=0.64;
+
+/// The dots at the sharp corners of a line.
+pub(super) fn sharp_tips(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
+    let vertices = line.vertices.iter().map(|&at| to_grid(at, grid).into()).collect();
+    let line: Polyline<Point2D<f32, UnknownUnit>> = Polyline { vertices, closed: line.closed };
+    let side = |i: usize, forwards: bool| {
+        let at = line.vertices[i];
+        let chord = |to: usize| line.vertices[to] - at;
+        let (to, arc) = line.walk(i, forwards).find(|(to, _)| chord(*to).length() >= SIDE)?;
+        (chord(to).length() >= STRAIGHT * arc).then(|| chord(to).normalize())
+    };
+    let is_sharp = |i: &usize| {
+        let sides = side(*i, true).zip(side(*i, false));
+        sides.is_some_and(|(on, back)| SHARP.contains(&on.dot(back)))
+    };
+    (0..line.vertices.len()).filter(is_sharp).map(|i| nearest(line.vertices[i].into())).collect()
 }
 
 /// Moves single dots back into their row: where a line runs midway between two rows, noise moves dots from one to the
@@ -45,13 +79,16 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell
 ///   . . # . .        . . . . .
 ///   # # . # #   ->   # # # # #
 /// ```
-fn smooth(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
+fn smooth(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cell> {
     let n = cells.len();
     if n < 5 {
         return cells;
     }
     let range = if closed { 0..n } else { 1..n - 1 };
     for i in range {
+        if tips.contains(&cells[i]) {
+            continue;
+        }
         let (before, after) = (cells[(i + n - 1) % n], cells[(i + 1) % n]);
         for axis in 0..2 {
             let same_row = before[1 - axis] == after[1 - axis];
@@ -112,8 +149,8 @@ pub(super) fn between(a: Cell, b: Cell) -> impl Iterator<Item = Cell> {
     })
 }
 
-/// Removes dots whose two neighbours touch each other, except true corners.
-pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
+/// Removes dots whose two neighbours touch each other, except true corners and the tips of sharp ones.
+pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cell> {
     loop {
         let before = cells.len();
         let mut out: Vec<Cell> = Vec::with_capacity(before);
@@ -124,11 +161,13 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
         for (i, &cell) in cells.iter().enumerate() {
             // a curl: the line returns to where it was a few dots ago
             let recent = out.len().saturating_sub(CURL)..out.len().saturating_sub(2);
-            if let Some(j) = recent.into_iter().find(|&j| distance(out[j], cell) <= 1) {
+            let has_tip = |j: usize| out[j + 1..].iter().any(|cell| tips.contains(cell));
+            if let Some(j) = recent.into_iter().find(|&j| distance(out[j], cell) <= 1 && !has_tip(j)) {
                 out.truncate(j + 1);
             }
             while let [.., a, b] = out[..]
                 && distance(a, cell) <= 1
+                && !tips.contains(&b)
                 && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, cell, ahead(i + 1).copied())
             {
                 out.pop();
@@ -143,6 +182,7 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
                 && out.len() > 4
                 && (b == first
                     || distance(a, first) <= 1
+                        && !tips.contains(&b)
                         && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, first, Some(second)))
             {
                 out.pop();
@@ -150,6 +190,7 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
             if let [first, second, .., last] = out[..]
                 && out.len() > 4
                 && distance(last, second) <= 1
+                && !tips.contains(&first)
                 && !is_corner(out.get(out.len() - 2).copied(), last, first, second, out.get(2).copied())
             {
                 out.remove(0);

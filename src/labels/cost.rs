@@ -6,7 +6,8 @@
 //! ```text
 //!  0.1 to 0.5  for each mm off the middle or the level of a point: sets the order of places that are as near
 //!  0.3         for each glyph of a texture that goes: a few are not missed, a patch of 30 is as bad as a leader line
-//!  3 to 5      the worse side of a point, or a second line or row: more than a step of a grid of dots (2 to 2.5 mm)
+//!  3 to 5      the worse side of a point, a second line or row, or a line so near beside a label that its dots are read
+//!              as a letter: more than a step of a grid of dots (2 to 2.5 mm)
 //!  8           a gridline that is interrupted: a value above its bar stands there rather than with a leader line
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
@@ -63,6 +64,14 @@ const FROM_PRINT: f32 = 2.0;
 /// For each mm of a leader line across others that runs along a line, of which it would be felt as a part: 15 mm of it
 /// are as bad as crossing as the drawing does ([`ACROSS_AS_DRAWN`]).
 const ALONG_A_LINE: f32 = 20.0;
+/// A leader line across others is felt as a line by itself before it meets the first, over so much of it, mm: three or
+/// four dots of a grid. Chosen by us.
+const FELT_BEFORE_LINE: f32 = 6.0;
+/// For each mm of that which it lacks: more than what the label loses by standing further from its tip and from where
+/// its print stood.
+const TOO_SHORT: f32 = 10.0;
+/// For a line that stands beside a label where a next cell would be.
+pub(super) const LIKE_A_CELL: f32 = 3.0;
 /// For gridlines that are interrupted: a title stands above them where there is room.
 const ON_A_GRID: f32 = 8.0;
 /// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
@@ -85,13 +94,15 @@ pub(super) fn cost(
         Attachment::Leader(_) => LEADER,
         Attachment::LeaderAcross([from, to]) => {
             let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
-            across + ALONG_A_LINE * room.along(from, to, end)
+            let lacking = (FELT_BEFORE_LINE - room.before_first_line(from, to)).max(0.0);
+            across + ALONG_A_LINE * room.along(from, to, end) + TOO_SHORT * lacking
         }
     };
     let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };
     // on the side where its text stood
     let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
-    of_form + distance + aside + elsewhere + GLYPH * glyphs + grid + leader
+    let beside = if room.is_free_aside(place, params.more_aside) { 0.0 } else { LIKE_A_CELL };
+    of_form + distance + aside + elsewhere + GLYPH * glyphs + grid + leader + beside
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.

@@ -18,6 +18,9 @@ pub struct Params {
     pub points: Vec<MmPoint>,
     /// Blank to lines.
     pub clearance: f32,
+    /// How much more there should be on the left and on the right where there is room, as on a grid the dots of a line
+    /// that stand where those of a next cell would are read as a letter.
+    pub more_aside: f32,
     /// Blank between lines.
     pub line_gap: f32,
     /// The least strength that contours must have: lines as strong are weak ones.
@@ -44,6 +47,7 @@ impl Params {
             points: Vec::new(),
             least_texture: 0.0,
             clearance: 3.0,
+            more_aside: 0.0,
             line_gap: 3.2,
             least_strength: 7.0,
             texture_clearance: 3.0,

@@ -17,6 +17,9 @@ const SQUARE: f32 = 0.5;
 const CORNER: f32 = 0.354;
 /// Directions in which a point is looked at from.
 const RAYS: u32 = 32;
+/// A place is in the open if it is seen in so many of them, an eighth of the circle: a door of 16 mm is narrower from
+/// 20 mm on. Chosen by us.
+const OPEN: usize = 4;
 /// How far the ink of a line reaches below a point on its middle, at most, mm: half of the widest line, and the corner
 /// of a square.
 const ON_A_LINE: f32 = 1.75;
@@ -175,6 +178,18 @@ impl Room {
         self.squares.area.contains_box(&place) && self.squares.sum(&self.taken, place) == 0
     }
 
+    /// Whether there is so much more than the clearance between a box and the lines on its left and on its right.
+    pub(super) fn is_free_aside(&self, place: MmRect, more: f32) -> bool {
+        more <= 0.0 || self.squares.sum(&self.taken, place.inflate(more, 0.0)) == 0
+    }
+
+    /// How far a leader line is felt before it meets a line, mm.
+    pub(super) fn before_first_line(&self, from: MmPoint, to: MmPoint) -> f32 {
+        let chord = to - from;
+        let direction = chord / chord.length().max(SQUARE);
+        self.first_ink(from, direction, chord.length()).unwrap_or(chord.length())
+    }
+
     /// Whether gridlines have to be interrupted for a label in this box.
     pub(super) fn interrupts_grid(&self, place: MmRect) -> bool {
         self.squares.sum(&self.grid, place) > 0
@@ -273,6 +288,16 @@ impl Room {
             self.first_ink(at, MmVector::new(cos, sin), reach)
         });
         hits.into_iter().try_fold(0.0_f32, |most, hit| hit.map(|hit| most.max(hit)))
+    }
+
+    /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as the
+    /// doors of a room.
+    pub(super) fn is_shut_in(&self, at: MmPoint, reach: f32) -> bool {
+        let is_free = |ray: &u32| {
+            let (sin, cos) = (TAU * *ray as f32 / RAYS as f32).sin_cos();
+            self.first_ink(at, MmVector::new(cos, sin), reach).is_none()
+        };
+        (0..RAYS).filter(is_free).take(OPEN).count() < OPEN
     }
 
     /// Whether a point lies at the lower side of a shape: on a line or at most `above` mm below it, with an inside

@@ -5,6 +5,7 @@
 use super::candidates::{BEFORE_LEADER, Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
+use super::cost::LIKE_A_CELL;
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
@@ -201,6 +202,15 @@ enum Start {
     Margin(f32),
 }
 
+/// Where a row is tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Offset {
+    /// From its start, mm.
+    mm: f32,
+    /// Blank beside its labels, beyond their clearance, mm.
+    aside: f32,
+}
+
 /// The labels of a group, each in one form, of which a common place is looked for.
 struct RowOfLabels<'a> {
     group: &'a Group,
@@ -256,7 +266,7 @@ impl<'a> RowOfLabels<'a> {
         // offsets below are tried before those above
         let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != GroupDirection::BelowPoints;
         let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
-        let offsets: Vec<f32> = offsets.collect();
+        let offsets = self.with_blanks(offsets);
         starts.into_iter().find_map(|start| {
             let at_anchors = || offsets.iter().find_map(|&offset| self.at(start, offset, |_| 0.0));
             at_anchors()
@@ -264,9 +274,24 @@ impl<'a> RowOfLabels<'a> {
         })
     }
 
+    /// Each offset with the blank beside labels with which it is tried, in the order of what both cost.
+    fn with_blanks(&self, offsets: impl Iterator<Item = f32>) -> Vec<Offset> {
+        let more = self.context.params.more_aside;
+        let blanks: &[(f32, f32)] = if more > 0.0 { &[(more, 0.0), (0.0, LIKE_A_CELL)] } else { &[(0.0, 0.0)] };
+        let with_each = |mm: f32| blanks.iter().map(move |&(aside, cost)| (mm.abs() + cost, Offset { mm, aside }));
+        let mut all: Vec<(f32, Offset)> = offsets.flat_map(with_each).collect();
+        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        all.into_iter().map(|(_, offset)| offset).collect()
+    }
+
     /// All labels with the row this far from its start, each moved along the row by as much as `reach` of its number
     /// allows, mm; none if one of them is not free.
-    fn at(&self, start: Start, offset: f32, reach: impl Fn(usize) -> f32) -> Option<Vec<Candidate>> {
+    fn at(
+        &self,
+        start: Start,
+        Offset { mm: offset, aside }: Offset,
+        reach: impl Fn(usize) -> f32,
+    ) -> Option<Vec<Candidate>> {
         let step = self.context.params.step;
         let mut found: Vec<Candidate> = Vec::with_capacity(self.sizes.len());
         for number in 0..self.sizes.len() {
@@ -274,7 +299,8 @@ impl<'a> RowOfLabels<'a> {
             let free = both_ways(0, furthest).find_map(|moved| {
                 let candidate = self.candidate(number, start, offset, moved as f32 * step);
                 let mut others = found.iter().chain(self.others.iter().flatten());
-                let is_free = is_free(self.group.members[number], &candidate, self.context)
+                let is_free = self.context.room.is_free_aside(candidate.place, aside)
+                    && is_free(self.group.members[number], &candidate, self.context)
                     && others.all(|other| {
                         !candidate.is_too_near(other, MIN_SPACING_ROUNDED, self.context.params.leader_off)
                     });

@@ -31,7 +31,7 @@ const AT_VERTEX: f32 = 6.0;
 const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
 const FARTHEST_ARC: f32 = 25.0;
-/// A text or a label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
+/// A text or a label is in the open if it is not shut in by lines that are nearer than this on nearly all sides, mm.
 const FURTHEST_OUTLINE: f32 = 90.0;
 /// So far from its middle one is beside a line, mm: more than half of the widest.
 const OFF_LINE: f32 = 2.5;
@@ -136,7 +136,7 @@ impl<'a> Surroundings<'a> {
         let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
         let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
         let is_text = !is_point && label.led_from.is_none();
-        let is_shut_in = is_text && room.shut_in(at, FURTHEST_OUTLINE).is_some();
+        let is_shut_in = is_text && room.is_shut_in(at, FURTHEST_OUTLINE);
         // what is written across the lines of a grid stands in none of its squares
         let cell = if is_text { room.cell_around(at) } else { None };
         let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
@@ -206,7 +206,7 @@ impl<'a> Surroundings<'a> {
 
     /// Whether a place is not shut in by lines.
     pub(super) fn is_open(&self, place: MmRect) -> bool {
-        self.room.shut_in(place.center(), FURTHEST_OUTLINE).is_none()
+        !self.room.is_shut_in(place.center(), FURTHEST_OUTLINE)
     }
 
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text

@@ -40,7 +40,7 @@ pub(super) fn findings(
             gaps::too_near_joined(lines, line_gap as f32 * pitch, 0.0, f32::INFINITY)
         }
     };
-    found.extend(near.iter().map(|near| too_near(near, names, limits)));
+    found.extend(near.iter().map(|near| too_near(near, names, medium, limits)));
     if !are_all {
         let what = "so many lines lie on one another that not all of their gaps were looked at";
         found.push(FoundBreach::of_page(LINE_GAP, None, what.to_owned()));
@@ -48,11 +48,17 @@ pub(super) fn findings(
     found
 }
 
-fn too_near(near: &Near, names: &[String], limits: &RuleLimits) -> FoundBreach {
+fn too_near(near: &Near, names: &[String], medium: &Medium, limits: &RuleLimits) -> FoundBreach {
     let Near { lines: (a, b), gap, at, length, extent } = *near;
-    let (apart, least) = match limits.medium {
-        MediumLimits::Print { line_gap, .. } => (millimetres(gap), format!("{line_gap} mm is the least")),
-        MediumLimits::Dots { line_gap, .. } => (format!("{gap:.0} empty dots"), format!("{line_gap} are the least")),
+    let (apart, least, gap) = match (limits.medium, medium) {
+        (MediumLimits::Print { line_gap, .. }, _) => (millimetres(gap), format!("{line_gap} mm is the least"), gap),
+        (MediumLimits::Dots { line_gap, .. }, Medium::Dots(_)) => {
+            (format!("{gap:.0} empty dots"), format!("{line_gap} are the least"), gap)
+        }
+        (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
+            let mm = millimetres(line_gap as f32 * pitch);
+            (millimetres(gap), format!("{line_gap} empty dots of the device, {mm}, are the least"), gap / pitch)
+        }
     };
     let along = format!("along {:.0} mm", length.max(1.0));
     let (one, other) = (name_in(names, a.min(b)), name_in(names, a.max(b)));

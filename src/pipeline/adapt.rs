@@ -45,7 +45,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
     let mut parts = Parts::clone(page);
     let line_name = |name: &String| LineName { name: name.clone(), by_hand: read.names.by_hand.contains(name) };
     let mut lines: Vec<LineName> = read.names.lines.iter().map(line_name).collect();
-    let mut notes: Vec<Note> = right_signs(&mut parts, page, plan).into_iter().collect();
+    let mut notes: Vec<Note> = right_signs(&mut parts, page, plan);
     match &page.medium {
         Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
         Medium::Dots(medium) => notes.extend(strokes_as_dots(&mut parts, &mut lines, medium, plan)),
@@ -85,20 +85,31 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
     Ok(Adapted { page, lines, notes, of_places, abbreviates })
 }
 
-/// Draws areas anew that were moved to another colour; tells how many.
-fn right_signs(parts: &mut Parts, page: &Page, plan: &Plan) -> Option<Note> {
+/// Draws areas anew that were moved to another colour; tells how many, and how many have no room for its signs.
+fn right_signs(parts: &mut Parts, page: &Page, plan: &Plan) -> Vec<Note> {
     let classes = wrong_signs(page);
     if classes.is_empty() || plan.profile().textures.fringe {
-        return None;
+        return Vec::new();
     }
     let all = areas::of_page(page);
     for &number in &classes {
         parts.figure.textures[number].glyphs = fill(page, &all, number, plan);
     }
+    let has_room = |number: &&usize| !parts.figure.textures[**number].glyphs.is_empty();
+    let drawn = classes.iter().filter(has_room).count();
     parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
-    let (count, noun) = (classes.len(), if classes.len() == 1 { "area has" } else { "areas have" });
-    let told = format!("{count} {noun} another colour now, and the texture was drawn anew");
-    Some(Note::TakenAs(About::Areas, told))
+    let have = |count: usize| if count == 1 { "area has" } else { "areas have" };
+    let told = |count: usize| {
+        let told = format!("{count} {} another colour now, and the texture was drawn anew", have(count));
+        Note::TakenAs(About::Areas, told)
+    };
+    let told_lost = |count: usize| {
+        let (have, room) = (have(count), if count == 1 { "it has" } else { "they have" });
+        let why = format!("{room} no room for its signs clear of lines; say in a label what the colour means");
+        Note::NotOnPage(About::Areas, format!("the textures of areas: {count} {have} another colour now, and {why}"))
+    };
+    let bare = classes.len() - drawn;
+    (drawn > 0).then(|| told(drawn)).into_iter().chain((bare > 0).then(|| told_lost(bare))).collect()
 }
 
 /// Brings the widths of printed lines into the range of the profile; tells of how many.

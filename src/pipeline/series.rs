@@ -161,6 +161,7 @@ fn made_alike(
 /// What is told of series without textures, and of those of which some bars have none.
 fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
     let all = |of: &Lacking| match of.bars - of.bare {
+        0 if of.bars == 1 => format!("the {} bar", of.class.name()),
         0 => format!("all {} {} bars", of.bars, of.class.name()),
         _ => format!("all {} {} bars, so that they are alike ({} of them)", of.bars, of.class.name(), of.bare),
     };

@@ -414,6 +414,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         points: Vec::new(),
         blocked: Vec::new(),
         clearance: CLEARANCE,
+        more_aside: more_aside(layout, plan),
         line_gap: lines.min_gap,
         least_strength: lines.least_strength,
         texture_clearance,
@@ -421,6 +422,18 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         may_cross,
         step,
         leader_off,
+    }
+}
+
+/// How much more blank than the clearance there is to be between a label and a line beside it, mm: as much as keeps the
+/// dots of the line off the first column of a next cell.
+fn more_aside(layout: &Layout, plan: &Plan) -> f32 {
+    match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => {
+            let size = CellGrid::of(&layout.medium, plan.profile().braille.cell).size();
+            (size.cell - size.dot + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0)
+        }
     }
 }
 

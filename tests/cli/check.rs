@@ -21,6 +21,10 @@ fn a_page_without_errors_ends_with_0_and_one_with_errors_with_1() {
     let run = place.run(&["check", "near.svg"]);
     assert_eq!(run.code, 1, "{}", run.err);
     assert!(run.out.starts_with("error line-gap: "), "{}", run.out);
+    // on paper lines are so many mm apart, whatever device is asked for
+    let run_for_device = place.run(&["check", "near.svg", "--profile", "index-basic-d"]);
+    let least = "mm apart along 60 mm; 2 empty dots of the device, 4.0 mm, are the least";
+    assert!(run_for_device.out.contains(least), "{}", run_for_device.out);
     // what render mends
     let thin = place.run(&["check", "thin.svg"]);
     assert_eq!(thin.code, 0, "{}", thin.err);

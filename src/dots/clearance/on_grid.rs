@@ -70,11 +70,11 @@ pub(in crate::dots) fn on_grid(
 /// The dots of a line within a part of the grid, one dot wide, and whether it is closed.
 fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     let line = polyline_of(line);
-    let mut cells = rasterise::rasterise(line.view(), grid);
+    let (mut cells, tips) = (rasterise::rasterise(line.view(), grid), rasterise::sharp_tips(line.view(), grid));
     cells.iter_mut().for_each(|cell| *cell = within.nearest(*cell));
     cells.dedup();
     let closed = line.closed || ends_touch(&cells);
-    (rasterise::thin(cells, closed), closed)
+    (rasterise::thin(cells, closed, &tips), closed)
 }
 
 /// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
@@ -156,7 +156,7 @@ impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
         let (closed, through) = (ends_touch(&cells), cells.len());
-        Self { cells: if closed { rasterise::thin(cells, true) } else { cells }, closed, is_link: false, through }
+        Self { cells: if closed { rasterise::thin(cells, true, &[]) } else { cells }, closed, is_link: false, through }
     }
 }
 

@@ -1,7 +1,6 @@
 //! Tests of `rasterise`.
 
 use super::*;
-use crate::geom::polyline::Polyline;
 
 fn grid() -> Grid {
     let even = |count: usize| (0..count).map(|i| 2.5 * i as f32).collect();
@@ -68,4 +67,36 @@ fn a_rectangle_keeps_its_corners() {
         assert!(cells.contains(&corner), "{corner:?} is not in {cells:?}");
     }
     assert_eq!(cells.len(), 32);
+}
+
+#[test]
+fn a_sharp_corner_keeps_its_tip() {
+    // 65 degrees, as where a coast meets a border, in all directions and begun at any of its corners
+    for degrees in (0..360).step_by(7) {
+        let side = |degrees: f32| MmPoint::new(40.0 * degrees.to_radians().cos(), 40.0 * degrees.to_radians().sin());
+        let tip = at(30.2, 29.7);
+        let corners = [0.0, 65.0].map(|turn| tip + side(degrees as f32 + turn).to_vector());
+        let triangle = [tip, corners[0], corners[1]];
+        for start in 0..3 {
+            let vertices = (0..3).map(|k| triangle[(start + k) % 3]).collect();
+            let line = Polyline { vertices, closed: true };
+            let cells = rasterise(line.view(), &grid());
+            for corner in triangle {
+                let corner = nearest(to_grid(corner, &grid()));
+                assert!(cells.iter().any(|cell| distance(*cell, corner) == 0), "{degrees} {start}: {cells:?}");
+            }
+            let again = thin(cells.clone(), true, &sharp_tips(line.view(), &grid()));
+            assert_eq!(again, cells, "{degrees} {start}");
+        }
+    }
+}
+
+#[test]
+fn a_spike_of_a_wavering_line_is_no_corner() {
+    let line = Polyline::open(
+        [(10.0, 20.4), (14.0, 20.4), (14.3, 21.1), (14.6, 20.4), (20.0, 20.4)].map(|(x, y)| at(x, y)).to_vec(),
+    );
+    assert!(sharp_tips(line.view(), &grid()).is_empty());
+    let cells = rasterise(line.view(), &grid());
+    assert!(cells.iter().all(|cell| cell[1] == 20), "{cells:?}");
 }

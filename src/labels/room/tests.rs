@@ -30,6 +30,18 @@ fn a_point_is_shut_in_by_a_ring_and_not_by_an_arc() {
 }
 
 #[test]
+fn a_room_with_a_door_shuts_in_and_a_bay_does_not() {
+    let walls = |gap: f32| {
+        let from = [(50.0 - 0.5 * gap, 80.0), (20.0, 80.0), (20.0, 20.0), (80.0, 20.0), (80.0, 80.0)];
+        room(&[&from[..], &[(50.0 + 0.5 * gap, 80.0)]].concat(), false)
+    };
+    let (middle, reach) = (MmPoint::new(50.0, 50.0), 90.0);
+    assert!(walls(0.0).is_shut_in(middle, reach) && walls(14.0).is_shut_in(middle, reach));
+    assert!(!walls(50.0).is_shut_in(middle, reach) && !walls(14.0).is_shut_in(MmPoint::new(90.0, 50.0), reach));
+    assert!(!walls(0.0).is_shut_in(middle, 20.0), "too far away");
+}
+
+#[test]
 fn the_only_line_on_a_way_is_found() {
     let one = room(&[(50.0, 10.0), (50.0, 90.0)], false);
     let (from, to) = (MmPoint::new(20.0, 50.0), MmPoint::new(70.0, 50.0));
