@@ -5,7 +5,7 @@
 use super::candidates::{BEFORE_LEADER, Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
-use super::cost::LIKE_A_CELL;
+use super::cost::{LIKE_A_CELL, is_read_alone};
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
@@ -299,8 +299,10 @@ impl<'a> RowOfLabels<'a> {
             let free = both_ways(0, furthest).find_map(|moved| {
                 let candidate = self.candidate(number, start, offset, moved as f32 * step);
                 let mut others = found.iter().chain(self.others.iter().flatten());
-                let is_free = self.context.room.is_free_aside(candidate.place, aside)
-                    && is_free(self.group.members[number], &candidate, self.context)
+                let label = self.group.members[number];
+                let wanted = &self.context.wanted[label];
+                let is_free = is_read_alone(wanted, candidate.place, self.context.room, aside)
+                    && is_free(label, &candidate, self.context)
                     && others.all(|other| {
                         !candidate.is_too_near(other, MIN_SPACING_ROUNDED, self.context.params.leader_off)
                     });
