@@ -5,7 +5,7 @@ mod ids;
 mod making;
 mod phrases;
 
-pub(crate) use ids::ids;
+pub(crate) use ids::id_table;
 pub(crate) use making::named;
 
 use crate::listing::list;
@@ -225,7 +225,10 @@ pub enum Error {
     #[error("{}", .0.join("; "))]
     CannotPress(Vec<String>),
     /// Dots are asked for of a page that is for printing.
-    #[error("{} holds dots, and the page is for printing; take a profile for dots, such as {profile}", .format.to_uppercase())]
+    #[error(
+        "{} holds dots, and the page is for printing; take a profile for dots, such as {profile}",
+        .format.to_uppercase()
+    )]
     NotOfDots {
         /// Name of the format that was asked for.
         format: &'static str,
@@ -257,8 +260,8 @@ pub enum Error {
     NotTogether(String),
     /// There are no such numbers for an embosser.
     #[error(
-        "{copies} copies with an impact of {impact} cannot be embossed; give 1 to {most_copies} copies and an impact of \
-         1 to {most_impact}"
+        "{copies} copies with an impact of {impact} cannot be embossed; give 1 to {most_copies} copies and an impact \
+         of 1 to {most_impact}"
     )]
     NoSuchEmbossing {
         /// How many copies were asked for.

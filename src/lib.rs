@@ -120,10 +120,9 @@
 //! * [`Event::Done`] is what a progress bar shows: a share of the work that never goes back.
 //! * Profiles, devices, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`],
 //!   [`Profile::keys`] with [what each takes](Key::choices), [`medium::Device::ALL`], [`Rule::all`],
-//!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is
-//!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
-//!   change, and [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Faults that want another remedy have another
-//!   id.
+//!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is about;
+//!   [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences change, and
+//!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Faults that want another remedy have another id.
 //! * A profile that a form changed by [`Profile::set`] is kept as [`Profile::to_toml`] writes it.
 //!
 //! # Names and text
@@ -151,8 +150,9 @@
 //!
 //! What is `#[non_exhaustive]` may get more cases or fields in a release that changes nothing else: errors, notes,
 //! events, formats of files, devices, and most of what functions give; its `ALL` is a slice, that of what is complete
-//! an array. An id or a name that there is stays, and goes on to stand for the same. What is not, is complete: so the marks of a page
-//! ([`marks::Shape`], [`marks::Pen`], [`marks::Sign`], [`Class`]), and whoever draws them can see that none is missing.
+//! an array. An id or a name that there is stays, and goes on to stand for the same. What is not, is complete: so the
+//! marks of a page ([`marks::Shape`], [`marks::Pen`], [`marks::Sign`], [`Class`]), and whoever draws them can see that
+//! none is missing.
 //!
 //! # Points and units
 //!

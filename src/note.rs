@@ -4,7 +4,7 @@ mod order;
 mod phrases;
 
 use crate::braille::Code;
-use crate::error::ids;
+use crate::error::id_table;
 use crate::listing::{counted, first_few};
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, shade, short, sides,
@@ -330,7 +330,7 @@ pub enum Note {
 }
 
 impl Note {
-    ids! {
+    id_table! {
         Self::ColourProfileIgnored(..) => "colour-profile-ignored",
         Self::LeftOut(..) => "left-out",
         Self::NotOnPage(..) => "not-on-page",

@@ -8,7 +8,7 @@ use crate::common::samples;
 /// The page of a sample with at most so many shapes; 0 is no limit.
 fn with(sample: &str, most: usize) -> tactograph::Drawing {
     let mut profile = Profile::named("swell-a4").expect("the default profile is there");
-    profile.set("lines.shapes", &most.to_string()).expect("the key is there");
+    profile.set("lines.shapes", most).expect("the key is there");
     tactograph::convert(&samples::read(sample)[..], &Options::new(profile)).expect("a page")
 }
 

@@ -101,8 +101,8 @@ impl Checked {
 }
 
 impl Rule {
-    /// The number that it asks for on pages of a profile, and its unit (`mm`, `square mm`, `%`, `dots`, `textures`); none
-    /// where it has none.
+    /// The number that it asks for on pages of a profile, and its unit (`mm`, `square mm`, `%`, `dots`, `textures`);
+    /// none where it has none.
     ///
     /// # Errors
     /// [`Error::Profile`] if the profile has faults.
@@ -120,10 +120,10 @@ impl Rule {
 }
 
 /// Describes a page in plain sentences, the most important first: the SVG of a page, as
-/// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. What somebody drew or typed is
-/// told as [`render`](crate::render) makes it. The last sentence is the verdict of [`check`], which is part of the work;
-/// its findings are not told. Without a [language](PageOptions::language) the sentences are in that of the page's own
-/// description, and in English where that is none of [`Description::languages`].
+/// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. What somebody drew or typed
+/// is told as [`render`](crate::render) makes it. The last sentence is the verdict of [`check`], which is part of the
+/// work; its findings are not told. Without a [language](PageOptions::language) the sentences are in that of the page's
+/// own description, and in English where that is none of [`Description::languages`].
 ///
 /// ```
 /// use tactograph::{Options, PageOptions, Profile};

@@ -163,8 +163,8 @@ impl Options {
 
     /// Reads the text that is found in pixels: gets pictures (PNG, black on white, level) of a line each, and gives as
     /// many texts, empty where it cannot read one; or says why it cannot read at all, which is told in
-    /// [`Note::TextsNotRead`](crate::Note::TextsNotRead), as is another number of texts. Is called from the thread that converts, at most once for a
-    /// picture. Default: nobody knows what such texts say.
+    /// [`Note::TextsNotRead`](crate::Note::TextsNotRead), as is another number of texts. Is called from the thread that
+    /// converts, at most once for a picture. Default: nobody knows what such texts say.
     pub fn text_reader(
         mut self,
         read: impl Fn(&[Vec<u8>]) -> Result<Vec<String>, String> + Send + Sync + 'static,
@@ -189,8 +189,8 @@ impl Options {
 
     /// Width of the figure on the sheet, mm, above 0; the height follows. More than there is room for is refused with
     /// [`Error::TooWide`](crate::Error::TooWide), less than the profile's `figure.min_side` on the shorter side with
-    /// [`Error::NotWideEnough`](crate::Error::NotWideEnough), what is no length with [`Error::NoWidth`](crate::Error::NoWidth).
-    /// Default: as wide as the sheet has room for.
+    /// [`Error::NotWideEnough`](crate::Error::NotWideEnough), what is no length with
+    /// [`Error::NoWidth`](crate::Error::NoWidth). Default: as wide as the sheet has room for.
     pub fn width_mm(mut self, width: f32) -> Self {
         self.fit.width = Some(width);
         self

@@ -198,7 +198,8 @@ impl Profile {
     /// page does not say, or says of a profile that is not known, is that of the first of [`Profile::built_in`].
     ///
     /// # Errors
-    /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if over a limit.
+    /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if over a
+    /// limit.
     pub fn of_page(svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         Ok(Self::of_origin(&reading::read(svg.as_ref())?.page.origin)?.0)
     }

@@ -27,8 +27,8 @@ impl Page {
 
     /// A PNG picture that says how large it is, for printers and displays, with title and description as its texts. It
     /// has as many pixels as its sheet at `dpi`, without a part that is clear. A page of a device with heights, or with
-    /// words in print, is grey, whatever the `depth`: black and white would make all or nothing of both. `fonts` are for
-    /// words in print beside their braille (`braille.print` of a profile), and need not be those of the conversion;
+    /// words in print, is grey, whatever the `depth`: black and white would make all or nothing of both. `fonts` are
+    /// for words in print beside their braille (`braille.print` of a profile), and need not be those of the conversion;
     /// without a font they are left out, as [`Page::not_in_png`] tells. It is rendered on the calling thread, in less
     /// than a second for A4 at 300 dots per inch, with 64 MB of memory beside its file, and cannot be cancelled.
     ///

@@ -3,7 +3,7 @@
 use super::Error;
 
 /// `id` and `ids` from one table of what can be, so that the list of ids is whole.
-macro_rules! ids {
+macro_rules! id_table {
     ($($case:pat => $id:literal,)+) => {
         /// Its kind as a word for programs, one of those that `ids` gives. It stays the same when the sentence changes.
         pub fn id(&self) -> &'static str {
@@ -18,10 +18,10 @@ macro_rules! ids {
         }
     };
 }
-pub(crate) use ids;
+pub(crate) use id_table;
 
 impl Error {
-    ids! {
+    id_table! {
         Self::Empty => "empty",
         Self::UnknownFormat { .. } => "unknown-format",
         Self::Undecodable { .. } => "undecodable",

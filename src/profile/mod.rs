@@ -98,10 +98,10 @@ impl Profile {
         Ok(keys::KEYS[index].value(self))
     }
 
-    /// Gives one key another value, such as `lines.width_max` the value `1.2`: what [`Profile::get`] gives, a number, or
-    /// a text as TOML has it, with or without its quotes. A section with a key `on` may stand for that key. Whether the
-    /// values still go together is for [`Profile::check`] to say, after the last `set`. In messages the place of the
-    /// value is `key=value`.
+    /// Gives one key another value, such as `lines.width_max` the value `1.2`: what [`Profile::get`] gives, a number,
+    /// or a text as TOML has it, with or without its quotes. A section with a key `on` may stand for that key. Whether
+    /// the values still go together is for [`Profile::check`] to say, after the last `set`. In messages the place of
+    /// the value is `key=value`.
     ///
     /// ```
     /// use tactograph::{Profile, Value};
@@ -150,7 +150,7 @@ impl Profile {
         let (base, mut refused) = (profile.clone(), Vec::<String>::new());
         // what another version wrote may not be there any more, and not all that is said of a page are keys
         for (key, said) in origin.iter().filter(|(key, _)| index_of(key).is_ok()) {
-            if profile.set_from(key, &value(said), "the page").is_err() {
+            if profile.set_from(key, value(said), "the page").is_err() {
                 refused.push(format!("{key} = {said}"));
             }
         }

@@ -4,8 +4,9 @@ use super::keys::{KEYS, Key, Profile, SECTIONS, section_docs};
 
 impl Profile {
     /// The profile as the TOML of a file of one's own: the built-in profile that it inherits, itself or through other
-    /// files, and each key that has another value than there, also by [`Profile::set`]. Where [`Profile::check`] finds no
-    /// fault, [`Profile::from_toml`] reads the same profile back; its name is not in the text, and is that of the file.
+    /// files, and each key that has another value than there, also by [`Profile::set`]. Where [`Profile::check`] finds
+    /// no fault, [`Profile::from_toml`] reads the same profile back; its name is not in the text, and is that of the
+    /// file.
     ///
     /// ```
     /// use tactograph::Profile;

@@ -50,8 +50,8 @@ impl Ink {
     /// Draws the figure of a page.
     ///
     /// # Errors
-    /// [`Error::Undecodable`] or [`Error::TooComplex`] of the text, [`Error::NotAPage`] if it has no group with the id of a figure or
-    /// of a texture, [`Error::TooLargeToFeel`].
+    /// [`Error::Undecodable`] or [`Error::TooComplex`] of the text, [`Error::NotAPage`] if it has no group with the id
+    /// of a figure or of a texture, [`Error::TooLargeToFeel`].
     pub fn of(svg: &str) -> Result<Self, Error> {
         Self::of_page(svg, &|| Ok(()))
     }

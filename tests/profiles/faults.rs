@@ -312,7 +312,6 @@ fn faults_name_their_keys() {
     let none: [&str; 0] = [];
     assert_eq!(of_text(wrong), [&["lines.detail"][..], &none, &none, &["edges.low", "edges.high"]]);
     assert_eq!(of_text("print.swell = 1"), [["textures.min_glyph", "print.swell"]]);
-    assert_eq!(keys(Profile::named("swell-a5")), [none]);
     let missing = built_in()[0].text.replace("tolerance = 0.05", "");
     assert_eq!(keys(Profile::from_toml(&missing, "my.toml")), [["lines.tolerance"]]);
     let mut profile = Profile::named("swell-a4").expect("it is built in");

@@ -235,8 +235,8 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
 }
 
 /// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels, as each group
-/// that is blended as a whole has a canvas of that size; or more work than can be done in some seconds. `transform` leads
-/// to the canvas.
+/// that is blended as a whole has a canvas of that size; or more work than can be done in some seconds. `transform`
+/// leads to the canvas.
 ///
 /// # Errors
 /// [`Error::TooMuchMemory`] and [`Error::TooComplex`].

@@ -7,8 +7,8 @@ use usvg::{Group, Node, Tree};
 
 use crate::units::Size;
 
-/// Most work, ns: ten seconds. A shadow under everything on a page of 200 mm takes half a second; drawings of people and
-/// their programs are far below.
+/// Most work, ns: ten seconds. A shadow under everything on a page of 200 mm takes half a second; drawings of people
+/// and their programs are far below.
 const MOST_WORK: f64 = 1e10;
 
 // What resvg 0.49 takes for a pixel on one core, ns, measured with two cores busy (release, x86-64); small blurs take
