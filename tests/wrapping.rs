@@ -7,7 +7,7 @@ use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
     Calibration, Checked, Class, Crop, Description, DotFormat, Dpi, Drawing, Embossing, Error, Event, Fault, Felt,
-    Finding, Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, PageOptions, Picture,
+    Finding, Fonts, Key, KeySheets, Label, Length, Limits, MmPoint, MmRect, Note, Options, Page, PageOptions, Picture,
     Position, Profile, RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
@@ -43,6 +43,8 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<KeySheets>();
     can_be_wrapped::<Crop>();
     can_be_wrapped::<Position>();
+    can_be_wrapped::<Length>();
+    can_be_wrapped::<Embossing>();
     can_be_wrapped::<Limits>();
     can_be_wrapped::<Tracing>();
     can_be_wrapped::<Box<dyn std::error::Error + Send + Sync>>();
