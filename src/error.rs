@@ -1,9 +1,18 @@
 //! What stops everything. Each message says what is wrong and what to do about it, in one line without the file's name
 //! (the caller knows it).
 
-use crate::profile::Fault;
+mod ids;
+mod making;
+mod phrases;
+
+pub(crate) use ids::id_table;
+pub(crate) use making::named;
+
+use crate::listing::list;
+use crate::profile::{Fault, quoted};
 use crate::touch::FINGERS;
 use crate::units::Size;
+use phrases::{has_pages, hint, or_without, take_one};
 
 /// Why no page could be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -22,7 +31,7 @@ pub enum Error {
         /// What the bytes look like instead, if that can be told: "text", "PDF".
         looks_like: Option<&'static str>,
     },
-    /// The format is known but the bytes cannot be decoded.
+    /// The format is known but the bytes cannot be decoded: they are damaged, or of a kind that is not read here.
     #[error(
         "the {format} picture cannot be read: {why}; open and save it again in another program, or use another copy"
     )]
@@ -31,6 +40,23 @@ pub enum Error {
         format: &'static str,
         /// What its decoder says.
         why: String,
+    },
+    /// The file is sound, and has more of something than can be drawn: elements in elements, letters, digits, paths.
+    #[error(
+        "this {format} is beyond what can be drawn: {why}; simplify it or make it smaller in a drawing program, or \
+         convert a picture of it (PNG)"
+    )]
+    TooComplex {
+        /// Name of the format, such as "SVG".
+        format: &'static str,
+        /// What there is too much of.
+        why: String,
+    },
+    /// The file is locked with a password.
+    #[error("this {format} is locked with a password; unlock it first (print it into a new {format}, say)")]
+    Locked {
+        /// Name of the format, such as "PDF".
+        format: &'static str,
     },
     /// More pixels than the limit allows.
     #[error("the picture has {size} pixels, which is over the limit of {limit_megapixels} megapixels; {remedy}")]
@@ -71,13 +97,39 @@ pub enum Error {
         /// What the user can do.
         remedy: &'static str,
     },
-    /// Too few pixels, or a shape too narrow for anything to be felt in it.
-    #[error("the picture has {size} pixels: {why}")]
-    TooSmall {
+    /// The picture has too few pixels for a contour.
+    #[error("the picture has {size} pixels: too few to find anything in; give one of at least {least} x {least}")]
+    TooFewPixels {
         /// What the picture's header says.
         size: Size,
-        /// What would do.
-        why: String,
+        /// The fewest along a side.
+        least: u32,
+    },
+    /// The picture is so long and narrow that nothing could be felt in it as wide as the sheet allows.
+    #[error(
+        "the picture has {size} pixels: so long and narrow a picture would be only {side:.1} mm wide on the sheet, and \
+         {least} mm is the least; crop it"
+    )]
+    TooNarrow {
+        /// What the picture's header says.
+        size: Size,
+        /// Its shorter side in the figure, mm.
+        side: f32,
+        /// `figure.min_side` of the profile, mm.
+        least: f32,
+    },
+    /// At the width that is asked for nothing could be felt in the figure.
+    #[error(
+        "a figure {wanted} mm wide would have a side of only {side:.1} mm, and {least} mm is the least; ask for a \
+         greater width"
+    )]
+    NotWideEnough {
+        /// Width that was asked for, mm.
+        wanted: f32,
+        /// The shorter side of the figure, mm.
+        side: f32,
+        /// `figure.min_side` of the profile, mm.
+        least: f32,
     },
     /// The part of the picture that is asked for is not in it.
     #[error("the part {part} reaches beyond the picture, which has {size} pixels; give a part that lies in it")]
@@ -169,9 +221,64 @@ pub enum Error {
         /// The sheet's size.
         sheet: String,
     },
-    /// The device cannot press what is asked for; every reason is listed.
+    /// The device does not take the sheet, or has no dots this far apart; every reason is listed.
     #[error("{}", .0.join("; "))]
     CannotPress(Vec<String>),
+    /// Dots are asked for of a page that is for printing.
+    #[error(
+        "{} holds dots, and the page is for printing; take a profile for dots, such as {profile}",
+        .format.to_uppercase()
+    )]
+    NotOfDots {
+        /// Name of the format that was asked for.
+        format: &'static str,
+        /// A built-in profile whose pages can be written in it.
+        profile: &'static str,
+    },
+    /// A page of dots has strokes or rhombuses, which its device cannot press.
+    #[error("the page has strokes or rhombuses, and its device presses dots; draw them as dots")]
+    NotAllDots,
+    /// The device does not take this format.
+    #[error(
+        "{} is not for {device}, which takes {}; take one of these, or SVG, PDF or PNG to look at",
+        .format.to_uppercase(),
+        list(.takes, "or")
+    )]
+    NotItsFormat {
+        /// Name of the format that was asked for.
+        format: &'static str,
+        /// What the device is called.
+        device: &'static str,
+        /// Names of the formats that it takes, the best one first.
+        takes: Vec<&'static str>,
+    },
+    /// The dots of a page are not where its device has any, or where the format could say them; says which.
+    #[error("{0}; lay the page out for its device")]
+    NotItsDots(String),
+    /// Pages do not go into one file: they are for different devices, sheets or distances of dots; says which.
+    #[error("{0}; write each in a file of its own")]
+    NotTogether(String),
+    /// There are no such numbers for an embosser.
+    #[error(
+        "{copies} copies with an impact of {impact} cannot be embossed; give 1 to {most_copies} copies and an impact \
+         of 1 to {most_impact}"
+    )]
+    NoSuchEmbossing {
+        /// How many copies were asked for.
+        copies: u16,
+        /// The most that there can be.
+        most_copies: u16,
+        /// How hard the embosser should strike.
+        impact: u8,
+        /// The hardest that it can.
+        most_impact: u8,
+    },
+    /// Bytes that were given as a font are none.
+    #[error("file {file} of the fonts is none; give files in TTF or OTF, or collections of them")]
+    NotAFont {
+        /// Which of the files, counted from 1.
+        file: usize,
+    },
     /// More pixels than a picture of the page may have.
     #[error(
         "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; \
@@ -264,23 +371,17 @@ pub enum Error {
          another device"
     )]
     IsAPage,
-    /// There is nothing of this name.
-    #[error("there is no {what} called {name:?}; take one of {known}")]
+    /// There is nothing of this name: no profile, device, format, language.
+    #[error("there is no {what} called {}{} {}", quoted(.name), take_one(.nearest), .known.join(", "))]
     NoSuchName {
         /// Of what kind it would be.
         what: &'static str,
         /// What was asked for.
         name: String,
         /// The names that there are.
-        known: String,
-    },
-    /// A language in which nothing is said of pages.
-    #[error("there are no sentences in the language {language}; take one of {known}")]
-    NoSentences {
-        /// What was asked for.
-        language: String,
-        /// The languages that there are.
-        known: String,
+        known: Vec<String>,
+        /// Those of them that may have been meant, as they are spelt alike.
+        nearest: Vec<String>,
     },
     /// Lines are given that belong to another picture, or another part of it.
     #[error(
@@ -318,93 +419,5 @@ pub enum Error {
     Profile(Vec<Fault>),
 }
 
-impl Error {
-    /// Its kind as a word for programs, such as `too-wide`, which stays the same when the sentence changes.
-    pub fn id(&self) -> &'static str {
-        match self {
-            Self::Empty => "empty",
-            Self::UnknownFormat { .. } => "unknown-format",
-            Self::Undecodable { .. } => "undecodable",
-            Self::TooManyPixels { .. } => "too-many-pixels",
-            Self::TooMuchMemory { .. } => "too-much-memory",
-            Self::UnpacksTooFar { .. } => "unpacks-too-far",
-            Self::TooSmall { .. } => "too-small",
-            Self::NotInPicture { .. } => "not-in-picture",
-            Self::NotInFigure { .. } => "not-in-figure",
-            Self::PartInMm { .. } => "part-in-mm",
-            Self::NoSuchPage { .. } => "no-such-page",
-            Self::TooWide { .. } => "too-wide",
-            Self::NoWidth { .. } => "no-width",
-            Self::NoRoomOnSheets { .. } => "no-room-on-sheets",
-            Self::OffSheet(..) => "off-sheet",
-            Self::NoMeasure { .. } => "no-measure",
-            Self::NoPages => "no-pages",
-            Self::NoRoom { .. } => "no-room",
-            Self::CannotPress(..) => "cannot-press",
-            Self::TooFine { .. } => "too-fine",
-            Self::WrongPixels { .. } => "wrong-pixels",
-            Self::NoSuchDpi { .. } => "no-such-dpi",
-            Self::NoSuchThresholds { .. } => "no-such-thresholds",
-            Self::NotACrop => "not-a-crop",
-            Self::NotASheetGrid => "not-a-sheet-grid",
-            Self::NotASign => "not-a-sign",
-            Self::NotAPosition => "not-a-position",
-            Self::NotLabels(..) => "not-labels",
-            Self::TooLargeToFeel { .. } => "too-large-to-feel",
-            Self::NoSuchFinger(..) => "no-such-finger",
-            Self::NotAPage { .. } => "not-a-page",
-            Self::IsAPage => "is-a-page",
-            Self::NoSuchName { .. } => "no-such-name",
-            Self::NoSentences { .. } => "no-sentences",
-            Self::OtherShape { .. } => "other-shape",
-            Self::OtherPart { .. } => "other-part",
-            Self::NoMemory { .. } => "no-memory",
-            Self::Cancelled => "cancelled",
-            Self::Profile(..) => "profile",
-        }
-    }
-}
-
-/// The one of `all` that is called `name`; `what` says of what kind they are.
-///
-/// # Errors
-/// [`Error::NoSuchName`] with the names that there are.
-pub(crate) fn named<T: Copy>(
-    name: &str,
-    what: &'static str,
-    all: impl IntoIterator<Item = T> + Clone,
-    name_of: impl Fn(T) -> &'static str,
-) -> Result<T, Error> {
-    let found = all.clone().into_iter().find(|one| name_of(*one) == name);
-    found.ok_or_else(|| {
-        let known: Vec<&str> = all.into_iter().map(name_of).collect();
-        Error::NoSuchName { what, name: name.to_owned(), known: known.join(", ") }
-    })
-}
-
-impl From<Vec<Fault>> for Error {
-    fn from(faults: Vec<Fault>) -> Self {
-        Self::Profile(faults)
-    }
-}
-
-impl From<Fault> for Error {
-    fn from(fault: Fault) -> Self {
-        Self::Profile(vec![fault])
-    }
-}
-
-fn or_without(overview: &Option<f32>) -> String {
-    overview.map_or_else(String::new, |most| format!(", or {most:.1} mm without the overview (overview = false)"))
-}
-
-fn has_pages(pages: &usize) -> String {
-    match pages {
-        1 => "the file has one page; leave the page out, or give 1".to_owned(),
-        _ => format!("the document has {pages} pages; give a number from 1 to {pages}"),
-    }
-}
-
-fn hint(looks_like: &Option<&'static str>) -> String {
-    looks_like.map_or_else(String::new, |what| format!("; it looks like {what}"))
-}
+#[cfg(test)]
+mod tests;

@@ -102,9 +102,14 @@
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
 //!   any of them, or both wait for each other for ever. In a browser there are no threads, and a function
 //!   of JavaScript needs a wrapper that promises so.
+//! * What a caller gives may fail: a translator and a reader of text say why, which a note tells, and the page is made
+//!   without those words. One that panics ends the work, and its panic goes on through the function that was called (a
+//!   wrapper catches it there, as with [`catch_unwind`](std::panic::catch_unwind)); options and all else stay as they
+//!   were and can be used again. To end the work in order there is `cancelled`, also for progress that cannot be shown.
 //! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
 //!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
-//!   settings cannot be asked for again; a class that has properties keeps what it was given.
+//!   settings cannot be asked for again; a class that has properties keeps what it was given. What is given as a value
+//!   says what it is: [`Crop`], [`Position`], [`SheetGrid`], [`Dpi`], [`Embossing`].
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
@@ -115,22 +120,23 @@
 //! * [`Event::Done`] is what a progress bar shows: a share of the work that never goes back.
 //! * Profiles, devices, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`],
 //!   [`Profile::keys`] with [what each takes](Key::choices), [`medium::Device::ALL`], [`Rule::all`],
-//!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is
-//!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
-//!   change.
+//!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is about;
+//!   [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences change, and
+//!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Faults that want another remedy have another id.
+//! * A profile that a form changed by [`Profile::set`] is kept as [`Profile::to_toml`] writes it.
 //!
 //! # Names and text
 //!
 //! * What is chosen from a list has `ALL`, `name` and `named`: [`Format`], [`DotFormat`], [`DrawingFormat`],
 //!   [`Depth`], [`KeySheets`], [`Class`]. [`Profile::named`] and [`medium::Device::named`] take the ids of profiles and
-//!   devices.
+//!   devices. A name that there is not is refused by all of them with [`Error::NoSuchName`], which has those that there
+//!   are, and those that may have been meant.
 //! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr) and written with
 //!   [`Display`](std::fmt::Display): [`Crop`], [`Position`], [`SheetGrid`], [`marks::Sign`].
 //! * What the library gives, and nobody gives to it by its name, has a `name` or an `id`: [`Stage`], [`About`],
 //!   [`Severity`], [`marks::Height`] and [`marks::TextRole`] with `ALL`, [`felt::FeltAs`], [`Error`], [`Note`],
 //!   [`Rule`].
-//! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) and `named` too, whose
-//!   error says which names there are.
+//! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) and `named` too.
 //!
 //! # Words
 //!
@@ -143,8 +149,10 @@
 //! # What grows
 //!
 //! What is `#[non_exhaustive]` may get more cases or fields in a release that changes nothing else: errors, notes,
-//! events, formats of files, devices, and most of what functions give. What is not, is complete: so the marks of a page
-//! ([`marks::Shape`], [`marks::Pen`], [`marks::Sign`], [`Class`]), and whoever draws them can see that none is missing.
+//! events, formats of files, devices, and most of what functions give; its `ALL` is a slice, that of what is complete
+//! an array. An id or a name that there is stays, and goes on to stand for the same. What is not, is complete: so the
+//! marks of a page ([`marks::Shape`], [`marks::Pen`], [`marks::Sign`], [`Class`]), and whoever draws them can see that
+//! none is missing.
 //!
 //! # Points and units
 //!
@@ -211,7 +219,7 @@ pub use pipeline::trace::Traced;
 pub use pipeline::{Drawing, Text};
 // Points and sizes: those of euclid, which is part of the interface.
 pub use lyon::geom::euclid;
-pub use units::{Mm, MmPoint, MmRect, Px, PxPoint, Size};
+pub use units::{Length, Mm, MmPoint, MmRect, Px, PxPoint, Size};
 
 /// What a [`Page`] consists of: its figure and overview, and the lines, signs and braille in them, in millimetres. For
 /// whoever draws or changes a page by a program.

@@ -4,6 +4,7 @@ mod order;
 mod phrases;
 
 use crate::braille::Code;
+use crate::error::id_table;
 use crate::listing::{counted, first_few};
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, shade, short, sides,
@@ -329,65 +330,60 @@ pub enum Note {
 }
 
 impl Note {
+    id_table! {
+        Self::ColourProfileIgnored(..) => "colour-profile-ignored",
+        Self::LeftOut(..) => "left-out",
+        Self::NotOnPage(..) => "not-on-page",
+        Self::NotInPng(..) => "not-in-png",
+        Self::TakenAs(..) => "taken-as",
+        Self::Faulty(..) => "faulty",
+        Self::FirstPageOnly { .. } => "first-page-only",
+        Self::TextsLeftOut(..) => "texts-left-out",
+        Self::LetteringLeftOut { .. } => "lettering-left-out",
+        Self::GroundAsPaper { .. } => "ground-as-paper",
+        Self::RimLeftOut(..) => "rim-left-out",
+        Self::TextsNotRead(..) => "texts-not-read",
+        Self::NoBrailleCode(..) => "no-braille-code",
+        Self::NotInBraille { .. } => "not-in-braille",
+        Self::InOtherCells(..) => "in-other-cells",
+        Self::NotTranslated { .. } => "not-translated",
+        Self::NotContracted => "not-contracted",
+        Self::NoRoomForTitle { .. } => "no-room-for-title",
+        Self::NoRoomForNumber => "no-room-for-number",
+        Self::Subject { .. } => "subject",
+        Self::NoSubject(..) => "no-subject",
+        Self::BackgroundCalmed(..) => "background-calmed",
+        Self::Abbreviated(..) => "abbreviated",
+        Self::NoKey(..) => "no-key",
+        Self::NoTexts => "no-texts",
+        Self::LabelsLeftOut { .. } => "labels-left-out",
+        Self::NoLines => "no-lines",
+        Self::NoContours => "no-contours",
+        Self::LinesOff => "lines-off",
+        Self::LinesLeftOut { .. } => "lines-left-out",
+        Self::TooDense { .. } => "too-dense",
+        Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
+        Self::LinesNotInOverview { .. } => "lines-not-in-overview",
+        Self::NoRoomForOverview => "no-room-for-overview",
+        Self::MixedAreas { .. } => "mixed-areas",
+        Self::Simplified { .. } => "simplified",
+        Self::EmptyPage => "empty-page",
+        Self::UnevenDots => "uneven-dots",
+        Self::TooBlack { .. } => "too-black",
+    }
+
     /// What on the page it is about, of the kinds `not-on-page`, `taken-as` and `faulty`.
     pub fn about(&self) -> Option<About> {
-        self.kind().1
-    }
-
-    /// Its kind as a word for programs, such as `lines-left-out`, which stays the same when the sentence changes.
-    pub fn id(&self) -> &'static str {
-        self.kind().0
-    }
-
-    /// Its kind, and what it is about where the kind alone does not say that.
-    fn kind(&self) -> (&'static str, Option<About>) {
         match self {
-            Self::ColourProfileIgnored(..) => ("colour-profile-ignored", None),
-            Self::LeftOut(..) => ("left-out", None),
-            Self::NotOnPage(about, _) => ("not-on-page", Some(*about)),
-            Self::NotInPng(..) => ("not-in-png", None),
-            Self::TakenAs(about, _) => ("taken-as", Some(*about)),
-            Self::Faulty(about, _) => ("faulty", Some(*about)),
-            Self::FirstPageOnly { .. } => ("first-page-only", None),
-            Self::TextsLeftOut(..) => ("texts-left-out", None),
-            Self::LetteringLeftOut { .. } => ("lettering-left-out", None),
-            Self::GroundAsPaper { .. } => ("ground-as-paper", None),
-            Self::RimLeftOut(..) => ("rim-left-out", None),
-            Self::TextsNotRead(..) => ("texts-not-read", None),
-            Self::NoBrailleCode(..) => ("no-braille-code", None),
-            Self::NotInBraille { .. } => ("not-in-braille", None),
-            Self::InOtherCells(..) => ("in-other-cells", None),
-            Self::NotTranslated { .. } => ("not-translated", None),
-            Self::NotContracted => ("not-contracted", None),
-            Self::NoRoomForTitle { .. } => ("no-room-for-title", None),
-            Self::NoRoomForNumber => ("no-room-for-number", None),
-            Self::Subject { .. } => ("subject", None),
-            Self::NoSubject(..) => ("no-subject", None),
-            Self::BackgroundCalmed(..) => ("background-calmed", None),
-            Self::Abbreviated(..) => ("abbreviated", None),
-            Self::NoKey(..) => ("no-key", None),
-            Self::NoTexts => ("no-texts", None),
-            Self::LabelsLeftOut { .. } => ("labels-left-out", None),
-            Self::NoLines => ("no-lines", None),
-            Self::NoContours => ("no-contours", None),
-            Self::LinesOff => ("lines-off", None),
-            Self::LinesLeftOut { .. } => ("lines-left-out", None),
-            Self::TooDense { .. } => ("too-dense", None),
-            Self::ShapesNotInOverview(..) => ("shapes-not-in-overview", None),
-            Self::LinesNotInOverview { .. } => ("lines-not-in-overview", None),
-            Self::NoRoomForOverview => ("no-room-for-overview", None),
-            Self::MixedAreas { .. } => ("mixed-areas", None),
-            Self::Simplified { .. } => ("simplified", None),
-            Self::EmptyPage => ("empty-page", None),
-            Self::UnevenDots => ("uneven-dots", None),
-            Self::TooBlack { .. } => ("too-black", None),
+            Self::NotOnPage(about, _) | Self::TakenAs(about, _) | Self::Faulty(about, _) => Some(*about),
+            _ => None,
         }
     }
 }
 
 impl About {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: &'static [Self] = &[
         Self::Marks,
         Self::Lines,
         Self::Widths,

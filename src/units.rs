@@ -28,24 +28,39 @@ pub type MmRect = euclid::Box2D<f32, Mm>;
 /// Millimetres of a CSS pixel, in which SVG is computed.
 pub(crate) const MM_PER_CSS_PX: f32 = 25.4 / 96.0;
 
-/// The unit in which a person gives a place or a length on a picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum WrittenUnit {
-    /// Of the picture; where no unit is written.
-    Pixels,
-    /// Of a side of the picture.
-    Percent,
-    /// Of the figure on the sheet.
-    Mm,
+/// A place or a length on a picture, as a person gives it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Length {
+    /// In pixels of the picture.
+    Pixels(f64),
+    /// In percent of a side of the picture.
+    Percent(f64),
+    /// In mm of the figure on the sheet.
+    Mm(f64),
 }
 
-/// The number and the unit of a length as a person writes it: `412.5`, `412px`, `30%`, `12 mm`. Blanks around both do
-/// not matter. What numbers there are is for the caller to say.
-pub(crate) fn number_and_unit(text: &str) -> (&str, WrittenUnit) {
-    let text = text.trim();
-    let units = [("mm", WrittenUnit::Mm), ("%", WrittenUnit::Percent), ("px", WrittenUnit::Pixels)];
-    let written = units.into_iter().find_map(|(ending, unit)| Some((text.strip_suffix(ending)?.trim_end(), unit)));
-    written.unwrap_or((text, WrittenUnit::Pixels))
+impl Length {
+    /// From `412.5`, `412px`, `30%` or `12 mm`; none if it is no number that is finite. Blanks around number and unit
+    /// do not matter.
+    pub(crate) fn of_text(text: &str) -> Option<Self> {
+        type OfNumber = fn(f64) -> Length;
+        const UNITS: [(&str, OfNumber); 3] = [("mm", Length::Mm), ("%", Length::Percent), ("px", Length::Pixels)];
+        let text = text.trim();
+        let written = UNITS.into_iter().find_map(|(ending, unit)| Some((text.strip_suffix(ending)?.trim_end(), unit)));
+        let (number, unit) = written.unwrap_or((text, Self::Pixels));
+        number.parse().ok().filter(|number: &f64| number.is_finite()).map(unit)
+    }
+}
+
+/// As it is parsed: `412.5`, `30%`, `12mm`.
+impl std::fmt::Display for Length {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Pixels(pixels) => write!(f, "{pixels}"),
+            Self::Percent(percent) => write!(f, "{percent}%"),
+            Self::Mm(mm) => write!(f, "{mm}mm"),
+        }
+    }
 }
 
 /// Width and height in whole pixels.

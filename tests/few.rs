@@ -8,7 +8,7 @@ use crate::common::samples;
 /// The page of a sample with at most so many shapes; 0 is no limit.
 fn with(sample: &str, most: usize) -> tactograph::Drawing {
     let mut profile = Profile::named("swell-a4").expect("the default profile is there");
-    profile.set("lines.shapes", &most.to_string()).expect("the key is there");
+    profile.set("lines.shapes", most).expect("the key is there");
     tactograph::convert(&samples::read(sample)[..], &Options::new(profile)).expect("a page")
 }
 
@@ -120,7 +120,7 @@ fn the_overview_of_few_shapes_has_no_line_that_its_figure_lacks_and_what_it_lack
 fn a_place_names_the_same_thing_on_all_papers_and_devices() {
     for sample in ["chelsea.png", "coffee.png"] {
         let share = |profile: &str| {
-            let half = || tactograph::Position::Percent(50.0);
+            let half = || tactograph::Position::percent(50.0).expect("a number");
             let options = Options::new(Profile::named(profile).expect("it is built in")).subject(half(), half());
             let drawing = tactograph::convert(&samples::read(sample)[..], &options).expect("a page");
             let place = drawing.page.figure.place;

@@ -196,7 +196,7 @@ fn what_cannot_be_done_is_said_in_one_line() {
     assert_eq!(
         write(&dots, &Params::a4()).expect_err("off the limits").to_string(),
         "2 of 3 dots lie off the 190 x 250 mm that the machine reaches: they need 3.00 to 195.50 mm across and 5.00 to \
-         260.25 mm down; make the figure smaller, move it, or take a larger machine"
+         260.25 mm down"
     );
     let nowhere = [MmPoint::new(f32::NAN, 1.0), MmPoint::new(1.0, f32::INFINITY), MmPoint::new(1.0, 1.0)];
     assert_eq!(write(&nowhere, &Params::a4()), Err(Refused::NoPosition { count: 2, all: 3 }));

@@ -32,6 +32,7 @@ mod points;
 mod profiles;
 mod reading;
 mod reference;
+mod refused;
 mod relations;
 mod scenes;
 mod sheet;

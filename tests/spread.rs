@@ -107,8 +107,9 @@ fn sheets_of_dots_pass_the_check() {
     }
 }
 
-fn label(x: f32, y: f32, text: &str) -> Label {
-    Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() }
+fn label(x: f64, y: f64, text: &str) -> Label {
+    let percent = |at| Position::percent(at).expect("a number");
+    Label { x: percent(x), y: percent(y), text: text.to_owned() }
 }
 
 /// Every sheet has the title and its number, every label is whole on a sheet, and what is abbreviated is in the key.

@@ -282,7 +282,7 @@ fn limits_hold_at_full_resolution() {
             .expect_err("a fault")
     };
     let narrow = png(Size::new(300, 7), |x, _| x as u8);
-    assert!(matches!(fault(&narrow, Limits::default()), Error::TooSmall { .. }));
+    assert!(matches!(fault(&narrow, Limits::default()), Error::TooFewPixels { .. }));
     // Too narrow for a page, but not for its pixels.
     let stripe = png(Size::new(2000, 9), |x, _| if x < 1000 { 60 } else { 200 });
     assert_eq!(traced(&stripe, Tracing::contours_at_full_resolution()).polylines.len(), 1);

@@ -7,7 +7,7 @@ use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
     Calibration, Checked, Class, Crop, Description, DotFormat, Dpi, Drawing, Embossing, Error, Event, Fault, Felt,
-    Finding, Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, PageOptions, Picture,
+    Finding, Fonts, Key, KeySheets, Label, Length, Limits, MmPoint, MmRect, Note, Options, Page, PageOptions, Picture,
     Position, Profile, RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
@@ -43,6 +43,8 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<KeySheets>();
     can_be_wrapped::<Crop>();
     can_be_wrapped::<Position>();
+    can_be_wrapped::<Length>();
+    can_be_wrapped::<Embossing>();
     can_be_wrapped::<Limits>();
     can_be_wrapped::<Tracing>();
     can_be_wrapped::<Box<dyn std::error::Error + Send + Sync>>();
@@ -246,7 +248,7 @@ fn what_cannot_be_lines_is_refused_when_it_is_given() {
         (b"a letter to somebody", "unknown-format", "not-a-page"),
         (&broken, "undecodable", "not-a-page"),
         (b"<svg", "undecodable", "undecodable"),
-        (b"P1 2 2 1 0 0 1", "too-small", "not-a-page"),
+        (b"P1 2 2 1 0 0 1", "too-few-pixels", "not-a-page"),
     ] {
         let told = String::from_utf8_lossy(bytes);
         assert_eq!(id(options().lines(bytes)), Some(lines), "{told}");
@@ -280,7 +282,8 @@ fn contours_are_those_of_the_page_that_a_person_corrects() {
 #[test]
 fn what_is_around_the_subject_is_left_calm() {
     let coffee = std::fs::read("samples/coffee.png").expect("a sample");
-    let at = |x: f32, y: f32| options().subject(Position::Percent(x), Position::Percent(y));
+    let percent = |at| Position::percent(at).expect("a number");
+    let at = |x: f64, y: f64| options().subject(percent(x), percent(y));
     let convert = |options: &Options| tactograph::convert(&coffee, options).expect("a page");
     let (plain, subject) = (convert(&options()), convert(&at(40.0, 20.0)));
     let lines = |drawing: &Drawing| drawing.page.figure.lines.iter().map(|line| line.length()).sum::<f32>();
@@ -334,17 +337,17 @@ fn medium(device: &str, pitch: f32, sheet: [f32; 2]) -> DotMedium {
 
 const A4: [f32; 2] = [210.0, 297.0];
 
-fn refused(pages: &[Page], format: DotFormat) -> String {
-    match write_dots("pages", pages, format, Embossing::default()) {
-        Err(error @ Error::CannotPress(_)) => error.to_string(),
-        other => panic!("{other:?}"),
-    }
+/// The sentence of an error of this kind.
+fn refused(pages: &[Page], format: DotFormat, id: &str) -> String {
+    let refused = write_dots("pages", pages, format, Embossing::default()).expect_err(id);
+    assert_eq!(refused.id(), id, "{refused}");
+    refused.to_string()
 }
 
 #[test]
 fn no_pages_are_no_file() {
     assert_eq!(write_pdf("nothing", &[]), Err(Error::NoPages));
-    for format in DotFormat::ALL {
+    for &format in DotFormat::ALL {
         let written = write_dots("nothing", &[], format, Embossing::default());
         assert_eq!(written, Err(Error::NoPages), "{}", format.name());
     }
@@ -355,13 +358,13 @@ fn pages_that_do_not_go_into_one_file_are_refused() {
     let v4 = page_of(medium("index-basic-d-v4", 2.0, A4), A4);
     let v5 = page_of(medium("index-basic-d-v5", 2.0, A4), A4);
     for format in [DotFormat::Idx, DotFormat::Ubrl, DotFormat::Pef, DotFormat::Pixels, DotFormat::Txt] {
-        let told = refused(&[v4.clone(), v5.clone()], format);
+        let told = refused(&[v4.clone(), v5.clone()], format, "not-together");
         assert!(told.contains("Basic-D V4 and Index Basic-D V5"), "{told}");
     }
     let finer = page_of(medium("index-basic-d-v4", 1.6, A4), A4);
     let turned = page_of(medium("index-basic-d-v4", 2.0, [297.0, 210.0]), [297.0, 210.0]);
     for other in [finer, turned] {
-        let told = refused(&[v4.clone(), other.clone()], DotFormat::Idx);
+        let told = refused(&[v4.clone(), other.clone()], DotFormat::Idx, "not-together");
         assert!(told.contains("different sheets or pitches"), "{told}");
         // Each page of the others says how large it is.
         let written = write_dots("pages", &[v4.clone(), other], DotFormat::Pixels, Embossing::default());
@@ -373,12 +376,12 @@ fn pages_that_do_not_go_into_one_file_are_refused() {
 fn dots_that_a_format_cannot_hold_are_refused_and_not_dropped() {
     let mut on_grid = medium("braillerap-a4", 2.5, A4);
     on_grid.area = medium("index-basic-d-v4", 2.5, A4).area;
-    let told = refused(&[page_of(on_grid, A4)], DotFormat::Gcode);
+    let told = refused(&[page_of(on_grid, A4)], DotFormat::Gcode, "not-its-dots");
     assert!(told.contains("lie on a grid"), "{told}");
     let mut anywhere = medium("index-basic-d-v4", 2.5, A4);
     anywhere.area = DotArea::Free(MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(200.0, 280.0)));
     for format in [DotFormat::Idx, DotFormat::Ubrl, DotFormat::Pef, DotFormat::Pixels, DotFormat::Txt] {
-        let told = refused(&[page_of(anywhere.clone(), A4)], format);
+        let told = refused(&[page_of(anywhere.clone(), A4)], format, "not-its-dots");
         assert!(told.contains("no grid"), "{told}");
     }
 }
@@ -407,7 +410,8 @@ fn languages_are_listed_and_written() {
 fn classes_are_found_by_their_names() {
     assert_eq!(Class::ALL.map(|class| Class::named(class.name())), Class::ALL.map(Ok));
     let refused = Class::named("Blue").expect_err("names are in lower case");
-    let told = "there is no class of colours called \"Blue\"; take one of blue, green, yellow, red, grey";
+    let told =
+        "there is no class of colours called \"Blue\", did you mean blue? Take one of blue, green, yellow, red, grey";
     assert_eq!((refused.id(), refused.to_string().as_str()), ("no-such-name", told));
 }
 
@@ -431,14 +435,6 @@ fn work_that_is_cancelled_ends_between_stages() {
             assert!(!begun.contains(&Stage::Lines), "{begun:?}");
         }
     }
-}
-
-#[test]
-fn an_embosser_says_all_that_it_refuses() {
-    let device = Device::named("index-basic-d-v4").expect("in the table");
-    assert_eq!(Embossing::default().check(device, A4, 2.0), Ok(()));
-    let refused = Embossing { copies: 0, impact: 9 }.check(device, A4, 2.0);
-    assert!(matches!(&refused, Err(Error::CannotPress(why)) if why.len() == 2), "{refused:?}");
 }
 
 #[test]

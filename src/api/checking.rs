@@ -1,6 +1,6 @@
 //! Whether a page is legible, and the page in sentences.
 
-use usvg::{ImageHrefResolver, Tree};
+use usvg::ImageHrefResolver;
 
 use super::feeling::felt;
 use super::page_options::{PageOptions, USUAL_FINGER};
@@ -8,7 +8,7 @@ use crate::description::{self, Description};
 use crate::legibility::{self, Checked, Drawn, Fingertip, Render, Rule};
 use crate::page::{Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
-use crate::raster::decode::{check_canvases, checked_document};
+use crate::raster::decode::{check_canvases, checked_document, tree_of};
 use crate::reading::Reading;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 use crate::wording::Wording;
@@ -31,7 +31,8 @@ use crate::{Error, pipeline, reading};
 /// ```
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken or over a limit,
+/// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken, [`Error::TooComplex`] if it
+/// is over a limit,
 /// [`Error::TooMuchMemory`] if it would take more than [`Limits::default`](crate::Limits) to draw,
 /// [`Error::Profile`] if the profile has faults, [`Error::Cancelled`].
 pub fn check(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Checked, Error> {
@@ -52,8 +53,8 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     let document = document(bytes)?;
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let parsing = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    let tree = Tree::from_xmltree(&document, &parsing).map_err(|fault| undecodable(fault.to_string()))?;
-    legibility::canvas_of(&tree).map_or(Ok(()), |size| check_canvases(&tree, size))?;
+    let tree = tree_of(&document, &parsing)?;
+    legibility::canvas_of(&tree).map_or(Ok(()), |size| check_canvases(&tree, legibility::to_canvas(), size))?;
     go_on()?;
     let is_written_anew = options.profile.is_none() && read.is_some_and(|read| read.is_changed);
     let render = if is_written_anew { Render::Mends } else { Render::LeavesAsItIs };
@@ -82,27 +83,33 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     Ok(Checked { notes, ..checked })
 }
 
-fn undecodable(why: String) -> Error {
-    Error::Undecodable { format: "SVG", why: why.replace(['\n', '\r'], " ") }
-}
-
 /// # Errors
-/// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken or over a limit.
+/// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] and [`Error::TooComplex`].
 fn document(bytes: &[u8]) -> Result<usvg::roxmltree::Document<'_>, Error> {
-    checked_document(reading::text_of(bytes)?).map_err(undecodable)
+    checked_document(reading::text_of(bytes)?)
 }
 
 impl Checked {
     /// The page that was checked, an SVG, with a layer on top, `findings`, in which a box is drawn around each finding.
     ///
     /// # Errors
-    /// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken or over a limit.
+    /// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken, and
+    /// [`Error::TooComplex`] if it is over a limit.
     pub fn marked(&self, page: impl AsRef<[u8]>) -> Result<String, Error> {
         Ok(legibility::marked(&document(page.as_ref())?, self))
     }
 }
 
 impl Rule {
+    /// The number that it asks for on pages of a profile, and its unit (`mm`, `square mm`, `%`, `dots`, `textures`);
+    /// none where it has none.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] if the profile has faults.
+    pub fn limit(&self, profile: &Profile) -> Result<Option<(f32, &'static str)>, Error> {
+        Ok(self.number(&Plan::new(profile)?.limits()))
+    }
+
     /// All rules as a text, one a line, with their numbers for pages of a profile.
     ///
     /// # Errors
@@ -113,18 +120,30 @@ impl Rule {
 }
 
 /// Describes a page in plain sentences, the most important first: the SVG of a page, as
-/// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. The last sentence is the
-/// verdict of [`check`].
+/// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. What somebody drew or typed
+/// is told as [`render`](crate::render) makes it. The last sentence is the verdict of [`check`], which is part of the
+/// work; its findings are not told. Without a [language](PageOptions::language) the sentences are in that of the page's
+/// own description, and in English where that is none of [`Description::languages`].
+///
+/// ```
+/// use tactograph::{Options, PageOptions, Profile};
+///
+/// let options = Options::new(Profile::named("swell-a4")?).title("A cup of coffee");
+/// let svg = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page.to_svg();
+/// let described = tactograph::describe(&svg, &PageOptions::new())?;
+/// let about: Vec<&str> = described.sentences.iter().map(|(about, _)| *about).collect();
+/// assert_eq!((about[0], about[1], about[about.len() - 1]), ("title", "sheet", "verdict"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
-/// As [`check`], [`Error::NotAPage`] also of a drawing that has no layers of a page, and [`Error::NoSentences`] of a
+/// As [`check`], [`Error::NotAPage`] also of a drawing that has no layers of a page, and [`Error::NoSuchName`] of a
 /// language that is none of [`Description::languages`].
 pub fn describe(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Description, Error> {
     let wording = options.language.as_deref().map(|tag| {
-        Wording::of_language(tag).ok_or_else(|| Error::NoSentences {
-            language: tag.to_owned(),
-            known: Wording::languages().collect::<Vec<_>>().join(", "),
-        })
+        let known: Vec<&str> = Wording::languages().collect();
+        Wording::of_language(tag)
+            .ok_or_else(|| Error::no_such_name("language of descriptions", tag, &known, Vec::new()))
     });
     let wording = wording.transpose()?;
     let bytes = page.as_ref();

@@ -4,8 +4,10 @@ use std::sync::{Arc, OnceLock};
 
 use usvg::fontdb::{Database, Family, Query};
 
+use crate::Error;
+
 /// Fonts for the text of SVG drawings, and for words in print of a page that is written as PNG; nothing else needs any.
-/// They are read when they are first needed, and once: clones share them.
+/// Those that are installed are read when they are first needed, and once: clones share them.
 ///
 /// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells; it is no label
 /// either.
@@ -18,7 +20,7 @@ struct SharedFonts {
 }
 
 enum FontSource {
-    Data(Vec<Vec<u8>>),
+    Data,
     #[cfg(feature = "system-fonts")]
     System,
 }
@@ -29,9 +31,22 @@ impl Fonts {
         Self(None)
     }
 
-    /// Fonts from the bytes of font files (TTF, OTF or collections of them). What is no font is passed over.
-    pub fn from_data(files: Vec<Vec<u8>>) -> Self {
-        Self::of(FontSource::Data(files))
+    /// Fonts from the bytes of font files (TTF, OTF or collections of them).
+    ///
+    /// # Errors
+    /// [`Error::NotAFont`] for the first file that is none, such as a WOFF, or a page of a server that has no font.
+    pub fn from_data(files: Vec<Vec<u8>>) -> Result<Self, Error> {
+        let mut fonts = Database::new();
+        for (i, file) in files.into_iter().enumerate() {
+            let before = fonts.len();
+            fonts.load_font_data(file);
+            if fonts.len() == before {
+                return Err(Error::NotAFont { file: i + 1 });
+            }
+        }
+        give_generic_families_a_font(&mut fonts);
+        let loaded = OnceLock::from(Arc::new(fonts));
+        Ok(Self(Some(Arc::new(SharedFonts { source: FontSource::Data, loaded }))))
     }
 
     /// The fonts that are installed on this machine. Reading their list takes some tens of milliseconds, once.
@@ -39,11 +54,7 @@ impl Fonts {
     /// With the feature `system-fonts`, which the feature `cli` brings.
     #[cfg(feature = "system-fonts")]
     pub fn system() -> Self {
-        Self::of(FontSource::System)
-    }
-
-    fn of(source: FontSource) -> Self {
-        Self(Some(Arc::new(SharedFonts { source, loaded: OnceLock::new() })))
+        Self(Some(Arc::new(SharedFonts { source: FontSource::System, loaded: OnceLock::new() })))
     }
 
     /// The fonts, read now if they have not been before.
@@ -58,7 +69,7 @@ impl std::fmt::Debug for Fonts {
         let source = self.0.as_ref().map(|shared| &shared.source);
         f.write_str(match source {
             None => "Fonts::none()",
-            Some(FontSource::Data(_)) => "Fonts::from_data(..)",
+            Some(FontSource::Data) => "Fonts::from_data(..)",
             #[cfg(feature = "system-fonts")]
             Some(FontSource::System) => "Fonts::system()",
         })
@@ -69,7 +80,8 @@ impl FontSource {
     fn load(&self) -> Database {
         let mut fonts = Database::new();
         match self {
-            Self::Data(files) => files.iter().for_each(|file| fonts.load_font_data(file.clone())),
+            // they were loaded when they were given
+            Self::Data => {}
             #[cfg(feature = "system-fonts")]
             Self::System => fonts.load_system_fonts(),
         }
@@ -109,9 +121,18 @@ mod tests {
 
     #[test]
     fn fonts_are_loaded_once_and_shared_by_clones() {
-        let fonts = Fonts::from_data(vec![b"no font".to_vec()]);
+        let fonts = Fonts::from_data(Vec::new()).expect("no file that is no font");
         let clone = fonts.clone();
         assert!(Arc::ptr_eq(&fonts.database(), &clone.database()));
         assert!(fonts.database().is_empty() && Fonts::none().database().is_empty());
+    }
+
+    #[test]
+    fn bytes_that_are_no_font_are_refused_by_their_number() {
+        let files: [&[u8]; 4] = [b"no font", b"", b"wOF2", b"\0\x01\0\0\0\x01"];
+        for file in files {
+            let refused = Fonts::from_data(vec![file.to_vec()]).expect_err("it is no font");
+            assert_eq!(refused, Error::NotAFont { file: 1 });
+        }
     }
 }

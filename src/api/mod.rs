@@ -42,13 +42,14 @@ use crate::{Error, calibration, reading};
 ///
 /// # Errors
 /// * [`Error::Profile`] with every fault of the profile.
-/// * Of the picture: [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], [`Error::IsAPage`],
-///   [`Error::NoSuchPage`]; over a [limit](crate::Limits) [`Error::TooManyPixels`], [`Error::TooMuchMemory`] or
-///   [`Error::UnpacksTooFar`]; [`Error::TooSmall`] with fewer than 8 pixels a side.
+/// * Of the picture: [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], [`Error::Locked`],
+///   [`Error::IsAPage`], [`Error::NoSuchPage`]; over a [limit](crate::Limits) [`Error::TooManyPixels`],
+///   [`Error::TooMuchMemory`] or [`Error::UnpacksTooFar`], over one that stays [`Error::TooComplex`];
+///   [`Error::TooFewPixels`] with fewer than 8 pixels a side.
 /// * Of the part that is drawn, and of those that are erased or kept: [`Error::NotInPicture`], [`Error::PartInMm`],
 ///   [`Error::NotInFigure`].
-/// * Of the sheet: [`Error::NoWidth`], [`Error::TooWide`], [`Error::TooSmall`] with a side below `figure.min_side`, and
-///   [`Error::OffSheet`] if a mark would lie off it.
+/// * Of the sheet: [`Error::NoWidth`], [`Error::TooWide`]; with a side below `figure.min_side` [`Error::NotWideEnough`]
+///   where a width was asked for, and else [`Error::TooNarrow`]; [`Error::OffSheet`] if a mark would lie off it.
 /// * [`Error::OtherPart`] if lines or areas that were given are of a page of another part of the picture, and
 ///   [`Error::OtherShape`] if lines are of another picture; of those that are a picture also what only
 ///   its pixels tell.

@@ -148,10 +148,14 @@ impl Options {
         self
     }
 
-    /// Writes all words in braille, in place of the tables that come with the crate: for contracted braille,
-    /// say. Gets a text and gives its cells, a byte each (bit 0 is dot 1, bit 5 dot 6, 0 a blank), or says why
-    /// it cannot; such a text is left out and told. Is called from the thread that converts. Default: the
-    /// table of the language.
+    /// Writes words in braille, in place of the table of the language: for contracted braille (`braille.grade`), say.
+    /// Gets a title, a label or an entry of the key as one line, with single blanks between its words, and gives its
+    /// cells, a byte each: bit 0 is dot 1, bit 5 dot 6, 0 a blank, at which lines may be divided. Or it says why it
+    /// cannot, in a line for the maker of the page; such a text is left out and told
+    /// ([`Note::NotTranslated`](crate::Note::NotTranslated)), and so is one with dots 7 or 8. Page numbers and
+    /// abbreviations are spelled by the table of the language, where there is one, and by the translator only without.
+    /// Is called from the thread that converts, for a text perhaps more than once, and has to give the same each time.
+    /// Default: the table of the language.
     pub fn translator(mut self, translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static) -> Self {
         self.translate = Some(Arc::new(translate));
         self
@@ -159,8 +163,8 @@ impl Options {
 
     /// Reads the text that is found in pixels: gets pictures (PNG, black on white, level) of a line each, and gives as
     /// many texts, empty where it cannot read one; or says why it cannot read at all, which is told in
-    /// [`Note::TextsNotRead`](crate::Note::TextsNotRead). Is called from the thread that converts, at most once for a
-    /// picture. Default: nobody knows what such texts say.
+    /// [`Note::TextsNotRead`](crate::Note::TextsNotRead), as is another number of texts. Is called from the thread that
+    /// converts, at most once for a picture. Default: nobody knows what such texts say.
     pub fn text_reader(
         mut self,
         read: impl Fn(&[Vec<u8>]) -> Result<Vec<String>, String> + Send + Sync + 'static,
@@ -185,8 +189,8 @@ impl Options {
 
     /// Width of the figure on the sheet, mm, above 0; the height follows. More than there is room for is refused with
     /// [`Error::TooWide`](crate::Error::TooWide), less than the profile's `figure.min_side` on the shorter side with
-    /// [`Error::TooSmall`](crate::Error::TooSmall), what is no length with [`Error::NoWidth`](crate::Error::NoWidth).
-    /// Default: as wide as the sheet has room for.
+    /// [`Error::NotWideEnough`](crate::Error::NotWideEnough), what is no length with
+    /// [`Error::NoWidth`](crate::Error::NoWidth). Default: as wide as the sheet has room for.
     pub fn width_mm(mut self, width: f32) -> Self {
         self.fit.width = Some(width);
         self
@@ -223,8 +227,9 @@ impl Options {
     ///
     /// # Errors
     /// Of an SVG [`Error::NotAPage`] where its sheet is smaller than 5 mm or larger than 2500 mm, and
-    /// [`Error::Undecodable`] where it is broken or over a limit. Of a picture what its header says:
-    /// [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`] or [`Error::TooSmall`]. What only its pixels,
+    /// [`Error::Undecodable`] or [`Error::TooComplex`] where it is broken or over a limit. Of a picture what its header
+    /// says: [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], [`Error::TooComplex`],
+    /// [`Error::Locked`] or [`Error::TooFewPixels`]. What only its pixels,
     /// the [limits](Options::limits) or the other picture can tell is refused when that is converted:
     /// [`Error::OtherShape`] above all.
     pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
@@ -256,8 +261,8 @@ impl Options {
     /// and a shape that was drawn and filled with a colour is an area of it. Called again, the last counts.
     ///
     /// # Errors
-    /// [`Error::NotAPage`] if it is no SVG or has none of the layers of a page, and [`Error::Undecodable`] where it is
-    /// broken or over a limit.
+    /// [`Error::NotAPage`] if it is no SVG or has none of the layers of a page, and [`Error::Undecodable`] or
+    /// [`Error::TooComplex`] where it is broken or over a limit.
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read(svg.as_ref())?)?;
         let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
@@ -335,7 +340,9 @@ impl Options {
 
     /// Is asked between stages, from the thread that converts, whether the result is still wanted; once it is not, the
     /// work ends with [`Error::Cancelled`](crate::Error::Cancelled). A stage takes a fraction of a second on a photo of
-    /// 12 megapixels; where many labels look for room, the last one takes longer. Default: it is always wanted.
+    /// 12 megapixels; where many labels look for room, the last one takes longer, and so does decoding a drawing with
+    /// filters, up to about 10 s (more is refused with [`Error::TooComplex`](crate::Error::TooComplex)). Default: it is
+    /// always wanted.
     ///
     /// ```
     /// use std::sync::Arc;

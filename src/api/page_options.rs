@@ -50,7 +50,7 @@ impl PageOptions {
 
     /// The language of a description as a tag of BCP 47, such as `de` or `de-CH`: one of
     /// [`Description::languages`](crate::Description::languages), or [`describe`](crate::describe) gives
-    /// [`Error::NoSentences`]. Default: that of the page's own description.
+    /// [`Error::NoSuchName`]. Default: that of the page's own description.
     pub fn language(mut self, tag: impl Into<String>) -> Self {
         self.language = Some(tag.into());
         self
@@ -69,7 +69,9 @@ impl PageOptions {
     ///
     /// Measured on two busy cores: an A4 page takes 0.3 s; the largest that can be felt, 700 x 700 mm full of textures
     /// and lines, 8 s, with at most 1.7 s from one question to the next. Of the largest that is read at all, with five
-    /// million points, a check takes 34 s and a description 53 s, with up to 17 s between two questions.
+    /// million points, a check takes 34 s and a description 53 s, with up to 17 s between two questions. A drawing with
+    /// filters is rendered without a question; one whose filters would take more than about 10 s is refused
+    /// ([`Error::TooComplex`]).
     pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         self.cancelled = Some(Arc::new(asked));
         self

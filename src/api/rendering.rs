@@ -43,8 +43,9 @@ impl RenderOptions {
         self
     }
 
-    /// Writes words anew in the cells that it gives, as [`Options::translator`](crate::Options::translator) does: for
-    /// pages in contracted braille. Default: the table of the page's language.
+    /// Writes words anew in the cells that it gives, as [`Options::translator`](crate::Options::translator) says: for
+    /// pages in contracted braille, by [`language_of_page`]. Words of a page that stays on its device stay as they are,
+    /// but for those that a person typed. Default: the table of the page's language.
     pub fn translator(mut self, translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static) -> Self {
         self.translate = Some(Arc::new(translate));
         self
@@ -94,8 +95,9 @@ impl fmt::Debug for RenderOptions {
 /// ```
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; [`Error::Profile`] with
-/// the faults of the profile; [`Error::TooSmall`] if the figure would have a side below its `figure.min_side` there;
+/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if it is over a
+/// limit; [`Error::Profile`] with the faults of the profile; [`Error::TooNarrow`] if the figure would have a side below
+/// its `figure.min_side` there;
 /// [`Error::OffSheet`] if a mark would lie off the sheet; [`Error::Cancelled`].
 pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing, Error> {
     rendered(svg.as_ref(), options)
@@ -196,7 +198,8 @@ impl Profile {
     /// page does not say, or says of a profile that is not known, is that of the first of [`Profile::built_in`].
     ///
     /// # Errors
-    /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit.
+    /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if over a
+    /// limit.
     pub fn of_page(svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         Ok(Self::of_origin(&reading::read(svg.as_ref())?.page.origin)?.0)
     }
@@ -205,7 +208,7 @@ impl Profile {
 /// The language of a page's words (BCP 47), such as `de`: what a [translator](RenderOptions::translator) is chosen by.
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit.
+/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if over a limit.
 pub fn language_of_page(svg: impl AsRef<[u8]>) -> Result<String, Error> {
     Ok(reading::read(svg.as_ref())?.page.language.clone())
 }

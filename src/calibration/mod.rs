@@ -72,7 +72,7 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
     if let MediumParams::Dots { device, pitch } = plan.medium() {
         let dots = DotMedium::on(device, pitch, [width, height])
-            .ok_or_else(|| Error::NoRoom { sample: "dot".to_owned(), sheet: format!("{width} x {height} mm") })?;
+            .map_err(|_| Error::NoRoom { sample: "dot".to_owned(), sheet: format!("{width} x {height} mm") })?;
         return dotted::sheets(plan, dots);
     }
     let area = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);

@@ -204,7 +204,9 @@ impl PagesOfPicture {
         } else {
             Vec::new()
         };
-        let encode = |format| sheets::encode(&title, &pages, format, chosen, args.embossing.numbers());
+        // what is out of its range was told before anything was done
+        let embossing = args.embossing.numbers().unwrap_or_default();
+        let encode = |format| sheets::encode(&title, &pages, format, chosen, embossing);
         let (files, previews) = timings.step("write", || {
             let files = encode(chosen.format)?;
             let previews = chosen.preview.map(Format::Drawing).map_or_else(|| Ok(Vec::new()), encode)?;

@@ -22,7 +22,7 @@ pub(super) fn run(args: &Describe) -> Exit {
             }
         },
         Err(error) => {
-            let is_usage = matches!(error.downcast_ref(), Some(tactograph::Error::NoSentences { .. }));
+            let is_usage = matches!(error.downcast_ref(), Some(tactograph::Error::NoSuchName { .. }));
             let (place, exit) = if is_usage { ("--lang", Exit::Usage) } else { (&page[..], Exit::Failed) };
             report.error(place, &format!("{error:#}"));
             exit
@@ -36,7 +36,7 @@ fn described(args: &Describe) -> anyhow::Result<String> {
     let other = input::other_than_svg(&args.page, "describe");
     let options = args.lang.iter().fold(PageOptions::new(), PageOptions::language);
     let description = match (tactograph::describe(bytes, &options), other) {
-        (Err(error), Some(why)) if !matches!(error, tactograph::Error::NoSentences { .. }) => anyhow::bail!("{why}"),
+        (Err(error), Some(why)) if !matches!(error, tactograph::Error::NoSuchName { .. }) => anyhow::bail!("{why}"),
         (description, _) => description?,
     };
     Ok(if args.json { description.to_json() } else { description.to_string() })

@@ -6,9 +6,12 @@ use super::args::Embossing;
 
 impl Embossing {
     /// What these options say together; each not given is as usual.
-    pub(super) fn numbers(&self) -> Numbers {
+    ///
+    /// # Errors
+    /// If a number is out of its range.
+    pub(super) fn numbers(&self) -> Result<Numbers, Error> {
         let usual = Numbers::default();
-        Numbers { copies: self.copies.unwrap_or(usual.copies), impact: self.impact.unwrap_or(usual.impact) }
+        Numbers::new(self.copies.unwrap_or(usual.copies()), self.impact.unwrap_or(usual.impact()))
     }
 }
 
@@ -28,19 +31,12 @@ pub(super) fn faults(format: Format, profile: &Profile, embossing: &Embossing) -
             profile.name,
             format.example_profile()
         )),
-        Some(device) => match format.refusal(device) {
-            Some(why) => faults.push(why),
-            None if format == DotFormat::Idx => {
-                let page = &profile.page;
-                // as the device has it; profiles may be a hundredth off
-                let pitch = device.pitches().find(profile.dots.pitch).unwrap_or(profile.dots.pitch);
-                match embossing.numbers().check(device, [page.width, page.height], pitch) {
-                    Ok(()) => {}
-                    Err(Error::CannotPress(why)) => faults.extend(why),
-                    Err(other) => faults.push(other.to_string()),
-                }
+        Some(device) => match format.check(device) {
+            Err(why) => faults.push(why.to_string()),
+            Ok(()) if format == DotFormat::Idx => {
+                faults.extend(embossing.numbers().err().map(|why| why.to_string()));
             }
-            None => {}
+            Ok(()) => {}
         },
     }
     faults

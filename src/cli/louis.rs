@@ -39,12 +39,12 @@ const BY_LANGUAGE: &str = "contracted";
 /// In one line, if there is no such table, or liblouis is not installed.
 pub(super) fn wanted(asked: Option<&str>, profile: &Profile, language: &str) -> Result<Option<String>, String> {
     let code = match profile.get("braille.code") {
-        Some(Value::Text(code)) if code != "auto" => Some(code),
+        Ok(Value::Text(code)) if code != "auto" => Some(code),
         _ => None,
     };
     let language = code.as_deref().unwrap_or(language);
-    let is_off = profile.get("braille.on") == Some(Value::Switch(false));
-    let is_contracted = profile.get("braille.grade") == Some(Value::Number(2.0));
+    let is_off = profile.get("braille.on") == Ok(Value::Switch(false));
+    let is_contracted = profile.get("braille.grade") == Ok(Value::Number(2.0));
     match asked {
         _ if is_off => Ok(None),
         Some(name) => table(name, language, &format!("--braille-table {name}")).map(Some),

@@ -59,7 +59,7 @@ pub(super) fn show(name: &str, report: &Report) -> Exit {
         return print(&with_ranges(profile.text), report);
     }
     match settings::load(name) {
-        Ok(profile) => print(&profile.to_toml(), report),
+        Ok(profile) => print(&profile.to_toml_in_full(), report),
         Err(faults) => {
             faults.iter().for_each(|fault| report.error(&fault.place, &fault.what));
             Exit::Usage

@@ -42,7 +42,9 @@ pub(super) fn run(args: &Render) -> Exit {
     };
     let formats = [Some(chosen.format), chosen.preview.map(Format::Drawing)];
     sheets::not_in(&pages, formats).into_iter().for_each(|note| report.note(&page, &remedies::of_note(&note)));
-    match sheets::write_pages((&title, &pages), (chosen, args.embossing.numbers()), &args.output, args.force) {
+    // what is out of its range was told before anything was done
+    let embossing = args.embossing.numbers().unwrap_or_default();
+    match sheets::write_pages((&title, &pages), (chosen, embossing), &args.output, args.force) {
         Ok(names) => {
             names.iter().for_each(|name| report.done(&format!("wrote {name}")));
             Exit::Done
@@ -114,7 +116,7 @@ fn contracted(
     tell: impl Fn(&str),
 ) -> Result<(Option<Profile>, Option<String>), String> {
     const GRADE: &str = "braille.grade";
-    let is_contracted = |profile: &Profile| profile.get(GRADE) == Some(Value::Number(2.0));
+    let is_contracted = |profile: &Profile| profile.get(GRADE) == Ok(Value::Number(2.0));
     let is_set = args.set.iter().any(|set| set.split('=').next().is_some_and(|key| key.trim() == GRADE));
     let mut other = other.cloned();
     if let Some(other) = other.as_mut().filter(|_| is_contracted(own) && !is_set) {

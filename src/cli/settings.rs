@@ -94,9 +94,7 @@ pub(super) fn faults_of(error: Error) -> Vec<Fault> {
 pub(super) fn load(profile: &str) -> Result<Profile, Vec<Fault>> {
     if !Profile::is_path(profile) {
         return Profile::named(profile).map_err(|error| {
-            let mut faults = faults_of(error);
-            faults.iter_mut().for_each(|fault| fault.what += "; for a file of your own give a name that ends in .toml");
-            faults
+            vec![Fault::new("profile", format!("{error}; for a file of your own give a name that ends in .toml"))]
         });
     }
     let text = text_of(profile).map_err(|what| vec![Fault::new(profile, what)])?;

@@ -1,14 +1,20 @@
 //! Where a device can put dots on a sheet, and what is wrong with sheets and pitches it has no room for.
 
 use super::device::{CELL_DOT, DOT_20_DPI, Device, DotArea, Family, Grid, PIN, SAME, same};
+use crate::Error;
 use crate::units::{MmPoint, MmRect};
 
 impl Device {
     /// Where dots can be on a sheet of this width and length, mm, with this pitch, mm.
     ///
     /// # Errors
-    /// All faults at once, each a line that says what the device can do instead.
-    pub fn dot_area(&self, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
+    /// [`Error::CannotPress`] with every fault of the sheet and the pitch, each with what the device can do instead.
+    pub fn dot_area(&self, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Error> {
+        self.dots_on(sheet, pitch).map_err(Error::CannotPress)
+    }
+
+    /// As [`Device::dot_area`], with the faults one by one: those of the sheet first.
+    pub(crate) fn dots_on(&self, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
         of(self, sheet, pitch)
     }
 }

@@ -128,7 +128,7 @@ fn cells_stand_apart_and_in_the_middle() {
 #[test]
 fn all_faults_are_told_with_what_the_device_can_do() {
     let faults =
-        |id: &str, sheet, pitch| Device::named(id).expect("in the table").dot_area(sheet, pitch).expect_err("a fault");
+        |id: &str, sheet, pitch| Device::named(id).expect("in the table").dots_on(sheet, pitch).expect_err("a fault");
     assert_eq!(
         faults("index-everest-d-v5", [300.0, 700.0], 1.8),
         [
@@ -160,7 +160,7 @@ fn all_faults_are_told_with_what_the_device_can_do() {
     for odd in [f32::NAN, f32::INFINITY, -1.0, 0.0] {
         for device in Device::ALL {
             assert_eq!(
-                device.dot_area([odd, odd], odd).map_err(|faults| faults.is_empty()),
+                device.dots_on([odd, odd], odd).map_err(|faults| faults.is_empty()),
                 Err(false),
                 "{}",
                 device.id

@@ -35,6 +35,11 @@ struct DrawnInk {
     black: Vec<bool>,
 }
 
+/// What leads to the canvas on which a drawing is looked at.
+pub fn to_canvas() -> Transform {
+    Transform::from_scale(SCALE, SCALE)
+}
+
 /// The size of the canvas on which a drawing is looked at; none if that is too large.
 pub fn canvas_of(tree: &Tree) -> Option<Size> {
     let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * SCALE).ceil());
@@ -135,7 +140,7 @@ impl DrawnInk {
         let size = canvas_of(tree)?;
         let mut canvas = Pixmap::new(size.width, size.height)?;
         canvas.fill(Color::WHITE);
-        resvg::render(tree, Transform::from_scale(SCALE, SCALE), &mut canvas.as_mut());
+        resvg::render(tree, to_canvas(), &mut canvas.as_mut());
         let black = canvas.data().chunks_exact(4).map(is_ink).collect();
         Some(Self { size, black })
     }

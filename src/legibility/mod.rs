@@ -34,7 +34,7 @@ mod words;
 pub use finding::{Finding, Render};
 pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
-pub use ink::canvas_of;
+pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APPROACH, BEND_LEAST, SMALL_RING};
 pub use layer::{LAYER, marked};
 pub use limits::{MediumLimits, RuleLimits};

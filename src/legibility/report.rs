@@ -36,7 +36,7 @@ impl Checked {
         self.findings.len() - self.errors()
     }
 
-    /// The number that a rule asks for on this page and its unit (`mm`, `mm2`, `%`, `dots`); none where it has none.
+    /// The number that a rule asks for on this page and its unit, as [`Rule::limit`] gives it for a profile.
     pub fn limit(&self, rule: &Rule) -> Option<(f32, &'static str)> {
         rule.number(&self.limits)
     }
@@ -149,8 +149,8 @@ fn place(finding: &Finding) -> String {
 }
 
 impl Finding {
-    /// What to do about it.
-    fn remedy(&self) -> String {
+    /// What to do about it: what its rule says, and where `render` puts it right that this may be printed.
+    pub fn remedy(&self) -> String {
         match self.mended {
             Some(mended) => {
                 format!("print what render makes of the page, as it {mended}; or {}", self.rule.remedy)

@@ -1,49 +1,23 @@
 //! Pages of dots in the files that embossers, braille programs and pin displays take.
 
-use super::dots::{DocumentWords, DotMatrix, brf, dots, gcode, index, pef, pixels, text, ubrl};
+use super::dots::index::{self, Embossing};
+use super::dots::{DocumentWords, DotMatrix, brf, dots, gcode, pef, pixels, text, ubrl};
 use super::format::DotFormat;
 use crate::Error;
-use crate::devices::{Device, DotArea};
+use crate::devices::DotArea;
 use crate::page::{BrailleText, DotMedium, Medium, Page, Pen, Shape, TextRole};
-
-/// What an Index embosser is told beside the dots; other devices ignore it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Embossing {
-    /// How many copies it makes, 1 to 999; [`Error::CannotPress`] outside of it.
-    pub copies: u16,
-    /// How hard it strikes, 1 to 3; [`Error::CannotPress`] outside of it.
-    pub impact: u8,
-}
-
-impl Default for Embossing {
-    /// One copy, struck as usual.
-    fn default() -> Self {
-        Self { copies: 1, impact: 1 }
-    }
-}
-
-impl Embossing {
-    /// Whether an Index embosser takes a sheet of this width and length, mm, with dots this far apart, mm, and these
-    /// numbers.
-    ///
-    /// # Errors
-    /// [`Error::CannotPress`] with everything for which it refuses.
-    pub fn check(&self, device: &Device, sheet: [f32; 2], pitch: f32) -> Result<(), Error> {
-        self.params(device, sheet, pitch).map(drop)
-    }
-
-    fn params(&self, device: &Device, sheet: [f32; 2], pitch: f32) -> Result<index::Params, Error> {
-        index::Params::new(device, sheet, pitch, self.copies, self.impact).map_err(Error::CannotPress)
-    }
-}
 
 /// The files of pages that belong together: one where the format holds them all, else one a page. `title` is what they
 /// are called as a whole, such as [`Options::document_title`](crate::Options::document_title). Only a PEF that holds
 /// them all says it; files of one page say that page's own title, and the other formats have no place for words.
 ///
 /// # Errors
-/// [`Error::NoPages`] without pages; [`Error::CannotPress`] if a page is not one of dots or has other marks, pages are
-/// for different devices, or the device does not take the format or cannot reach all dots.
+/// * [`Error::NoPages`] without pages.
+/// * [`Error::NotOfDots`] if a page is for printing, and [`Error::NotAllDots`] if it has other marks.
+/// * [`Error::NotItsFormat`] if the device does not take the format.
+/// * [`Error::NotTogether`] if pages are for different devices, or an Index embosser would need different sheets.
+/// * [`Error::NotItsDots`] if dots are where the device or the format has none, and [`Error::CannotPress`] if an Index
+///   embosser does not take the sheet. Neither happens to pages that the crate made.
 pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossing) -> Result<Vec<Vec<u8>>, Error> {
     let pages = pages.iter().map(|page| Ok((page, medium_of(page, format)?))).collect::<Result<Vec<_>, Error>>()?;
     let &(first, medium) = pages.first().ok_or(Error::NoPages)?;
@@ -62,7 +36,8 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
         }
         DotFormat::Txt => one(text::write(&matrices()?)),
         DotFormat::Idx => {
-            let params = embossing.params(medium.device, first.sheet, medium.pitch)?;
+            let params = index::Params::new(medium.device, first.sheet, medium.pitch, embossing);
+            let params = params.map_err(Error::CannotPress)?;
             Ok(vec![index::write(&matrices()?, &params)])
         }
         DotFormat::Gcode => pages.iter().map(|(page, medium)| gcode_of(page, medium)).collect(),
@@ -75,25 +50,14 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
     }
 }
 
-fn cannot_press(why: String) -> Error {
-    Error::CannotPress(vec![why])
-}
-
 /// The dots of a page whose device takes the format.
 fn medium_of(page: &Page, format: DotFormat) -> Result<&DotMedium, Error> {
     match &page.medium {
-        Medium::Print(_) => Err(cannot_press(format!(
-            "{} holds dots, and the page is for printing; take a profile for dots, such as {}",
-            format.name().to_uppercase(),
-            format.example_profile()
-        ))),
-        Medium::Dots(medium) => match format.refusal(medium.device) {
-            Some(why) => Err(cannot_press(why)),
-            None if has_other_marks(page) => Err(cannot_press(
-                "the page has strokes or rhombuses, and its device presses dots; draw them as dots".to_owned(),
-            )),
-            None => Ok(medium),
-        },
+        Medium::Print(_) => Err(Error::NotOfDots { format: format.name(), profile: format.example_profile() }),
+        Medium::Dots(medium) => {
+            format.check(medium.device)?;
+            if has_other_marks(page) { Err(Error::NotAllDots) } else { Ok(medium) }
+        }
     }
 }
 
@@ -141,14 +105,14 @@ fn different(first: &DotMedium, other: &DotMedium) -> Error {
     } else {
         format!("the pages are for different devices, {} and {}", first.device.name, other.device.name)
     };
-    cannot_press(format!("{what}; write each in a file of its own"))
+    Error::NotTogether(what)
 }
 
 /// The dots of a page on the grid of its device.
 fn matrix_of(page: &Page, medium: &DotMedium) -> Result<DotMatrix, Error> {
     DotMatrix::of(page).ok_or_else(|| {
         let name = medium.device.name;
-        cannot_press(format!("the page for {name} has no grid of dots that this format could hold"))
+        Error::NotItsDots(format!("the page for {name} has no grid of dots that this format could hold"))
     })
 }
 
@@ -156,9 +120,7 @@ fn matrix_of(page: &Page, medium: &DotMedium) -> Result<DotMatrix, Error> {
 fn gcode_of(page: &Page, medium: &DotMedium) -> Result<Vec<u8>, Error> {
     let DotArea::Free(reach) = medium.area else {
         let name = medium.device.name;
-        return Err(cannot_press(format!(
-            "the dots of this page lie on a grid, which {name} does not have; lay the page out for its device"
-        )));
+        return Err(Error::NotItsDots(format!("the dots of this page lie on a grid, which {name} does not have")));
     };
     let params = gcode::Params {
         limits: [reach.width(), reach.height()],
@@ -169,5 +131,5 @@ fn gcode_of(page: &Page, medium: &DotMedium) -> Result<Vec<u8>, Error> {
     };
     let at: Vec<_> = dots(page).into_iter().map(|(at, _)| at).collect();
     let written = gcode::write(&at, &params).map(String::into_bytes);
-    written.map_err(|refused| cannot_press(refused.to_string()))
+    written.map_err(|refused| Error::NotItsDots(refused.to_string()))
 }

@@ -46,7 +46,7 @@ pub enum DotFormat {
 
 impl DrawingFormat {
     /// All of them, the usual one first.
-    pub const ALL: [Self; 3] = [Self::Svg, Self::Pdf, Self::Png];
+    pub const ALL: &'static [Self] = &[Self::Svg, Self::Pdf, Self::Png];
 
     /// Its name in lower case, which is also how the names of its files end.
     pub fn name(self) -> &'static str {
@@ -62,13 +62,14 @@ impl DrawingFormat {
     /// # Errors
     /// [`Error::NoSuchName`] with the names that there are.
     pub fn named(name: &str) -> Result<Self, Error> {
-        error::named(name, "format of drawings", Self::ALL, Self::name)
+        error::named(name, "format of drawings", Self::ALL.iter().copied(), Self::name)
     }
 }
 
 impl DotFormat {
     /// All of them.
-    pub const ALL: [Self; 7] = [Self::Ubrl, Self::Brf, Self::Pef, Self::Idx, Self::Gcode, Self::Pixels, Self::Txt];
+    pub const ALL: &'static [Self] =
+        &[Self::Ubrl, Self::Brf, Self::Pef, Self::Idx, Self::Gcode, Self::Pixels, Self::Txt];
 
     /// Its name in lower case.
     pub fn name(self) -> &'static str {
@@ -88,7 +89,7 @@ impl DotFormat {
     /// # Errors
     /// [`Error::NoSuchName`] with the names that there are.
     pub fn named(name: &str) -> Result<Self, Error> {
-        error::named(name, "format of dots", Self::ALL, Self::name)
+        error::named(name, "format of dots", Self::ALL.iter().copied(), Self::name)
     }
 
     /// How the names of its files end, without the point.
@@ -110,26 +111,16 @@ impl DotFormat {
     }
 
     /// Whether a device takes it.
-    pub fn goes_with(self, device: &Device) -> bool {
-        Self::of(device).contains(&self)
-    }
-
-    /// Why a device does not take it, and what it takes instead; none if it does.
-    pub fn refusal(self, device: &Device) -> Option<String> {
-        if self.goes_with(device) {
-            return None;
+    ///
+    /// # Errors
+    /// [`Error::NotItsFormat`], with what it takes instead.
+    pub fn check(self, device: &Device) -> Result<(), Error> {
+        let all = Self::of(device);
+        if all.contains(&self) {
+            return Ok(());
         }
-        let format = self.name().to_uppercase();
-        let names: Vec<&str> = Self::of(device).iter().map(|format| format.name()).collect();
-        let takes = match names.split_last() {
-            Some((last, [])) => (*last).to_owned(),
-            Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
-            None => String::new(),
-        };
-        let name = device.name;
-        Some(format!(
-            "{format} is not for {name}, which takes {takes}; take one of these, or SVG, PDF or PNG to look at"
-        ))
+        let takes = all.iter().map(|format| format.name()).collect();
+        Err(Error::NotItsFormat { format: self.name(), device: device.name, takes })
     }
 
     /// A built-in profile whose pages can be written in it.
@@ -146,7 +137,7 @@ impl DotFormat {
 
 impl Format {
     /// All of them, the usual one first.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: &'static [Self] = &[
         Self::Drawing(DrawingFormat::Svg),
         Self::Drawing(DrawingFormat::Pdf),
         Self::Drawing(DrawingFormat::Png),
@@ -172,7 +163,7 @@ impl Format {
     /// # Errors
     /// [`Error::NoSuchName`] with the names that there are.
     pub fn named(name: &str) -> Result<Self, Error> {
-        error::named(name, "format of pages", Self::ALL, Self::name)
+        error::named(name, "format of pages", Self::ALL.iter().copied(), Self::name)
     }
 
     /// How the names of its files end, without the point.
@@ -185,7 +176,7 @@ impl Format {
 
     /// The format of files whose names end so, in any case; `png` is the drawing.
     pub fn of_extension(extension: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
+        Self::ALL.iter().copied().find(|format| format.extension().eq_ignore_ascii_case(extension))
     }
 }
 

@@ -12,5 +12,6 @@ pub mod seal;
 pub mod svg;
 mod text;
 
-pub use dot_files::{Embossing, write as write_dots};
+pub use dot_files::write as write_dots;
+pub use dots::index::Embossing;
 pub use format::{DotFormat, DrawingFormat, Format};

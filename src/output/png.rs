@@ -99,13 +99,13 @@ const LEVEL: u8 = 6;
 /// bytes.
 ///
 /// # Errors
-/// [`Error::TooFine`] if that would be more pixels than is sensible.
+/// [`Error::TooFine`] if that would be more pixels than is sensible; [`Error::TooComplex`] and [`Error::NoMemory`] of a
+/// page that cannot be drawn.
 pub fn write(page: &Page, dpi: Dpi, depth: Depth, fonts: Arc<Database>) -> Result<Vec<u8>, Error> {
     let [width, height] = page.sheet.map(|side| dpi.pixels(side));
     let size = Size::new(width, height);
-    let too_fine = || Error::TooFine { size, dpi: dpi.0, limit_megapixels: MOST_MEGAPIXELS };
     if size.area() > MOST_MEGAPIXELS * 1_000_000 {
-        return Err(too_fine());
+        return Err(Error::TooFine { size, dpi: dpi.0, limit_megapixels: MOST_MEGAPIXELS });
     }
     // Heights are greys, which black and white would make all or nothing of.
     // So is print, of which they would make nothing.
@@ -125,7 +125,10 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth, fonts: Arc<Database>) -> Resul
         words: [(&page.title, &page.language), (&page.description, &page.description_language)],
         origin: Some(origin_lines(&page.origin).collect::<Vec<_>>().join("\n")),
     };
-    file.write(|out| rows(page, size, (dpi, depth), fonts, out)).map_err(|_| too_fine())
+    let options = usvg::Options { dpi: dpi.0 as f32, fontdb: fonts, ..usvg::Options::default() };
+    let tree = usvg::Tree::from_str(&svg::write(page), &options);
+    let tree = tree.map_err(|fault| Error::too_complex("page", fault.to_string()))?;
+    file.write(|out| rows(&tree, size, depth, out)).map_err(|_| Error::NoMemory { what: "a picture of the page" })
 }
 
 /// Whether these bytes are a PNG as [`write()`] makes it, changed by nobody since.
@@ -134,21 +137,13 @@ pub fn is_as_written(bytes: &[u8]) -> bool {
 }
 
 /// Renders the page band by band and writes its rows of pixels. Fails if there is no memory for a band.
-fn rows(
-    page: &Page,
-    size: Size,
-    (dpi, depth): (Dpi, Depth),
-    fonts: Arc<Database>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let options = usvg::Options { dpi: dpi.0 as f32, fontdb: fonts, ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(&svg::write(page), &options).map_err(io::Error::other)?;
+fn rows(tree: &usvg::Tree, size: Size, depth: Depth, out: &mut dyn Write) -> io::Result<()> {
     let rows = (BAND / size.width).clamp(1, size.height);
     let mut band = Pixmap::new(size.width, rows).ok_or(io::ErrorKind::OutOfMemory)?;
     let mut packed = Vec::new();
     for top in (0..size.height).step_by(rows as usize) {
         band.fill(Color::WHITE);
-        resvg::render(&tree, Transform::from_translate(0.0, -(top as f32)), &mut band.as_mut());
+        resvg::render(tree, Transform::from_translate(0.0, -(top as f32)), &mut band.as_mut());
         let shown = rows.min(size.height - top) as usize;
         for row in band.data().chunks_exact(4 * size.width as usize).take(shown) {
             // Black on white, so that one channel says it all.

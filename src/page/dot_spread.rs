@@ -26,7 +26,7 @@ pub(super) fn fit(
     params: &Params,
     (device, pitch): (&'static Device, f32),
 ) -> Option<Spread> {
-    let medium = DotMedium::on(device, pitch, sheet)?;
+    let medium = DotMedium::on(device, pitch, sheet).ok()?;
     let (usable, pitch, margin) = (medium.usable(), medium.pitch, params.margin);
     let origin = usable.min.to_vector();
     let params = Params { mark: params.mark.map(|mark| MarkParams { width: pitch, ..mark }), ..*params };

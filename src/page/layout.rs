@@ -71,7 +71,7 @@ fn fit_dots(
         Orientation::Auto => &[[short, long], [long, short]],
     };
     let on_sheet = |&size: &[f32; 2]| {
-        let medium = DotMedium::on(device, pitch, size)?;
+        let medium = DotMedium::on(device, pitch, size).ok()?;
         Some(dot_layout::fit(aspect, widest, size, params, medium))
     };
     let larger = |a: Layout, b: Layout| if b.figure.width() > a.figure.width() { b } else { a };

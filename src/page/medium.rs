@@ -1,5 +1,6 @@
 //! What a page is made for: ink on paper, or dots that a device raises. Decided once, when the page is laid out.
 
+use crate::Error;
 use crate::devices::{Device, DotArea, Grid};
 use crate::units::MmRect;
 
@@ -67,11 +68,13 @@ impl Medium {
 }
 
 impl DotMedium {
-    /// The dots of a device on a sheet of this width and length, mm; none if the device does not take the sheet or
-    /// has no such pitch.
-    pub fn on(device: &'static Device, pitch: f32, sheet: [f32; 2]) -> Option<Self> {
-        let area = device.dot_area(sheet, pitch).ok()?;
-        Some(Self { device, pitch, area })
+    /// The dots of a device on a sheet of this width and length, mm.
+    ///
+    /// # Errors
+    /// As [`Device::dot_area`]: if the device does not take the sheet or has no such pitch.
+    pub fn on(device: &'static Device, pitch: f32, sheet: [f32; 2]) -> Result<Self, Error> {
+        let area = device.dot_area(sheet, pitch)?;
+        Ok(Self { device, pitch, area })
     }
 
     /// No dot at all, for a sheet that the device does not take.

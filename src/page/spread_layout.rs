@@ -30,6 +30,16 @@ impl SheetGrid {
         fits.then_some(Self { across, down }).ok_or(Error::NotASheetGrid)
     }
 
+    /// How many sheets lie side by side.
+    pub fn across(self) -> u32 {
+        self.across
+    }
+
+    /// How many sheets lie one above the other.
+    pub fn down(self) -> u32 {
+        self.down
+    }
+
     /// All grids, those of fewer sheets first; of as many sheets, the nearer to a square.
     pub fn by_number() -> impl Iterator<Item = Self> {
         let all =

@@ -312,17 +312,10 @@ pub(super) fn working_size(source: Header, layout_of: &LayoutOf<'_>, fit: &Fit, 
     let side = place.width().min(place.height());
     if side < figure.min_side {
         let least = figure.min_side;
-        let why = match fit.width {
-            None => format!(
-                "so long and narrow a picture would be only {side:.1} mm wide on the sheet, and {least} mm is the \
-                 least; crop it"
-            ),
-            Some(_) => format!(
-                "at the width asked for, its shorter side would be only {side:.1} mm, and {least} mm is the least; \
-                 ask for more"
-            ),
-        };
-        return Err(Error::TooSmall { size, why });
+        return Err(match fit.width {
+            None => Error::TooNarrow { size, side, least },
+            Some(wanted) => Error::NotWideEnough { wanted, side, least },
+        });
     }
     let pixels = |mm: f32, own: u32| {
         let wanted = ((mm * figure.resolution).round() as u32).max(1);

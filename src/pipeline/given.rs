@@ -58,8 +58,8 @@ impl GivenLines {
     /// A picture of them, of which the header can be read.
     ///
     /// # Errors
-    /// [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], and [`Error::TooSmall`] where there are too
-    /// few pixels. What it may cost is a matter of [`Request::limits`](super::Request::limits).
+    /// [`Error::Empty`], [`Error::UnknownFormat`], [`Error::Undecodable`], [`Error::TooComplex`], [`Error::Locked`],
+    /// and [`Error::TooFewPixels`]. What it may cost is a matter of [`Request::limits`](super::Request::limits).
     pub fn picture(bytes: &[u8]) -> Result<Self, Error> {
         match decode::look_at(bytes, &|header| enough_pixels(header.size)) {
             Ok(()) | Err(Error::TooManyPixels { .. } | Error::TooMuchMemory { .. } | Error::UnpacksTooFar { .. }) => {

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use crate::Error;
-use crate::units::{MmPoint, MmRect, Size, WrittenUnit, number_and_unit};
+use crate::units::{Length, MmPoint, MmRect, Size};
 
 /// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
 pub(super) const CLEARANCE: f32 = 3.0;
@@ -19,14 +19,56 @@ pub struct Label {
     pub text: String,
 }
 
-/// A place along a side of the picture.
+/// A place along a side of the picture: a number that is finite, of pixels or of percent. What is off the picture is
+/// told by a note.
+///
+/// ```
+/// use tactograph::{Length, Position};
+/// let place = Position::percent(30.0)?;
+/// assert_eq!((place, place.length()), ("30%".parse()?, Length::Percent(30.0)));
+/// # Ok::<(), tactograph::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Position {
-    /// Percent of the side: 0 is the left or upper edge, 100 the other. What is outside is off the picture, which a
-    /// note tells.
-    Percent(f32),
-    /// Pixels of the picture from its left or upper edge.
-    Pixels(f32),
+pub struct Position(Place);
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Place {
+    Percent(f64),
+    Pixels(f64),
+}
+
+impl Position {
+    /// A place in percent of the side: 0 is the left or upper edge, 100 the other.
+    ///
+    /// # Errors
+    /// [`Error::NotAPosition`] if the number is not finite.
+    pub fn percent(percent: f64) -> Result<Self, Error> {
+        Self::of(Length::Percent(percent))
+    }
+
+    /// A place in pixels of the picture from its left or upper edge.
+    ///
+    /// # Errors
+    /// [`Error::NotAPosition`] if the number is not finite.
+    pub fn pixels(pixels: f64) -> Result<Self, Error> {
+        Self::of(Length::Pixels(pixels))
+    }
+
+    fn of(length: Length) -> Result<Self, Error> {
+        match length {
+            Length::Percent(percent) if percent.is_finite() => Ok(Self(Place::Percent(percent))),
+            Length::Pixels(pixels) if pixels.is_finite() => Ok(Self(Place::Pixels(pixels))),
+            _ => Err(Error::NotAPosition),
+        }
+    }
+
+    /// How far it is from the left or upper edge, as it was given.
+    pub fn length(self) -> Length {
+        match self.0 {
+            Place::Percent(percent) => Length::Percent(percent),
+            Place::Pixels(pixels) => Length::Pixels(pixels),
+        }
+    }
 }
 
 impl FromStr for Position {
@@ -35,40 +77,35 @@ impl FromStr for Position {
     /// From "30%", "412.5" or "412.5px".
     ///
     /// # Errors
-    /// [`Error::NotAPosition`] if it is no number, or one of mm.
+    /// [`Error::NotAPosition`] if it is no number that is finite, or one of mm.
     fn from_str(text: &str) -> Result<Self, Error> {
-        let (number, unit) = number_and_unit(text);
-        let number = number.parse().ok().filter(|number: &f32| number.is_finite()).ok_or(Error::NotAPosition)?;
-        match unit {
-            WrittenUnit::Percent => Ok(Self::Percent(number)),
-            WrittenUnit::Pixels => Ok(Self::Pixels(number)),
-            WrittenUnit::Mm => Err(Error::NotAPosition),
-        }
+        Length::of_text(text).ok_or(Error::NotAPosition).and_then(Self::of)
     }
 }
 
 /// As it is parsed: `30%`, `412.5`.
 impl std::fmt::Display for Position {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Percent(percent) => write!(f, "{percent}%"),
-            Self::Pixels(at) => write!(f, "{at}"),
-        }
+        self.length().fmt(f)
     }
 }
 
 impl Position {
     /// Where a place on the sheet is in a figure, across and down; one outside is at its edge.
     pub(super) fn in_figure(at: MmPoint, figure: MmRect) -> [Self; 2] {
-        let percent = |at: f32, low: f32, side: f32| Self::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
+        let percent = |at: f32, low: f32, side: f32| {
+            let percent = (100.0 * (at - low) / side).clamp(0.0, 100.0);
+            // of a figure without extent, its edge
+            Self::percent(percent.into()).unwrap_or(Self(Place::Percent(0.0)))
+        };
         [percent(at.x, figure.min.x, figure.width()), percent(at.y, figure.min.y, figure.height())]
     }
 
     /// Share of the side, 0 to 1 within the picture.
     pub(super) fn share(self, pixels: u32) -> f32 {
-        match self {
-            Self::Percent(percent) => 0.01 * percent,
-            Self::Pixels(at) => at / pixels as f32,
+        match self.0 {
+            Place::Percent(percent) => 0.01 * percent as f32,
+            Place::Pixels(at) => at as f32 / pixels as f32,
         }
     }
 }

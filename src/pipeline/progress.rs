@@ -44,7 +44,7 @@ impl Stage {
     }
 
     /// All of them, in the order in which they run.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: &'static [Self] = &[
         Self::Decode,
         Self::Text,
         Self::Edges,
@@ -105,15 +105,15 @@ impl Progress {
             Event::End(stage) | Event::Skip(stage, _) => self.set(stage, 1.0),
             Event::Done(_) => {}
         }
-        let stages = || Stage::ALL.into_iter().filter(|stage| *stage <= self.last).map(|stage| stage as usize);
+        let stages = || Stage::ALL.iter().filter(|stage| **stage <= self.last).map(|stage| *stage as usize);
         let whole: f32 = stages().map(|stage| COST[stage]).sum();
         stages().map(|stage| self.done[stage] * COST[stage]).sum::<f32>() / whole
     }
 
     /// Once a stage begins, what never runs beside or after it is done, also where it was not told of.
     fn end_before(&mut self, begun: Stage) {
-        for stage in Stage::ALL.into_iter().filter(|stage| stage.turn() < begun.turn()) {
-            self.set(stage, 1.0);
+        for stage in Stage::ALL.iter().filter(|stage| stage.turn() < begun.turn()) {
+            self.set(*stage, 1.0);
         }
     }
 

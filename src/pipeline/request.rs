@@ -109,11 +109,10 @@ impl Fit {
 const MIN_PIXELS: u32 = 8;
 
 /// # Errors
-/// [`Error::TooSmall`] if a picture of this size has too few pixels for a contour.
+/// [`Error::TooFewPixels`] if a picture of this size has too few for a contour.
 pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
     if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
-        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
-        return Err(Error::TooSmall { size, why });
+        return Err(Error::TooFewPixels { size, least: MIN_PIXELS });
     }
     Ok(())
 }

@@ -46,7 +46,7 @@ impl Profile {
         let (Some(device), true) = (self.dots.device, self.sound(PRESSED)) else { return Vec::new() };
         let [short, long] = [self.page.width.min(self.page.height), self.page.width.max(self.page.height)];
         let (upright, across) = ([short, long], [long, short]);
-        let area = |sheet| device.dot_area(sheet, self.dots.pitch);
+        let area = |sheet| device.dots_on(sheet, self.dots.pitch);
         let refused = match self.page.orientation {
             Orientation::Portrait => area(upright).err(),
             Orientation::Landscape => area(across).err(),

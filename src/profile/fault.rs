@@ -77,7 +77,7 @@ pub(super) fn quoted_path(names: &[&str]) -> String {
 }
 
 /// A text in quotes, on one line and not too long.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut short: String = text.chars().take(LONGEST).collect();
     if short.len() < text.len() {
         short.push_str("...");

@@ -111,7 +111,9 @@ fn inherited(
         return Err(format!("inherits goes through more than {MOST_TEXTS} profiles, {}, use fewer", names()));
     }
     let text = match source {
-        ProfileOrigin::BuiltIn => built_in::text_of(parent).map(str::to_owned).ok_or_else(|| unknown_profile(parent)),
+        ProfileOrigin::BuiltIn => {
+            built_in::text_of(parent).map(str::to_owned).ok_or_else(|| unknown_profile(parent).to_string())
+        }
         ProfileOrigin::File => find(&place),
     };
     let text = text.map_err(|why| format!("inherits cannot be followed, {why}"))?;
@@ -168,6 +170,10 @@ fn lay_over(profile: &mut Profile, layers: &[ProfileLayer]) {
     }
     if let Some(layer) = layers.first() {
         profile.description = layer.written.description.clone().unwrap_or_default();
+    }
+    let inherited = layers.iter().find(|layer| layer.source == ProfileOrigin::BuiltIn).map(ProfileLayer::name);
+    if let Some(base) = built_in::built_in().iter().find(|one| Some(one.name) == inherited) {
+        profile.base = base.name;
     }
 }
 

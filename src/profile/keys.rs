@@ -2,6 +2,7 @@
 //! reading, checking and documenting a profile need, so that a key is added in one place. The values themselves are
 //! in `profiles/*.toml`, each with its reason; the ranges here only keep out what can be no page at all.
 
+use super::built_in::built_in;
 use super::fault::{Fault, has_decimal_comma, quoted_path};
 use super::kind::{NumberRange, Setting, Value};
 use crate::braille::{CellSize, Code, Grade};
@@ -195,6 +196,8 @@ macro_rules! table {
                 #[doc(hidden)]
                 pub $section: $settings,
             )+
+            /// The built-in profile that it inherits, itself or through files; the first of all where there is none.
+            pub(super) base: &'static str,
             /// Where each key of [`KEYS`] got its value.
             pub(super) origins: Vec<Origin>,
         }
@@ -206,6 +209,7 @@ macro_rules! table {
                     name,
                     description: String::new(),
                     $($section: $settings { $($key: <$kind as Setting>::BLANK),+ },)+
+                    base: built_in()[0].name,
                     origins: vec![Origin::default(); KEYS.len()],
                 }
             }
@@ -424,7 +428,7 @@ table! {
         on: bool;
         /// The code; "auto" is that of the language of the words.
         code: Option<Code>;
-        /// 1 is uncontracted, 2 contracted, which needs an installed liblouis.
+        /// 1 is uncontracted, 2 contracted, which a translator writes: the program asks an installed liblouis.
         grade: Grade = 1.0 to 2.0;
         /// Measures of the cells; on a grid of dots cells come as near to them as they can.
         cell: CellSize;

@@ -22,12 +22,13 @@ mod unused;
 
 pub use built_in::{BuiltIn, built_in};
 pub use fault::Fault;
-pub(crate) use fault::faults_in_one_line;
+pub(crate) use fault::{faults_in_one_line, quoted};
 pub use keys::{
     BrailleSettings, ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, Key, LinesSettings, MarkSettings,
     OverviewSettings, PageSettings, PaletteSettings, PrintSettings, Profile, SheetsSettings, TexturesSettings,
 };
 pub use kind::{NumberRange, Value};
+pub(crate) use nearest::{did_you_mean, nearest};
 pub use plan::Plan;
 
 use crate::listing::first_few;
@@ -56,12 +57,9 @@ impl Profile {
     /// The built-in profile of this name, such as `swell-a4`.
     ///
     /// # Errors
-    /// [`Error::Profile`] when there is none, with the names that there are.
+    /// [`Error::NoSuchName`] with the names that there are, and the nearest of them.
     pub fn named(name: &str) -> Result<Self, Error> {
-        let Some(text) = built_in::text_of(name) else {
-            let place = format!("profile {}", fault::quoted_path(&[name]));
-            return Err(Fault::new(place, suggest::unknown_profile(name)).into());
-        };
+        let text = built_in::text_of(name).ok_or_else(|| suggest::unknown_profile(name))?;
         Ok(inherit::load(text, &format!("{name}.toml"), ProfileOrigin::BuiltIn, &no_file)?)
     }
 
@@ -90,19 +88,39 @@ impl Profile {
         Ok(inherit::load(text, place, ProfileOrigin::File, find)?)
     }
 
-    /// What a key holds, by its path, such as `lines.width_max`.
-    pub fn get(&self, path: &str) -> Option<Value> {
-        keys::KEYS.iter().find(|key| key.path == path).map(|key| key.value(self))
+    /// What a key holds, by its path, such as `lines.width_max`. A section with a key `on` may stand for that key.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] when there is no such key, with those that are spelt like it.
+    pub fn get(&self, key: &str) -> Result<Value, Error> {
+        let key = key.trim();
+        let index = index_of(key).map_err(|what| Fault::new(fault::quoted_path(&[key]), what))?;
+        Ok(keys::KEYS[index].value(self))
     }
 
-    /// Gives one key another value, such as `lines.width_max` the value `1.2`; a [`Value`] as its `Display` writes it
-    /// is such a text. A section with a key `on` may stand for that key. Whether the values still go together is for
-    /// [`Profile::check`] to say, after the last `set`. In messages the place of the value is `key=value`.
+    /// Gives one key another value, such as `lines.width_max` the value `1.2`: what [`Profile::get`] gives, a number,
+    /// or a text as TOML has it, with or without its quotes. A section with a key `on` may stand for that key. Whether
+    /// the values still go together is for [`Profile::check`] to say, after the last `set`. In messages the place of
+    /// the value is `key=value`.
+    ///
+    /// ```
+    /// use tactograph::{Profile, Value};
+    ///
+    /// let mut profile = Profile::named("swell-a4")?;
+    /// profile.set("lines.width_max", 1.2)?;
+    /// profile.set("page.orientation", "landscape")?;
+    /// profile.set("overview", false)?;
+    /// assert_eq!(profile.get("overview")?, Value::Switch(false));
+    /// let mut other = Profile::named("swell-a3")?;
+    /// other.set("lines.width_max", profile.get("lines.width_max")?)?;
+    /// # Ok::<(), tactograph::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Profile`] when there is no such key, or the value is not of its kind or not in its range; then nothing
     /// is changed.
-    pub fn set(&mut self, key: &str, value: &str) -> Result<(), Error> {
+    pub fn set(&mut self, key: &str, value: impl std::fmt::Display) -> Result<(), Error> {
+        let value = value.to_string();
         let place = format!("{}={}", fault::quoted_path(&[key.trim()]), fault::quoted_path(&[value.trim()]));
         self.set_from(key, value, &place)
     }
@@ -112,10 +130,9 @@ impl Profile {
     ///
     /// # Errors
     /// As [`Profile::set`].
-    pub fn set_from(&mut self, key: &str, value: &str, place: &str) -> Result<(), Error> {
-        let (key, value) = (key.trim(), value.trim());
-        let index = index_of(key).map_err(|what| Fault::new(place, what))?;
-        Ok(self.put_text(index, value, place.to_owned())?)
+    pub fn set_from(&mut self, key: &str, value: impl std::fmt::Display, place: &str) -> Result<(), Error> {
+        let index = index_of(key.trim()).map_err(|what| Fault::new(place, what))?;
+        Ok(self.put_text(index, value.to_string().trim(), place.to_owned())?)
     }
 
     /// The profile that a page was made with, from how it says that it was made: the profile of its name with every
@@ -133,7 +150,7 @@ impl Profile {
         let (base, mut refused) = (profile.clone(), Vec::<String>::new());
         // what another version wrote may not be there any more, and not all that is said of a page are keys
         for (key, said) in origin.iter().filter(|(key, _)| index_of(key).is_ok()) {
-            if profile.set_from(key, &value(said), "the page").is_err() {
+            if profile.set_from(key, value(said), "the page").is_err() {
                 refused.push(format!("{key} = {said}"));
             }
         }

@@ -9,15 +9,15 @@ const LONGEST: usize = 40;
 const MOST: usize = 4;
 
 /// What lies nearest to a wrong name.
-pub(super) struct Nearest<'a> {
+pub(crate) struct Nearest<'a> {
     /// Slips between the wrong name and these; `usize::MAX` when nothing is near.
-    pub(super) distance: usize,
+    pub(crate) distance: usize,
     /// What to offer.
-    pub(super) offers: Vec<&'a str>,
+    pub(crate) offers: Vec<&'a str>,
 }
 
 /// Of pairs (name, what to offer for it), those nearest to `wrong`, if any is near at all.
-pub(super) fn nearest<'a>(wrong: &str, names: impl Iterator<Item = (&'a str, &'a str)>) -> Nearest<'a> {
+pub(crate) fn nearest<'a>(wrong: &str, names: impl Iterator<Item = (&'a str, &'a str)>) -> Nearest<'a> {
     let wrong = wrong.chars().take(LONGEST).collect::<String>().to_lowercase().replace('-', "_");
     let sorted_wrong = sorted_words(&wrong);
     let mut near = Nearest { distance: usize::MAX, offers: Vec::new() };
@@ -45,7 +45,7 @@ fn sorted_words(name: &str) -> String {
 }
 
 /// A question that offers the nearest names, if there are any.
-pub(super) fn did_you_mean(near: &[&str]) -> Option<String> {
+pub(crate) fn did_you_mean(near: &[&str]) -> Option<String> {
     let near = &near[..near.len().min(MOST)];
     (!near.is_empty()).then(|| format!("did you mean {}?", list(near, "or")))
 }

@@ -4,6 +4,7 @@ use super::built_in::built_in;
 use super::fault::quoted_path;
 use super::keys::{KEYS, SECTIONS};
 use super::nearest::{did_you_mean, is_misspelt, nearest};
+use crate::Error;
 use crate::listing::list;
 
 /// What to say of a key that does not exist; `section` does.
@@ -44,19 +45,14 @@ pub(super) fn section_alone(section: &str) -> String {
 }
 
 /// What to say of a profile that does not exist.
-pub(super) fn unknown_profile(name: &str) -> String {
+pub(super) fn unknown_profile(name: &str) -> Error {
     let names: Vec<_> = built_in().iter().map(|profile| profile.name).collect();
     let other_names = built_in().iter().flat_map(|profile| profile.also.iter().map(|&also| (also, profile.name)));
     let near = nearest(name, names.iter().map(|&known| (known, known)).chain(other_names));
     let parts: Vec<_> = name.split(['-', '_', ' ']).filter(|part| !part.is_empty()).collect();
     let with_parts = || names.iter().copied().filter(|known| !parts.is_empty() && has_all(known, &parts)).collect();
     let offers = if near.offers.is_empty() { with_parts() } else { near.offers };
-    let advice = did_you_mean(&offers).map_or_else(String::new, |advice| format!(", {advice}"));
-    format!(
-        "there is no built-in profile {} (the built-in profiles are {}){advice}",
-        quoted_path(&[name]),
-        list(&names, "and")
-    )
+    Error::no_such_name("built-in profile", name, &names, offers)
 }
 
 /// Whether each of these, in capitals or not, is a part of a profile's name between hyphens.

@@ -4,30 +4,24 @@ use std::fmt::{Display, Formatter};
 use std::str::FromStr;
 
 use crate::Error;
-use crate::units::{Size, WrittenUnit, number_and_unit};
+use crate::units::{Length, Size};
 
 /// A part of a picture: where it begins, from the left and from the top, its width and its height. Each is in pixels,
 /// in percent or, for what is [erased](crate::Options::erase) or [kept](crate::Options::keep), in mm of the figure on
-/// the sheet, from its top left corner. As a text these may be mixed.
+/// the sheet, from its top left corner; these may be mixed.
 ///
 /// ```
-/// use tactograph::Crop;
+/// use tactograph::{Crop, Length};
 /// let crop = Crop::percent(10.0, 25.0, 50.0, 50.0)?;
 /// assert_eq!(crop.to_string(), "10%,25%,50%,50%");
 /// assert_eq!(crop, "10%,25%,50%,50%".parse()?);
 /// let mixed: Crop = "320,200,50%,50%".parse()?;
-/// # let _ = mixed;
+/// assert_eq!([mixed.left(), mixed.width()], [Length::Pixels(320.0), Length::Percent(50.0)]);
+/// assert_eq!(mixed, Crop::new(mixed.left(), mixed.top(), mixed.width(), mixed.height())?);
 /// # Ok::<(), tactograph::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crop([Length; 4]);
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Length {
-    Pixels(u32),
-    Percent(f64),
-    Mm(f64),
-}
 
 /// A part of a picture in whole pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,12 +42,21 @@ impl PixelPart {
 }
 
 impl Crop {
+    /// A part whose numbers may each have a unit of its own.
+    ///
+    /// # Errors
+    /// [`Error::NotACrop`] if it is empty, pixels are no whole number, or a number is out of the range that
+    /// [`Crop::percent`] and [`Crop::mm`] say.
+    pub fn new(left: Length, top: Length, width: Length, height: Length) -> Result<Self, Error> {
+        Self::of([left, top, width, height])
+    }
+
     /// A part in pixels.
     ///
     /// # Errors
     /// [`Error::NotACrop`] if it is empty.
     pub fn pixels(left: u32, top: u32, width: u32, height: u32) -> Result<Self, Error> {
-        Self::of([left, top, width, height].map(Length::Pixels))
+        Self::of([left, top, width, height].map(|pixels| Length::Pixels(pixels.into())))
     }
 
     /// A part in percent of the picture's width and height, 0 to 100.
@@ -74,20 +77,40 @@ impl Crop {
         Self::of([left, top, width, height].map(Length::Mm))
     }
 
+    /// How far from the left it begins, as it was given.
+    pub fn left(&self) -> Length {
+        self.0[0]
+    }
+
+    /// How far from the top it begins, as it was given.
+    pub fn top(&self) -> Length {
+        self.0[1]
+    }
+
+    /// How wide it is, as it was given.
+    pub fn width(&self) -> Length {
+        self.0[2]
+    }
+
+    /// How high it is, as it was given.
+    pub fn height(&self) -> Length {
+        self.0[3]
+    }
+
     /// Whether any of it is in mm of the figure, so that it can be erased or kept and not be the part that is drawn.
     pub fn is_in_mm(&self) -> bool {
         self.0.iter().any(|length| matches!(length, Length::Mm(_)))
     }
 
     fn of(lengths: [Length; 4]) -> Result<Self, Error> {
-        let is_fine = lengths.iter().all(Length::is_in_range) && !lengths[2..].iter().any(Length::is_nothing);
+        let is_fine = lengths.iter().all(is_in_range) && !lengths[2..].iter().any(is_nothing);
         if is_fine { Ok(Self(lengths)) } else { Err(Error::NotACrop) }
     }
 
     /// Whether it is all of a picture, by what it says.
     pub(crate) fn is_all(&self) -> bool {
         let whole = Length::Percent(100.0);
-        self.0[..2].iter().all(Length::is_nothing) && self.0[2..] == [whole, whole]
+        self.0[..2].iter().all(is_nothing) && self.0[2..] == [whole, whole]
     }
 
     /// Whether two parts are the same, as far as that can be said without the size of the picture: lengths in different
@@ -95,7 +118,7 @@ impl Crop {
     pub(crate) fn may_be_same(&self, other: &Self) -> bool {
         let may_be = |(a, b): (&Length, &Length)| {
             let is_other_unit = std::mem::discriminant(a) != std::mem::discriminant(b);
-            a == b || a.is_nothing() && b.is_nothing() || is_other_unit && !a.is_nothing() && !b.is_nothing()
+            a == b || is_nothing(a) && is_nothing(b) || is_other_unit && !is_nothing(a) && !is_nothing(b)
         };
         self.0.iter().zip(&other.0).all(may_be)
     }
@@ -110,7 +133,7 @@ impl Crop {
         let along = |from: Length, length: Length, side: u32| {
             let whole = f64::from(side);
             let exact = |length: Length| match length {
-                Length::Pixels(pixels) => Some(f64::from(pixels)),
+                Length::Pixels(pixels) => Some(pixels),
                 Length::Percent(percent) => Some(0.01 * percent * whole),
                 Length::Mm(_) => None,
             };
@@ -137,7 +160,7 @@ impl Crop {
         let [x, y, width, height] = self.0;
         let along = |from: Length, length: Length, pixels: u32, mm: f32| {
             let share = |length: Length| match length {
-                Length::Pixels(count) => f64::from(count) / f64::from(pixels),
+                Length::Pixels(count) => count / f64::from(pixels),
                 Length::Percent(percent) => 0.01 * percent,
                 Length::Mm(length) => length / f64::from(mm),
             };
@@ -168,7 +191,8 @@ impl FromStr for Crop {
     /// # Errors
     /// [`Error::NotACrop`] for a text that says no part of a picture, or one that is empty.
     fn from_str(text: &str) -> Result<Self, Error> {
-        let lengths: Vec<Length> = text.split(',').map(length).collect::<Option<_>>().ok_or(Error::NotACrop)?;
+        let lengths: Vec<Length> =
+            text.split(',').map(Length::of_text).collect::<Option<_>>().ok_or(Error::NotACrop)?;
         Self::of(lengths.try_into().map_err(|_| Error::NotACrop)?)
     }
 }
@@ -176,38 +200,22 @@ impl FromStr for Crop {
 /// No sheet is longer, mm.
 const LONGEST_MM: f64 = 10_000.0;
 
-impl Length {
-    fn is_in_range(&self) -> bool {
-        match self {
-            Self::Pixels(_) => true,
-            Self::Percent(percent) => (0.0..=100.0).contains(percent),
-            Self::Mm(mm) => (0.0..=LONGEST_MM).contains(mm),
-        }
-    }
-
-    fn is_nothing(&self) -> bool {
-        [Self::Pixels(0), Self::Percent(0.0), Self::Mm(0.0)].contains(self)
+fn is_in_range(length: &Length) -> bool {
+    match length {
+        Length::Pixels(pixels) => pixels.fract().abs() <= 0.0 && (0.0..=f64::from(u32::MAX)).contains(pixels),
+        Length::Percent(percent) => (0.0..=100.0).contains(percent),
+        Length::Mm(mm) => (0.0..=LONGEST_MM).contains(mm),
     }
 }
 
-fn length(text: &str) -> Option<Length> {
-    let (number, unit) = number_and_unit(text);
-    match unit {
-        WrittenUnit::Pixels => number.parse().ok().map(Length::Pixels),
-        WrittenUnit::Percent => number.parse().ok().map(Length::Percent),
-        WrittenUnit::Mm => number.parse().ok().map(Length::Mm),
-    }
+fn is_nothing(length: &Length) -> bool {
+    [Length::Pixels(0.0), Length::Percent(0.0), Length::Mm(0.0)].contains(length)
 }
 
 impl Display for Crop {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         for (i, length) in self.0.iter().enumerate() {
-            f.write_str(if i == 0 { "" } else { "," })?;
-            match length {
-                Length::Pixels(pixels) => write!(f, "{pixels}")?,
-                Length::Percent(percent) => write!(f, "{percent}%")?,
-                Length::Mm(mm) => write!(f, "{mm}mm")?,
-            }
+            write!(f, "{}{length}", if i == 0 { "" } else { "," })?;
         }
         Ok(())
     }

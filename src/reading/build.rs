@@ -114,7 +114,7 @@ fn medium(words: &PageWords, sheet: [f32; 2]) -> Result<Medium, Error> {
         Some(id) => {
             let found = Device::named(id).ok().and_then(|device| {
                 let pitch = device.pitches().find(words.number("dots.pitch")?)?;
-                DotMedium::on(device, pitch, sheet)
+                DotMedium::on(device, pitch, sheet).ok()
             });
             found.map(Medium::Dots).ok_or_else(|| {
                 not_a_page("it is a page of dots for a device that is not known, or that does not take its sheet")

@@ -47,17 +47,16 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, Error> {
     if text.trim_start().starts_with('<') { Ok(text) } else { Err(not_a_page("it is no SVG")) }
 }
 
-pub(super) fn undecodable(why: String) -> Error {
-    Error::Undecodable { format: "SVG", why: why.replace(['\n', '\r'], " ") }
-}
+/// What the format is called in errors.
+pub(super) const FORMAT: &str = "SVG";
 
 /// The elements, no deeper and no more than usvg can take.
 ///
 /// # Errors
 /// What is wrong, and where.
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
-    let document = checked_document(text).map_err(undecodable)?;
-    no_longer_than(&document, MOST_DIGITS).map_err(undecodable)?;
+    let document = checked_document(text)?;
+    no_longer_than(&document, MOST_DIGITS).map_err(|why| Error::too_complex(FORMAT, why))?;
     Ok(document)
 }
 
@@ -144,7 +143,7 @@ pub(super) fn with_ids(text: &str) -> Result<String, Error> {
     let mut document = parse(text)?;
     let replaced;
     let text = if text.contains("<!ENTITY") {
-        replaced = entities::replaced(text).map_err(undecodable)?;
+        replaced = entities::replaced(text).map_err(|why| Error::too_complex(FORMAT, why))?;
         document = parse(&replaced)?;
         &replaced
     } else {

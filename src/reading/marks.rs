@@ -181,7 +181,8 @@ impl<'a> PaintedShapes<'a> {
         let subpaths = subpaths(&geometry);
         self.points += subpaths.iter().map(|subpath| subpath.points.len()).sum::<usize>();
         if self.points > MOST_POINTS {
-            return Err(super::document::undecodable(format!("its paths have more than {MOST_POINTS} points")));
+            let why = format!("its paths have more than {MOST_POINTS} points");
+            return Err(Error::too_complex(super::document::FORMAT, why));
         }
         // a marker at the end of a line has no id, and no element
         let own = elements.get(path.id()).or(around.cloned).or(around.object.map(|(_, element)| element));

@@ -27,14 +27,14 @@ mod tally;
 mod typed;
 mod words;
 
+use usvg::ImageHrefResolver;
 use usvg::roxmltree::Node;
-use usvg::{ImageHrefResolver, Tree};
 
 pub(crate) use document::is_shown;
 
 use crate::output::svg;
 use crate::page::{Names, Page};
-use crate::raster::decode::unless_beyond_numbers;
+use crate::raster::decode::tree_of;
 use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use build::Built;
@@ -89,8 +89,8 @@ impl Reading {
 /// to the byte when it is written again.
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is no SVG, or none with the layers of a page; [`Error::Undecodable`] if it is over a
-/// limit or broken.
+/// [`Error::NotAPage`] if it is no SVG, or none with the layers of a page; [`Error::Undecodable`] if it is broken, and
+/// [`Error::TooComplex`] if it is over a limit.
 pub fn read(svg: &[u8]) -> Result<Reading, Error> {
     read_as(svg, true)
 }
@@ -113,8 +113,7 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     }
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    let tree = unless_beyond_numbers(|| Tree::from_xmltree(&document, &options))?;
-    let tree = tree.map_err(|fault| document::undecodable(fault.to_string()))?;
+    let tree = tree_of(&document, &options)?;
     let marks = marks::of(&tree, &elements)?;
     let round = |px: f32| (f64::from(px * MM_PER_CSS_PX) * 1000.0).round() as f32 / 1000.0;
     let sheet = [round(tree.size().width()), round(tree.size().height())];

@@ -11,7 +11,7 @@ use super::measure::PX_PER_MM;
 use super::signs::Signs;
 use crate::Error;
 use crate::page::{Class, Sign};
-use crate::raster::decode::{check_canvases, checked_document};
+use crate::raster::decode::{check_canvases, checked_document, tree_of};
 use crate::raster::plane::Plane;
 use crate::units::{MM_PER_CSS_PX as MM_PER_PX, MmPoint, MmRect, Size};
 
@@ -50,8 +50,8 @@ impl Ink {
     /// Draws the figure of a page.
     ///
     /// # Errors
-    /// [`Error::Undecodable`] if the text is no SVG, [`Error::NotAPage`] if it has no group with the id of a figure or
-    /// of a texture, [`Error::TooLargeToFeel`].
+    /// [`Error::Undecodable`] or [`Error::TooComplex`] of the text, [`Error::NotAPage`] if it has no group with the id
+    /// of a figure or of a texture, [`Error::TooLargeToFeel`].
     pub fn of(svg: &str) -> Result<Self, Error> {
         Self::of_page(svg, &|| Ok(()))
     }
@@ -61,7 +61,7 @@ impl Ink {
     /// # Errors
     /// As [`Ink::of`], and those of `go_on`.
     pub fn of_page(svg: &str, go_on: &dyn Fn() -> Result<(), Error>) -> Result<Self, Error> {
-        let document = checked_document(svg).map_err(undecodable)?;
+        let document = checked_document(svg)?;
         let names: Vec<(Class, String)> = Class::ALL.map(|class| (class, format!("texture-{}", class.name()))).into();
         let group = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
         let present: Vec<(&(Class, String), Node<'_, '_>)> =
@@ -133,11 +133,7 @@ fn only(svg: &str, document: &Document<'_>, id: &str) -> String {
 fn tree(svg: &str) -> Result<Tree, Error> {
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    Tree::from_str(svg, &options).map_err(|fault| undecodable(fault.to_string()))
-}
-
-fn undecodable(why: String) -> Error {
-    Error::Undecodable { format: "SVG", why: why.replace(['\n', '\r'], " ") }
+    tree_of(&checked_document(svg)?, &options)
 }
 
 /// All ink of the trees with blank around it; the sheet where there is none.
@@ -170,12 +166,13 @@ fn draw(tree: &Tree, area: MmRect) -> Result<Plane, Error> {
         return Ok(plane);
     }
     let too_large = || Error::TooLargeToFeel { width: area.width(), height: area.height(), longest: LONGEST };
-    check_canvases(tree, size)?;
-    let mut canvas = Pixmap::new(size.width, size.height).ok_or_else(too_large)?;
-    canvas.fill(Color::WHITE);
     let per_px = PX_PER_MM as f32 * MM_PER_PX;
     let corner = area.min * PX_PER_MM as f32;
-    resvg::render(tree, Transform::from_row(per_px, 0.0, 0.0, per_px, -corner.x, -corner.y), &mut canvas.as_mut());
+    let transform = Transform::from_row(per_px, 0.0, 0.0, per_px, -corner.x, -corner.y);
+    check_canvases(tree, transform, size)?;
+    let mut canvas = Pixmap::new(size.width, size.height).ok_or_else(too_large)?;
+    canvas.fill(Color::WHITE);
+    resvg::render(tree, transform, &mut canvas.as_mut());
     for (ink, pixel) in plane.values.iter_mut().zip(canvas.pixels()) {
         let light = u16::from(pixel.red()) + u16::from(pixel.green()) + u16::from(pixel.blue());
         *ink = 1.0 - f32::from(light) / 765.0;

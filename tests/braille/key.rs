@@ -1,12 +1,12 @@
 //! The key: everything that is abbreviated or coloured on a page is explained on the sheets that follow.
 
-use super::reading;
+use super::{percent, reading};
 use crate::common::samples;
 use std::collections::BTreeSet;
 use tactograph::internals::braille::{CellSize, Code, Table};
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::marks::TextRole;
-use tactograph::{Class, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Options, Page, Position, Profile, convert};
+use tactograph::{Class, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Options, Page, Profile, convert};
 
 fn options(profile: &str, key: KeySheets) -> Options {
     Options::new(Profile::named(profile).expect("it is built in")).title("Trees").fonts(Fonts::system()).key(key)
@@ -65,7 +65,7 @@ fn check_patches(drawing: &Drawing, name: &str) {
 
 #[test]
 fn colours_and_abbreviations_are_explained_on_every_device() {
-    let at = |x, y, text: &str| Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() };
+    let at = |x, y, text: &str| Label { x: percent(x), y: percent(y), text: text.to_owned() };
     let labels = vec![at(80.0, 60.0, "fir tree"), at(50.0, 87.0, "pond"), at(20.0, 42.0, "a very broad oak tree")];
     for profile in ["swell-a4", "viewplus-columbia", "index-basic-d", "braillerap", "pins-120x60"] {
         let options = options(profile, KeySheets::Always).labels(labels.clone());
@@ -91,7 +91,7 @@ fn a_key_is_there_when_it_is_wanted() {
         convert(&picture, &options("swell-a4", key).labels(labels).language("de")).expect("a page").key
     };
     let tight = || {
-        let at = |x, text: &str| Label { x: Position::Percent(x), y: Position::Percent(60.0), text: text.to_owned() };
+        let at = |x, text: &str| Label { x: percent(x), y: percent(60.0), text: text.to_owned() };
         vec![at(80.0, "ein sehr großer Tannenbaum"), at(81.0, "Zweig")]
     };
     assert!(of(KeySheets::Auto, Vec::new()).is_empty());
@@ -112,7 +112,7 @@ fn a_key_is_there_when_it_is_wanted() {
 #[test]
 fn a_text_longer_than_a_sheet_goes_on_on_the_next() {
     let text = vec!["kilometre"; 60].join(" ");
-    let label = Label { x: Position::Percent(50.0), y: Position::Percent(50.0), text };
+    let label = Label { x: percent(50.0), y: percent(50.0), text };
     for profile in ["monarch", "index-basic-d", "swell-a4"] {
         let picture = samples::read("landscape.svg");
         let drawing = convert(&picture, &options(profile, KeySheets::Auto).labels(vec![label.clone()])).expect("pages");
@@ -136,7 +136,7 @@ fn a_key_of_words_alone_is_no_empty_page() {
     let mut profile = Profile::named("swell-a4").expect("it is built in");
     profile.set("figure.textures", "false").expect("the key is there");
     let plain = Options::new(profile).title("Trees").fonts(Fonts::system());
-    let at = |x, text: &str| Label { x: Position::Percent(x), y: Position::Percent(60.0), text: text.to_owned() };
+    let at = |x, text: &str| Label { x: percent(x), y: percent(60.0), text: text.to_owned() };
     let labels = vec![at(80.0, "a very large fir tree"), at(81.0, "twig")];
     let key = convert(&samples::read("landscape.svg"), &plain.labels(labels)).expect("a page").key;
     assert_eq!(key.len(), 1);

@@ -1,6 +1,6 @@
 //! Labels in braille on pages: every one reads as its code has it, keeps its distance, and none is lost without a word.
 
-use super::reading;
+use super::{percent, reading};
 use crate::common::samples;
 use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::geom::nearest_on_segment;
@@ -8,7 +8,7 @@ use tactograph::internals::page::Medium;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::internals::units::MmVector;
 use tactograph::marks::{BrailleText, Pen, TextRole};
-use tactograph::{Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Note, Options, Position, Profile, convert};
+use tactograph::{Drawing, Fonts, KeySheets, Label, Length, MmPoint, MmRect, Note, Options, Profile, convert};
 
 /// Blank that labels keep to lines and textures, mm.
 const CLEARANCE: f32 = 3.0;
@@ -93,13 +93,16 @@ fn labels_hang_beside_their_points() {
         let drawing = convert(&blank[..], &options(profile).labels(labels.clone())).expect("a page");
         let figure = drawing.page.figure.place;
         for (label, wanted) in labels_of(&drawing).into_iter().zip(&labels) {
-            let Label { x: Position::Percent(x), y: Position::Percent(y), .. } = wanted else { panic!("percent") };
+            let [Length::Percent(x), Length::Percent(y)] = [wanted.x.length(), wanted.y.length()] else {
+                panic!("percent")
+            };
+            let (x, y) = (x as f32, y as f32);
             let anchor = figure.min + MmVector::new(0.01 * x * figure.width(), 0.01 * y * figure.height());
             let place = place(label);
             let is_beside = (place.min.y..place.max.y).contains(&anchor.y);
             assert!(is_beside, "{profile}: {} is above or below", label.text);
             // the last has no room on the right
-            let gap = if *x < 90.0 { place.min.x - anchor.x } else { anchor.x - place.max.x };
+            let gap = if x < 90.0 { place.min.x - anchor.x } else { anchor.x - place.max.x };
             assert!((1.9..6.0).contains(&gap), "{profile}: {} begins {gap} mm beside its point", label.text);
         }
         let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.starts_with("labels that name"));
@@ -215,7 +218,7 @@ fn texts_of_drawings_are_labels() {
 }
 
 fn at(x: f32, y: f32, text: &str) -> Label {
-    Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() }
+    Label { x: percent(x), y: percent(y), text: text.to_owned() }
 }
 
 /// Labels lie beside their points, on the same side of lines; a leader line leads to those further away.

@@ -11,3 +11,8 @@ mod reading;
 mod rows;
 mod title;
 mod worksheets;
+
+/// A place along a side of the picture.
+fn percent(at: f32) -> tactograph::Position {
+    tactograph::Position::percent(at.into()).expect("a number")
+}

@@ -1,6 +1,6 @@
 //! Braille in each output: its measures to 0.05 mm as the file has them, its words as text, and what `check` says.
 
-use super::reading;
+use super::{percent, reading};
 use crate::common::samples;
 use crate::dots::reading as dots;
 use crate::pdf::reader::{Mark, Reader};
@@ -8,8 +8,8 @@ use tactograph::internals::braille::CellSize;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::marks::TextRole;
 use tactograph::{
-    Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, PageOptions, Position, Profile,
-    check, convert, write_dots,
+    Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, PageOptions, Profile, check, convert,
+    write_dots,
 };
 
 const TITLE: &str = "Trees, 12 of them";
@@ -17,7 +17,7 @@ const TITLE: &str = "Trees, 12 of them";
 fn drawn(profile: &str, settings: &[(&str, &str)]) -> Drawing {
     let mut profile = Profile::named(profile).expect("it is built in");
     settings.iter().for_each(|(key, value)| profile.set(key, value).expect("a setting"));
-    let at = |x, y, text: &str| Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() };
+    let at = |x, y, text: &str| Label { x: percent(x), y: percent(y), text: text.to_owned() };
     let labels = vec![at(80.0, 60.0, "fir tree"), at(50.0, 87.0, "pond")];
     let options = Options::new(profile).fonts(Fonts::system()).title(TITLE).labels(labels);
     convert(&samples::read("landscape.svg"), &options.key(KeySheets::Always).page_number(12)).expect("a page")

@@ -52,7 +52,7 @@ fn a_page_is_told_in_other_languages() {
     place.refuses(
         &["describe", "page.svg", "--lang", "tlh"],
         2,
-        &["--lang: there are no sentences in the language tlh; take one of en, de, es, fr, pl"],
+        &["--lang: there is no language of descriptions called \"tlh\"; take one of en, de, es, fr, pl"],
     );
 }
 

@@ -116,7 +116,10 @@ fn formats_that_do_not_go_with_the_profile_are_told_with_what_does() {
             &["-o", "p.svg", "--copies", "2"],
             "--copies is for Index embossers; leave it out, or give a name that ends in .idx",
         ),
-        (&["-o", "p.idx", "--profile", "romeo-60", "--copies", "1000"], "1000 copies; it can be 1 to 999"),
+        (
+            &["-o", "p.idx", "--profile", "romeo-60", "--copies", "1000"],
+            "1000 copies with an impact of 1 cannot be embossed; give 1 to 999 copies and an impact of 1 to 3",
+        ),
         (
             &["-o", "p.idx", "--profile", "index-everest-d", "--set", "page.width=420", "--set", "page.height=600"],
             "--set page.height=600: the sheet is 420 mm wide; Index Everest-D V5 takes sheets 25.4 to 297 mm wide\n\

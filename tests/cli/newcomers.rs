@@ -98,7 +98,8 @@ fn names_that_are_nearly_right_get_a_suggestion() {
     let place = Place::with_picture("a.png");
     place.put("my.toml", b"inherits = \"swell-a4\"\n[lines]\nwidht = 1\n[dots]\ndevice = \"index-basic-d\"\n");
     for (args, end) in [
-        (&["--profile", "A4"][..], "did you mean swell-a4?; for a file of your own give a name that ends in .toml\n"),
+        (&["--profile", "A4"][..], "; for a file of your own give a name that ends in .toml\n"),
+        (&["--profile", "A4"], "called \"A4\", did you mean swell-a4? Take one of"),
         (&["--profile", "index"], "did you mean index-basic-d, index-everest-d, index-basic-d-v3 or index-braillebox?"),
         (&["--profile", "my.toml"], "no key lines.widht, did you mean lines.width_min or lines.width_max?\n"),
         (

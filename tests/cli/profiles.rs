@@ -45,10 +45,9 @@ fn every_key_is_told_on_one_page() {
 #[test]
 fn an_unknown_profile_is_wrong_usage() {
     let place = Place::with_picture("a.png");
-    let expected = tactograph::internals::profile::Profile::named("swel-a4").expect_err("no such profile");
-    let expected = expected.to_string();
+    let expected = tactograph::Profile::named("swel-a4").expect_err("no such profile").to_string();
     assert!(expected.contains("swell-a4"), "no suggestion: {expected}");
-    let with_hint = format!("{expected}; for a file of your own give a name that ends in .toml");
+    let with_hint = format!("profile: {expected}; for a file of your own give a name that ends in .toml");
     place.refuses(&["profiles", "show", "swel-a4"], 2, &[&with_hint]);
     place.refuses(&["convert", "a.png", "--profile", "swel-a4"], 2, &[&with_hint]);
     assert_eq!(place.names(), ["a.png"]);

@@ -243,7 +243,7 @@ fn the_working_size_is_never_larger_than_the_source() {
 
 #[test]
 fn the_maker_of_the_working_size_can_refuse() {
-    let refusal = Error::TooSmall { size: SIZE, why: "no".into() };
+    let refusal = Error::TooFewPixels { size: SIZE, least: 1000 };
     for name in ["rgb.jpg", "rgb.png", "rgb.gif", "rgb.svg"] {
         assert_eq!(decode_to(&read(name), &|_| Err(refusal.clone())).err(), Some(refusal.clone()), "{name}");
     }

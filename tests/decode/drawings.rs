@@ -107,7 +107,9 @@ fn sizes_that_are_none_are_refused() {
         let bytes = svg(attributes);
         let got = decode_to(&bytes, &|_| Ok(Size::new(8, 8)));
         match got {
-            Err(Error::Undecodable { format: "SVG", why }) => assert!(why.contains("size"), "{attributes}: {why}"),
+            Err(Error::Undecodable { format: "SVG", why } | Error::TooComplex { format: "SVG", why }) => {
+                assert!(why.contains("size"), "{attributes}: {why}");
+            }
             // usvg takes a size it cannot read as if it were not there.
             Ok(picture) => assert!(attributes.contains("NaN") && picture.source.size.area() > 0, "{attributes}"),
             Err(other) => panic!("{attributes}: {other}"),
@@ -230,6 +232,32 @@ fn drawings_that_grow_without_end_are_refused() {
             decode_to(text.as_bytes(), &|_| Ok(Size::new(2000, 2000))).map(|_| ()).map_err(|fault| fault.to_string());
         assert!(matches!(&got, Err(fault) if fault.contains(why)), "{why}: {got:?}");
     }
+}
+
+/// A small file with filters that would take hours; those that people use are drawn.
+#[test]
+fn filters_of_endless_work_are_refused() {
+    let drawing = |filter: &str, groups: usize| {
+        let group = "<g filter='url(#f)'><rect width='900' height='600'/></g>".repeat(groups);
+        format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='600'><filter id='f'>{filter}</filter>{group}</svg>"
+        )
+    };
+    let blur = "<feGaussianBlur stdDeviation='2'/>";
+    let convolution = format!("<feConvolveMatrix order='60' kernelMatrix='{}'/>", "1 ".repeat(3600));
+    let turbulence = "<feTurbulence baseFrequency='0.05' numOctaves='16'/>";
+    let inside = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='600'><filter id='f'>{blur}</filter>\
+         <pattern id='p' width='1' height='1'>{0}</pattern><rect width='900' height='600' fill='url(#p)'/>\
+         <mask id='m'>{0}</mask><g mask='url(#m)'><rect width='9' height='9'/></g></svg>",
+        "<g filter='url(#f)'><rect width='900' height='600'/></g>".repeat(200)
+    );
+    for text in [drawing(blur, 400), drawing(&convolution, 1), drawing(turbulence, 40), inside] {
+        let refused = decode_to(text.as_bytes(), &|_| Ok(Size::new(900, 600))).map(|_| ());
+        let Err(Error::TooComplex { format: "SVG", why }) = &refused else { panic!("{refused:?}") };
+        assert!(why.contains("filters would take about"), "{why}");
+    }
+    assert!(decode_to(drawing(blur, 1).as_bytes(), &|_| Ok(Size::new(900, 600))).is_ok());
 }
 
 #[test]

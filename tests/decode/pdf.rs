@@ -157,11 +157,15 @@ fn documents_that_cannot_be_read_are_refused_in_plain_words() {
         (&b"%PDF-1.4 and nothing else"[..], "it is damaged, or has no page"),
         (&whole[..60], "it is damaged, or has no page"),
         (&no_page, "it has no page"),
-        (&read("locked.pdf"), "it is locked with a password, so unlock it first"),
     ] {
         let fault = fault(bytes);
         assert!(fault.starts_with(&format!("the PDF picture cannot be read: {told}")), "{fault}");
     }
+    assert_eq!(
+        decode(&read("locked.pdf"), &DecodeOptions::whole(&|header| Ok(header.size))).err(),
+        Some(Error::Locked { format: "PDF" })
+    );
+    assert!(fault(&read("locked.pdf")).contains("locked with a password; unlock it first"));
     assert_eq!(strings(&without_text(&read("restricted.pdf"), None)), ["locked"], "only changes are locked");
 }
 

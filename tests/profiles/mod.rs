@@ -78,9 +78,10 @@ fn the_manual_tells_of_every_key_and_of_no_program() {
 fn keys_have_paths_of_their_own_and_reach_their_fields() {
     let profile = named("swell-a4");
     let mut paths: Vec<_> = Profile::keys().iter().map(|key| key.path).collect();
-    assert_eq!(profile.get("lines.width_max"), Some(Value::Number(profile.lines.width_max)));
-    assert_eq!(profile.get("frame.on"), Some(Value::Switch(profile.frame.on)));
-    assert_eq!(profile.get("lines.none"), None);
+    assert_eq!(profile.get("lines.width_max"), Ok(Value::Number(profile.lines.width_max)));
+    assert_eq!(profile.get("frame.on"), Ok(Value::Switch(profile.frame.on)));
+    let unknown = profile.get("lines.widthmax").expect_err("no key").to_string();
+    assert_eq!(unknown, "lines.widthmax: there is no key lines.widthmax, did you mean lines.width_max?");
     paths.sort_unstable();
     paths.dedup();
     assert_eq!(paths.len(), Profile::keys().len());
@@ -154,22 +155,25 @@ fn parameters_read_back_the_same() {
 
 #[test]
 fn unknown_profile_is_told_with_the_known_ones() {
-    let told = |name| in_lines(&Profile::named(name).expect_err("unknown"));
-    let known = "(the built-in profiles are swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17, plain-print, index-basic-d, index-everest-d, \
-         index-basic-d-v3, index-braillebox, romeo-60, juliet-120, braillerap, viewplus-columbia, graphiti, dot-pad, \
-         monarch, pins-120x60 and braille-cells)";
+    let told = |name| Profile::named(name).expect_err("unknown").to_string();
+    let known = "swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17, plain-print, index-basic-d, \
+         index-everest-d, index-basic-d-v3, index-braillebox, romeo-60, juliet-120, braillerap, viewplus-columbia, \
+         graphiti, dot-pad, monarch, pins-120x60, braille-cells";
     assert_eq!(
         told("swell_letter"),
-        format!("profile swell_letter: there is no built-in profile swell_letter {known}, did you mean swell-letter?")
+        format!("there is no built-in profile called \"swell_letter\", did you mean swell-letter? Take one of {known}")
     );
-    for other_name in ["index-basic-d-v4", "index-basic-d-v5", "Index-Basic-D-V4"] {
-        assert!(told(other_name).ends_with(", did you mean index-basic-d?"), "{}", told(other_name));
+    for (other_name, meant) in [
+        ("index-basic-d-v4", "index-basic-d"),
+        ("index-basic-d-v5", "index-basic-d"),
+        ("Index-Basic-D-V4", "index-basic-d"),
+        ("index-everest-d-v4", "index-everest-d"),
+    ] {
+        let refused = Profile::named(other_name).expect_err("unknown");
+        let Error::NoSuchName { nearest, .. } = &refused else { panic!("{refused:?}") };
+        assert_eq!(nearest, &[meant], "{refused}");
     }
-    assert!(told("index-everest-d-v4").ends_with(", did you mean index-everest-d?"));
-    assert_eq!(
-        told("printer\n"),
-        format!("profile \"printer\\n\": there is no built-in profile \"printer\\n\" {known}")
-    );
+    assert_eq!(told("printer\n"), format!("there is no built-in profile called \"printer\\n\"; take one of {known}"));
 }
 
 #[test]
@@ -184,13 +188,49 @@ fn set_changes_one_value() {
     ] {
         profile.set(key, value).expect("a good value");
     }
-    assert_eq!(profile.get("lines.width_max"), Some(Value::Number(1.2)));
-    assert_eq!(profile.get("page.width"), Some(Value::Number(300.0)));
+    assert_eq!(profile.get("lines.width_max"), Ok(Value::Number(1.2)));
+    assert_eq!(profile.get("page.width"), Ok(Value::Number(300.0)));
     assert!(!profile.overview.on && !profile.frame.on);
-    assert_eq!(profile.get("page.orientation"), Some(Value::Text("landscape".to_owned())));
+    assert_eq!(profile.get("page.orientation"), Ok(Value::Text("landscape".to_owned())));
     profile.set("page.orientation", "\"portrait\"").expect("as TOML has it");
     assert_eq!(profile.page.orientation, Orientation::Portrait);
     assert_eq!(profile.check(), Ok(()));
+}
+
+#[test]
+fn what_a_key_holds_can_be_given_to_it() {
+    for built_in in built_in() {
+        let profile = named(built_in.name);
+        let mut other = named("swell-a4");
+        for key in Profile::keys() {
+            let held = profile.get(key.path).expect("a key");
+            other.set(key.path, &held).expect("what a profile holds");
+            assert_eq!(other.get(key.path), Ok(held.clone()), "{}", key.path);
+            // as a text, without quotes, from another place, and by the section that stands for its switch
+            let text = held.to_string().trim_matches('"').to_owned();
+            other.set_from(key.path, &text, "a form").expect("the same as a text");
+            assert_eq!(other.get(&format!(" {} ", key.path)), Ok(held.clone()), "{}", key.path);
+            if key.name() == "on" {
+                assert_eq!(profile.get(key.section()), Ok(held));
+            }
+            for choice in key.choices() {
+                other.set(key.path, &choice).expect("a choice");
+                assert_eq!(other.get(key.path), Ok(choice), "{}", key.path);
+            }
+            other.set(key.path, profile.get(key.path).expect("a key")).expect("as before");
+        }
+        assert_eq!(other.parameters(), profile.parameters(), "{}", built_in.name);
+    }
+    let mut profile = named("swell-a4");
+    profile.set("lines.shapes", 3).expect("a whole number");
+    profile.set("frame", false).expect("a switch");
+    assert_eq!([profile.get("lines.shapes"), profile.get("frame")], [Ok(Value::Number(3.0)), Ok(Value::Switch(false))]);
+    // what is refused by one is refused by the other, for the same reason
+    for key in ["lines.widthmax", "line.width_max", "gap", "page", ""] {
+        let reason = |told: Error| told.to_string().split_once(": ").map(|(_, reason)| reason.to_owned());
+        let refused = [profile.get(key).map(drop), profile.set(key, 1.0)].map(|refused| refused.map_err(reason));
+        assert!(refused[0].is_err() && refused[0] == refused[1], "{refused:?}");
+    }
 }
 
 #[test]

@@ -19,7 +19,7 @@ fn a_school_keeps_its_own_code() {
         let profile = Profile::from_toml(&format!("inherits = \"swell-a4\"\n{text}"), "my.toml").expect("it is sound");
         assert_eq!(profile.palette.blue, Sign::Rhombus { degrees: 90.0 });
         assert_eq!(profile.palette.yellow, Sign::Rhombus { degrees: 0.0 });
-        assert_eq!(profile.get("textures.palette.red"), Some(Value::Text("rhombus 135".to_owned())));
+        assert_eq!(profile.get("textures.palette.red"), Ok(Value::Text("rhombus 135".to_owned())));
     }
     let mut profile = Profile::named("swell-a4").expect("it is built in");
     profile.set("textures.palette.grey", "rhombus 67.5").expect("it is a sign");

@@ -39,7 +39,7 @@ fn changed(profile: &Profile, key: &Key) -> Profile {
     let others = others.into_iter().map(|other| (10.0 * other).round() / 10.0);
     let mut profiles = others.filter(|other| (limits.low..=limits.high).contains(other)).filter_map(|other| {
         let mut changed = profile.clone();
-        changed.set(key.path, &other.to_string()).expect("it is in the range");
+        changed.set(key.path, other).expect("it is in the range");
         (key.value(&changed) != key.value(profile) && changed.check().is_ok()).then_some(changed)
     });
     profiles.next().unwrap_or_else(|| panic!("{}: no other value for {}", profile.name, key.path))
@@ -55,7 +55,7 @@ fn keys_that_do_not_count_move_no_mark_and_are_not_recorded() {
         let has_number = |key: &&Key| key.limits.is_some() && !key.path.starts_with("braille.");
         for key in Profile::keys().iter().filter(has_number) {
             let mut given = profile.clone();
-            given.set(key.path, &key.value(&profile).to_string()).expect("it has this value");
+            given.set(key.path, key.value(&profile)).expect("it has this value");
             let is_told = given.unused().iter().any(|fault| fault.what.starts_with(key.path));
             assert_eq!(is_told, !record.iter().any(|name| name == key.path), "{}: {}", file.name, key.path);
             if is_told {

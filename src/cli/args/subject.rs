@@ -1,7 +1,7 @@
 //! Options that say what the picture is about.
 
 use clap::Args;
-use tactograph::{Options, Position};
+use tactograph::{Length, Options, Position};
 
 /// Options of `tactograph convert` for what the picture is about.
 #[derive(Debug, Args)]
@@ -44,10 +44,10 @@ impl Subject {
 
 fn place(text: &str) -> Result<SubjectPoint, String> {
     let within = |text: &str| {
-        let position = text.trim().parse().ok()?;
-        let is_within = match position {
-            Position::Percent(percent) => (0.0..=100.0).contains(&percent),
-            Position::Pixels(at) => at >= 0.0,
+        let position: Position = text.trim().parse().ok()?;
+        let is_within = match position.length() {
+            Length::Percent(percent) => (0.0..=100.0).contains(&percent),
+            Length::Pixels(at) | Length::Mm(at) => at >= 0.0,
         };
         is_within.then_some(position)
     };

@@ -103,17 +103,13 @@ fn dpi(text: &str) -> Result<Dpi, String> {
 }
 
 fn format() -> impl TypedValueParser<Value = Format> {
-    let names = PossibleValuesParser::new(Format::ALL.map(Format::name));
+    let names = PossibleValuesParser::new(Format::ALL.iter().map(|format| format.name()));
     names.try_map(|name| Format::named(&name))
 }
 
 fn drawing() -> impl TypedValueParser<Value = DrawingFormat> {
-    let drawings = Format::ALL.into_iter().filter(|format| matches!(format, Format::Drawing(_)));
-    let names = PossibleValuesParser::new(drawings.map(Format::name).collect::<Vec<_>>());
-    names.try_map(|name| match Format::named(&name) {
-        Ok(Format::Drawing(format)) => Ok(format),
-        _ => Err("no format of drawings"),
-    })
+    let names = PossibleValuesParser::new(DrawingFormat::ALL.iter().map(|format| format.name()));
+    names.try_map(|name| DrawingFormat::named(&name))
 }
 
 /// Options of `tactograph convert` that only some embossers have.

@@ -103,8 +103,7 @@ pub enum Refused {
     /// Dots that the needle does not reach.
     #[error(
         "{count} of {all} dots lie off the {} x {} mm that the machine reaches: \
-         they need {:.2} to {:.2} mm across and {:.2} to {:.2} mm down; \
-         make the figure smaller, move it, or take a larger machine",
+         they need {:.2} to {:.2} mm across and {:.2} to {:.2} mm down",
         .limits[0], .limits[1], .from[0], .to[0], .from[1], .to[1]
     )]
     OffLimits {

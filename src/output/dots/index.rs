@@ -12,18 +12,15 @@
 //!
 //! A V3 is told the paper in inches or millimetres, a V4 or V5 how many cells of text have room on it.
 
+use crate::Error;
 use crate::devices::{Device, Family, Paper};
 
 use super::dot_matrix::DotMatrix;
 
-/// What the header of a document says.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Params {
-    family: Family,
-    /// Width and length, hundredths of a millimetre.
-    sheet: [i64; 2],
-    /// The number of the pitch.
-    graphic_distance: u8,
+/// What an Index embosser is told beside the dots; other formats have no place for it, and leave it unsaid. Default:
+/// one copy, struck as usual.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Embossing {
     copies: u16,
     impact: u8,
 }
@@ -33,15 +30,63 @@ const MOST_COPIES: u16 = 999;
 /// How often a dot can be struck, from soft paper to hard.
 const MOST_IMPACT: u8 = 3;
 
+impl Embossing {
+    /// How many copies the embosser makes, 1 to 999, and how hard it strikes: 1, as usual, to 3, for hard paper.
+    ///
+    /// ```
+    /// use tactograph::Embossing;
+    /// let twice = Embossing::new(2, 1)?;
+    /// assert_eq!((twice.copies(), twice.impact()), (2, 1));
+    /// assert_eq!(Embossing::new(0, 1).map_err(|error| error.id()), Err("no-such-embossing"));
+    /// # Ok::<(), tactograph::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoSuchEmbossing`] if a number is out of its range.
+    pub fn new(copies: u16, impact: u8) -> Result<Self, Error> {
+        if (1..=MOST_COPIES).contains(&copies) && (1..=MOST_IMPACT).contains(&impact) {
+            Ok(Self { copies, impact })
+        } else {
+            Err(Error::NoSuchEmbossing { copies, most_copies: MOST_COPIES, impact, most_impact: MOST_IMPACT })
+        }
+    }
+
+    /// How many copies the embosser makes.
+    pub fn copies(self) -> u16 {
+        self.copies
+    }
+
+    /// How hard it strikes.
+    pub fn impact(self) -> u8 {
+        self.impact
+    }
+}
+
+impl Default for Embossing {
+    fn default() -> Self {
+        Self { copies: 1, impact: 1 }
+    }
+}
+
+/// What the header of a document says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    family: Family,
+    /// Width and length, hundredths of a millimetre.
+    sheet: [i64; 2],
+    /// The number of the pitch.
+    graphic_distance: u8,
+    embossing: Embossing,
+}
+
 impl Params {
-    /// For a sheet of this width and length, mm, dots this far apart, mm, so many copies (1 to 999), and a number for
-    /// how hard dots are struck (1, as usual, to 3).
+    /// For a sheet of this width and length, mm, and dots this far apart, mm.
     ///
     /// Whether the device takes the sheet is not asked here: [`Device::dot_area`] tells.
     ///
     /// # Errors
     /// All faults at once, each a line that says what can be.
-    pub fn new(device: &Device, sheet: [f32; 2], pitch: f32, copies: u16, impact: u8) -> Result<Self, Vec<String>> {
+    pub fn new(device: &Device, sheet: [f32; 2], pitch: f32, embossing: Embossing) -> Result<Self, Vec<String>> {
         let name = device.name;
         let is_index = matches!(device.family, Family::IndexV3 { .. } | Family::IndexV4);
         let graphic_distance = device.pitches().find(pitch).and_then(graphic_distance);
@@ -52,8 +97,6 @@ impl Params {
             (!sheet.iter().all(|side| (SHORTEST..=LONGEST).contains(side))).then(|| {
                 format!("the sheet is {} x {} mm; sides can be {SHORTEST} to {LONGEST} mm", sheet[0], sheet[1])
             }),
-            (!(1..=MOST_COPIES).contains(&copies)).then(|| format!("{copies} copies; it can be 1 to {MOST_COPIES}")),
-            (!(1..=MOST_IMPACT).contains(&impact)).then(|| format!("impact {impact}; it can be 1 to {MOST_IMPACT}")),
         ]
         .into_iter()
         .flatten()
@@ -61,7 +104,7 @@ impl Params {
         match graphic_distance {
             Some(graphic_distance) if faults.is_empty() => {
                 let sheet = sheet.map(|side| (f64::from(side) * 100.0).round() as i64);
-                Ok(Self { family: device.family, sheet, graphic_distance, copies, impact })
+                Ok(Self { family: device.family, sheet, graphic_distance, embossing })
             }
             _ => Err(faults),
         }
@@ -69,7 +112,7 @@ impl Params {
 
     /// The header, as text between ESC and the dots.
     fn header(&self) -> String {
-        let Self { family, sheet: [width, length], graphic_distance, copies, impact } = *self;
+        let Self { family, sheet: [width, length], graphic_distance, embossing: Embossing { copies, impact } } = *self;
         let copies = if copies == 1 { String::new() } else { format!(",MC{copies}") };
         let paper = match family {
             Family::IndexV3 { paper: Paper::Inches } => format!("PW{},PL{},LS4", inches(width), inches(length)),

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn extensions_lead_back_to_their_formats() {
-    for format in Format::ALL {
+    for &format in Format::ALL {
         let back = Format::of_extension(&format.extension().to_uppercase());
         let png = Format::Drawing(DrawingFormat::Png);
         assert_eq!(back, Some(if format == Format::Dots(DotFormat::Pixels) { png } else { format }));
@@ -14,14 +14,14 @@ fn extensions_lead_back_to_their_formats() {
 
 #[test]
 fn names_lead_back_to_their_formats() {
-    for format in Format::ALL {
+    for &format in Format::ALL {
         assert_eq!(Format::named(format.name()), Ok(format));
     }
-    for format in DotFormat::ALL {
+    for &format in DotFormat::ALL {
         assert_eq!(DotFormat::named(format.name()), Ok(format));
         assert!(DrawingFormat::named(format.name()).is_err());
     }
-    for format in DrawingFormat::ALL {
+    for &format in DrawingFormat::ALL {
         assert_eq!(DrawingFormat::named(format.name()), Ok(format));
     }
 }
@@ -29,15 +29,16 @@ fn names_lead_back_to_their_formats() {
 #[test]
 fn every_device_takes_a_format_and_says_which() {
     for device in Device::ALL {
-        let takes = DotFormat::ALL.into_iter().filter(|format| format.goes_with(device)).count();
+        let takes = DotFormat::ALL.iter().filter(|format| format.check(device).is_ok()).count();
         assert_eq!(takes, DotFormat::of(device).len(), "{}", device.id);
         assert!(takes > 0, "{}", device.id);
     }
     let of = |id| Device::named(id).expect("in the table");
     assert_eq!(
-        DotFormat::Brf.refusal(of("graphiti")).expect("it has no cells"),
+        DotFormat::Brf.check(of("graphiti")).expect_err("it has no cells").to_string(),
         "BRF is not for Orbit Graphiti, which takes pixels, ubrl, pef or txt; take one of these, or SVG, PDF or \
              PNG to look at"
     );
-    assert!(DotFormat::Txt.refusal(of("braillerap-a4")).is_some_and(|why| why.contains("which takes gcode; ")));
+    let told = DotFormat::Txt.check(of("braillerap-a4")).expect_err("it takes no cells").to_string();
+    assert!(told.contains("which takes gcode; "), "{told}");
 }

@@ -2,15 +2,23 @@
 
 use super::*;
 
+fn percent(number: f64) -> Position {
+    Position::percent(number).expect("a number")
+}
+
+fn pixels(number: f64) -> Position {
+    Position::pixels(number).expect("a number")
+}
+
 #[test]
 fn rows_are_labels() {
     let text = "\u{feff}x,y,text\r\n10%,20 %,apple\n\n 412.5 ; 7;\"a \"\"big\"\", red pear\"\n5\t6\tplum, ripe\n";
     let labels = Label::from_csv(text).expect("labels");
     let label = |x, y, text: &str| Label { x, y, text: text.to_owned() };
     let expected = [
-        label(Position::Percent(10.0), Position::Percent(20.0), "apple"),
-        label(Position::Pixels(412.5), Position::Pixels(7.0), "a \"big\", red pear"),
-        label(Position::Pixels(5.0), Position::Pixels(6.0), "plum, ripe"),
+        label(percent(10.0), percent(20.0), "apple"),
+        label(pixels(412.5), pixels(7.0), "a \"big\", red pear"),
+        label(pixels(5.0), pixels(6.0), "plum, ripe"),
     ];
     assert_eq!(labels, expected);
 }
@@ -20,8 +28,8 @@ fn positions_read_back_as_they_are_written() {
     for text in ["30%", "0.5%", "412.5", "-7"] {
         assert_eq!(text.parse::<Position>().map(|position| position.to_string()), Ok(text.to_owned()));
     }
-    assert_eq!(" 30 % ".parse(), Ok(Position::Percent(30.0)));
-    assert_eq!("412.5 px".parse(), Ok(Position::Pixels(412.5)));
+    assert_eq!(" 30 % ".parse(), Ok(percent(30.0)));
+    assert_eq!("412.5 px".parse(), Ok(pixels(412.5)));
     assert_eq!("12mm".parse::<Position>(), Err(Error::NotAPosition));
 }
 
@@ -30,9 +38,9 @@ fn numbers_may_have_decimal_commas() {
     let labels = Label::from_csv("30,5%;40,25;Kiwi\n7\t1,5\tplum\n10%,20%,apple; red\n").expect("labels");
     let label = |x, y, text: &str| Label { x, y, text: text.to_owned() };
     let expected = [
-        label(Position::Percent(30.5), Position::Pixels(40.25), "Kiwi"),
-        label(Position::Pixels(7.0), Position::Pixels(1.5), "plum"),
-        label(Position::Percent(10.0), Position::Percent(20.0), "apple; red"),
+        label(percent(30.5), pixels(40.25), "Kiwi"),
+        label(pixels(7.0), pixels(1.5), "plum"),
+        label(percent(10.0), percent(20.0), "apple; red"),
     ];
     assert_eq!(labels, expected);
 }
@@ -50,6 +58,6 @@ fn every_fault_has_its_line() {
 fn positions_are_shares_of_the_figure() {
     let place = MmRect::new(MmPoint::new(10.0, 20.0), MmPoint::new(110.0, 70.0));
     let at = |x, y| Label { x, y, text: "a".into() }.on(place, Size::new(400, 200));
-    assert_eq!(at(Position::Percent(50.0), Position::Pixels(100.0)), Some(MmPoint::new(60.0, 45.0)));
-    assert_eq!(at(Position::Percent(101.0), Position::Pixels(100.0)), None);
+    assert_eq!(at(percent(50.0), pixels(100.0)), Some(MmPoint::new(60.0, 45.0)));
+    assert_eq!(at(percent(101.0), pixels(100.0)), None);
 }

@@ -24,10 +24,10 @@ fn push(edges: &mut Edges, [left, top, width, height]: [f32; 4], strength: f32, 
 }
 
 /// What is decided and told of these places, in percent of the picture.
-fn prepared(edges: &mut Edges, places: &[[f32; 2]], calm_background: bool) -> (Decisions, Vec<Note>) {
+fn prepared(edges: &mut Edges, places: &[[f64; 2]], calm_background: bool) -> (Decisions, Vec<Note>) {
     let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense");
     let layout = Fit::default().layout(SIZE, &plan, OverviewSize::Own).expect("there is room");
-    let subjects = places.iter().map(|place| place.map(Position::Percent)).collect();
+    let subjects = places.iter().map(|place| place.map(|at| Position::percent(at).expect("a number"))).collect();
     let given = Given { subjects, calm_background, ..Given::default() };
     let mut decisions = Decisions::default();
     let notes = prepare(&given, None, edges, &mut decisions, SIZE, &layout, &plan);

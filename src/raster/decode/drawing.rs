@@ -15,12 +15,12 @@ use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 use super::colour::{ColourKind, Meaning, one_line};
 use super::complexity;
 use super::job::{
-    self, DecodeOptions, Decoded, FontLoader, Header, Limits, OVER_LIMIT, check_memory, guarded, undecodable,
-    unpacks_too_far, working_bytes,
+    self, DecodeOptions, Decoded, FontLoader, Header, Limits, OVER_LIMIT, check_memory, guarded, unpacks_too_far,
+    working_bytes,
 };
 use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Samples};
-use super::{paths, texts};
+use super::{filters, paths, texts};
 use crate::raster::crop::PixelPart;
 use crate::raster::planes::Raster;
 use crate::raster::vector::DrawnText;
@@ -41,7 +41,7 @@ pub(super) fn decode_gzip(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<D
     let mut text = Vec::new();
     // One byte more than the limit, to distinguish an end at the limit from a cut.
     let mut inflate = flate2::read::GzDecoder::new(bytes).take(limit.saturating_add(1));
-    inflate.read_to_end(&mut text).map_err(|fault| undecodable("SVGZ", one_line(&fault)))?;
+    inflate.read_to_end(&mut text).map_err(|fault| Error::undecodable("SVGZ", one_line(&fault)))?;
     if text.len() as u64 > limit {
         return Err(unpacks_too_far("SVGZ", "the drawing", options.limits));
     }
@@ -52,7 +52,7 @@ pub(super) fn decode_gzip(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<D
 }
 
 pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
-    let text = std::str::from_utf8(bytes).map_err(|_| undecodable(FORMAT, "it is not in UTF-8"))?;
+    let text = std::str::from_utf8(bytes).map_err(|_| Error::undecodable(FORMAT, "it is not in UTF-8"))?;
     let left_out = DrawingLosses::default();
     let fonts = OnceLock::new();
     let parsing = usvg::Options {
@@ -60,11 +60,8 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
         font_resolver: font_resolver(&left_out, options.fonts, &fonts),
         ..usvg::Options::default()
     };
-    let document = document(text, complexity::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
-    let parse = |parsing: &usvg::Options<'_>| {
-        let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, parsing))?;
-        parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))
-    };
+    let document = document(text, complexity::MOST_LEVELS)?;
+    let parse = |parsing: &usvg::Options<'_>| tree_of(&document, parsing);
     let with_texts = parse(&parsing)?;
     // Without a font a text is not drawn.
     let tree = if options.keep_text || !texts::has_any(with_texts.root()) {
@@ -93,9 +90,8 @@ pub(super) fn decode_page(
     let left_out = DrawingLosses::default();
     let image_href_resolver = links(&left_out, options.limits);
     let parsing = usvg::Options { image_href_resolver, font_resolver: no_fonts(), ..usvg::Options::default() };
-    let document = document(text, complexity::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
-    let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, &parsing))?;
-    let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
+    let document = document(text, complexity::MOST_LEVELS)?;
+    let tree = tree_of(&document, &parsing)?;
     drop((parsing, document));
     drawn(&tree, options, texts, left_out)
 }
@@ -112,7 +108,7 @@ fn drawn(
     let source = Header { size: part.size, is_drawing: true };
     let target = (options.working_size)(source)?;
     if target.area() == 0 {
-        return Err(undecodable(FORMAT, format!("it cannot be drawn at {target} pixels")));
+        return Err(Error::undecodable(FORMAT, format!("it cannot be drawn at {target} pixels")));
     }
     let limits = options.limits;
     if target.area() > limits.megapixels.saturating_mul(1_000_000) {
@@ -127,9 +123,12 @@ fn drawn(
     };
     check_memory(FORMAT, target, bytes(1), limits)?;
     let transform = to_pixels(tree, whole, part, target);
-    paths::check_length(tree, transform, target).map_err(|why| undecodable(FORMAT, why))?;
+    paths::check_length(tree, transform, target).map_err(|why| Error::too_complex(FORMAT, why))?;
+    let filtered = |finer: u32| filters::check(tree, transform, target, finer);
+    filtered(1).map_err(|why| Error::too_complex(FORMAT, why))?;
     let wanted = density(tree.root(), transform).ceil().min(MOST_FINER) as u32;
-    let has_room = |finer: &u32| check_memory(FORMAT, target, bytes(*finer), limits).is_ok();
+    let has_room =
+        |finer: &u32| check_memory(FORMAT, target, bytes(*finer), limits).is_ok() && filtered(*finer).is_ok();
     let finer = (2..=wanted).rev().find(has_room).unwrap_or(1);
     let raster = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
     let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
@@ -140,7 +139,25 @@ fn drawn(
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
 /// has no height where it is put (found by the test of damaged pictures, and a test of its own now).
 pub(crate) fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
-    guarded(work).map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
+    guarded(work)
+        .map_err(|_| Error::too_complex(FORMAT, "it has places or sizes too large or too small to compute with"))
+}
+
+/// What is drawn of a document.
+///
+/// # Errors
+/// [`Error::Undecodable`] or [`Error::TooComplex`].
+pub(crate) fn tree_of(document: &Document<'_>, parsing: &usvg::Options<'_>) -> Result<Tree, Error> {
+    let parsed = unless_beyond_numbers(|| Tree::from_xmltree(document, parsing))?;
+    parsed.map_err(|fault| match fault {
+        usvg::Error::InvalidSize => {
+            Error::undecodable(FORMAT, "it has no size: neither a width and height above zero nor a viewBox")
+        }
+        usvg::Error::ElementsLimitReached => {
+            Error::too_complex(FORMAT, "it has more than a million elements or too deep a nesting")
+        }
+        other => Error::undecodable(FORMAT, one_line(&other)),
+    })
 }
 
 /// From a drawing whose size counts as `whole` pixels to a canvas of `target` pixels that shows a part of it.
@@ -177,7 +194,7 @@ fn density(group: &usvg::Group, transform: tiny_skia::Transform) -> f32 {
 
 /// Renders a drawing over white: on a canvas so many times finer, of which each pixel is an average.
 fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size, finer: u32) -> Result<Raster, Error> {
-    let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
+    let room = || Error::NoMemory { what: "the drawing" };
     let size = Size::new(target.width * finer, target.height * finer);
     let mut canvas = tiny_skia::Pixmap::new(size.width, size.height).ok_or_else(room)?;
     canvas.fill(tiny_skia::Color::WHITE);
@@ -195,7 +212,7 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     const SHAPE: f32 = 1.0 / 3000.0;
     let (mut width, mut height) = (size.width(), size.height());
     if width.max(height) > LONGEST_SIDE {
-        return Err(undecodable(FORMAT, format!("its size of {width} x {height} pixels is beyond any page")));
+        return Err(Error::too_complex(FORMAT, format!("its size of {width} x {height} pixels is beyond any page")));
     }
     let keeps_shape = |width: f32, height: f32| {
         ((width.round() / width) / (height.round() / height) - 1.0).abs() <= SHAPE && width.min(height) >= 0.5
@@ -209,7 +226,7 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     }
     let (width, height) = (width.round() as u32, height.round() as u32);
     if width == 0 || height == 0 {
-        return Err(undecodable(
+        return Err(Error::undecodable(
             FORMAT,
             format!("its size of {} x {} pixels has no area", size.width(), size.height()),
         ));
@@ -217,14 +234,16 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     Ok(Size::new(width, height))
 }
 
-/// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels: each group
-/// that is blended as a whole has a canvas of that size.
+/// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels, as each group
+/// that is blended as a whole has a canvas of that size; or more work than can be done in some seconds. `transform`
+/// leads to the canvas.
 ///
 /// # Errors
-/// [`Error::TooMuchMemory`].
-pub(crate) fn check_canvases(tree: &Tree, target: Size) -> Result<(), Error> {
+/// [`Error::TooMuchMemory`] and [`Error::TooComplex`].
+pub(crate) fn check_canvases(tree: &Tree, transform: tiny_skia::Transform, target: Size) -> Result<(), Error> {
     let canvas = target.area().saturating_mul(4);
-    check_memory(FORMAT, target, (1 + canvases(tree.root())).saturating_mul(canvas), Limits::default())
+    check_memory(FORMAT, target, (1 + canvases(tree.root())).saturating_mul(canvas), Limits::default())?;
+    filters::check(tree, transform, target, 1).map_err(|why| Error::too_complex(FORMAT, why))
 }
 
 /// Most canvases one inside the other below a group.
@@ -245,33 +264,28 @@ fn canvases(group: &usvg::Group) -> u64 {
 }
 
 /// The elements of a drawing, when usvg can take them.
-fn document(text: &str, most_levels: u32) -> Result<Document<'_>, String> {
+///
+/// # Errors
+/// [`Error::Undecodable`] or [`Error::TooComplex`].
+fn document(text: &str, most_levels: u32) -> Result<Document<'_>, Error> {
     let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, parsing).map_err(|fault| {
         let place = fault.pos();
         let what = one_line(&fault);
         // Most messages of roxmltree end with the position; here it comes first, in words.
         let what = what.trim_end_matches(&format!(" at {place}"));
-        format!("line {}, column {}: {what}", place.row, place.col)
+        Error::undecodable(FORMAT, format!("line {}, column {}: {what}", place.row, place.col))
     })?;
-    complexity::check(&document, most_levels)?;
+    complexity::check(&document, most_levels).map_err(|why| Error::too_complex(FORMAT, why))?;
     Ok(document)
 }
 
 /// The elements of a drawing that usvg can take without end or overflow, for others who give it to usvg.
 ///
 /// # Errors
-/// In plain words: what is wrong, and where.
-pub(crate) fn checked_document(text: &str) -> Result<Document<'_>, String> {
+/// [`Error::Undecodable`] or [`Error::TooComplex`], which say what is wrong and where.
+pub(crate) fn checked_document(text: &str) -> Result<Document<'_>, Error> {
     document(text, complexity::MOST_LEVELS)
-}
-
-fn fault_in(fault: &usvg::Error) -> String {
-    match fault {
-        usvg::Error::InvalidSize => "it has no size: neither a width and height above zero nor a viewBox".into(),
-        usvg::Error::ElementsLimitReached => "it has more than a million elements or too deep a nesting".into(),
-        other => one_line(other),
-    }
 }
 
 /// What is left out of a drawing, each once. usvg asks for links and fonts from closures that have to be `Sync`.

@@ -123,7 +123,7 @@ impl Job {
         options: &DecodeOptions<'_>,
     ) -> Result<Self, Error> {
         if stored.area() == 0 {
-            return Err(undecodable(format, format!("its header says that it has {stored} pixels")));
+            return Err(Error::undecodable(format, format!("its header says that it has {stored} pixels")));
         }
         let limits = options.limits;
         if stored.area() > limits.megapixels.saturating_mul(1_000_000) {
@@ -185,17 +185,13 @@ pub(super) fn check_memory(format: &'static str, size: Size, needed_bytes: u64, 
     Ok(())
 }
 
-pub(super) fn undecodable(format: &'static str, why: impl Into<String>) -> Error {
-    Error::Undecodable { format, why: why.into() }
-}
-
 /// What is packed in a file is more than the limit.
 pub(super) fn unpacks_too_far(format: &'static str, what: &'static str, limits: Limits) -> Error {
     Error::UnpacksTooFar { format, what, limit_mb: limits.memory_mb, remedy: OVER_LIMIT_UNPACKED }
 }
 
 pub(super) fn ends_early(format: &'static str) -> Error {
-    undecodable(format, "the file ends before the picture does")
+    Error::undecodable(format, "the file ends before the picture does")
 }
 
 /// Runs a decoder of others, and gives the message of its panic if it does.

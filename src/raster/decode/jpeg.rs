@@ -8,7 +8,7 @@ use image::metadata::Orientation;
 use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, ImageInfo, PixelFormat, UnsupportedFeature};
 
 use super::colour::{ColourKind, one_line};
-use super::job::{DecodeOptions, Decoded, Job, ends_early, undecodable};
+use super::job::{DecodeOptions, Decoded, Job, ends_early};
 use super::light::SampleLayout;
 use super::rows::{Extents, Samples};
 use super::scans;
@@ -49,7 +49,7 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
     let (across, down) = asked_size(size, eighths);
     let came = decoder.scale(across, down).map_err(fault)?;
     if (u32::from(came.0), u32::from(came.1)) != (scaled.width, scaled.height) {
-        return Err(undecodable(FORMAT, format!("it cannot be scaled to {eighths}/8")));
+        return Err(Error::undecodable(FORMAT, format!("it cannot be scaled to {eighths}/8")));
     }
     #[cfg(feature = "turbojpeg")]
     let quick = (!head.icc_behind_size).then(|| turbo_pixels(bytes, kind, eighths, scaled)).flatten();
@@ -78,10 +78,10 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
 /// If it is a picture that jpeg-decoder cannot decode or that is too long.
 fn kind(info: &ImageInfo, size: Size) -> Result<ColourKind, Error> {
     if info.coding_process == CodingProcess::Lossless || info.pixel_format == PixelFormat::L16 {
-        return Err(undecodable(FORMAT, "it is of the lossless kind, which hardly any program reads"));
+        return Err(Error::undecodable(FORMAT, "it is of the lossless kind, which hardly any program reads"));
     }
     if size.width.max(size.height) > LONGEST_SIDE {
-        return Err(undecodable(FORMAT, format!("no side may be longer than {LONGEST_SIDE} pixels")));
+        return Err(Error::undecodable(FORMAT, format!("no side may be longer than {LONGEST_SIDE} pixels")));
     }
     Ok(match info.pixel_format {
         PixelFormat::L8 | PixelFormat::L16 => ColourKind::Grey,
@@ -277,7 +277,7 @@ fn fault_in(fault: jpeg_decoder::Error, at_end: bool) -> Error {
         Fault::Format(what) => one_line(&what),
         other => one_line(&other),
     };
-    undecodable(FORMAT, why)
+    Error::undecodable(FORMAT, why)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@
 mod colour;
 mod complexity;
 mod drawing;
+mod filters;
 mod job;
 mod jpeg;
 mod light;
@@ -23,12 +24,12 @@ mod scans;
 mod sniff;
 mod texts;
 
-use self::job::{guarded, undecodable};
+use self::job::guarded;
 use self::sniff::PictureFormat;
 use crate::{Error, picture};
 
 pub(crate) use self::complexity::no_longer_than;
-pub(crate) use self::drawing::{check_canvases, checked_document, unless_beyond_numbers};
+pub(crate) use self::drawing::{check_canvases, checked_document, tree_of};
 pub use self::job::{DecodeOptions, Decoded, FontLoader, Header, Limits};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
@@ -57,7 +58,7 @@ pub fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Erro
         PictureFormat::Gif => other::gif(bytes, options),
         PictureFormat::Pnm => other::pnm(bytes, options),
     });
-    decoded.unwrap_or_else(|panic| Err(undecodable(format.name(), format!("its decoder failed ({panic})"))))
+    decoded.unwrap_or_else(|panic| Err(Error::undecodable(format.name(), format!("its decoder failed ({panic})"))))
 }
 
 /// Reads a picture as far as its header, decodes nothing, and asks `is_fine` what is thought of it. The limits are the

@@ -14,7 +14,7 @@ use image::metadata::Orientation;
 use image::{ColorType, ImageDecoder, ImageError};
 
 use super::colour::{ColourKind, one_line};
-use super::job::{DecodeOptions, Decoded, Job, ends_early, undecodable};
+use super::job::{DecodeOptions, Decoded, Job, Limits, ends_early, unpacks_too_far};
 use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Samples};
 use crate::Error;
@@ -59,7 +59,7 @@ fn picture<D: ImageDecoder>(
     decoder: Result<D, ImageError>,
     options: &DecodeOptions<'_>,
 ) -> Result<Decoded, Error> {
-    let fault = |fault: ImageError| fault_in(format, fault);
+    let fault = |fault: ImageError| fault_in(format, options.limits, fault);
     let mut decoder = decoder.map_err(fault)?;
     let (width, height) = decoder.dimensions();
     let size = Size::new(width, height);
@@ -77,7 +77,7 @@ fn picture<D: ImageDecoder>(
     decoder.set_limits(limits).map_err(fault)?;
     let layout = layout(format, decoder.color_type())?;
     let meaning = job.meaning(icc.as_deref(), layout.kind);
-    let mut whole = vec![0; usize::try_from(length).map_err(|_| undecodable(format, "it does not fit into memory"))?];
+    let mut whole = vec![0; usize::try_from(length).map_err(|_| Error::NoMemory { what: "the picture" })?];
     decoder.read_image(&mut whole).map_err(fault)?;
     let source = Extents::pixels(size.width, job.part);
     let samples = Samples::new(layout, meaning, source, job.target, job.orientation);
@@ -94,7 +94,7 @@ fn layout(format: &'static str, colour: ColorType) -> Result<SampleLayout, Error
         ColorType::La16 => (ColourKind::Grey, true, SampleDepth::SixteenNative),
         ColorType::Rgb16 => (ColourKind::Rgb, false, SampleDepth::SixteenNative),
         ColorType::Rgba16 => (ColourKind::Rgb, true, SampleDepth::SixteenNative),
-        _ => return Err(undecodable(format, NO_SUCH_SAMPLES)),
+        _ => return Err(Error::undecodable(format, NO_SUCH_SAMPLES)),
     };
     Ok(SampleLayout { kind, alpha, depth })
 }
@@ -102,28 +102,28 @@ fn layout(format: &'static str, colour: ColorType) -> Result<SampleLayout, Error
 /// Floating point, say.
 const NO_SUCH_SAMPLES: &str = "its samples are no whole numbers of 8 or 16 bits";
 
-fn fault_in(format: &'static str, fault: ImageError) -> Error {
+fn fault_in(format: &'static str, limits: Limits, fault: ImageError) -> Error {
     match &fault {
         ImageError::IoError(io) if is_end_of_file(io) => ends_early(format),
         // The words of the decoder itself, without those that the image crate puts before them.
         ImageError::Decoding(_) => {
             let cause = fault.source().unwrap_or(&fault);
-            if is_end_of_file(cause) { ends_early(format) } else { undecodable(format, one_line(&cause)) }
+            if is_end_of_file(cause) { ends_early(format) } else { Error::undecodable(format, one_line(&cause)) }
         }
         ImageError::Unsupported(what) if matches!(what.kind(), UnsupportedErrorKind::Color(_)) => {
-            undecodable(format, NO_SUCH_SAMPLES)
+            Error::undecodable(format, NO_SUCH_SAMPLES)
         }
         ImageError::Unsupported(what) => {
             let what = one_line(&what);
             // "The decoder for Tiff does not support the format features ..."
             let what = what.split_once(" format features ").map_or(what.as_str(), |(_, features)| features);
-            undecodable(
+            Error::undecodable(
                 format,
                 format!("this kind of {format} is not read ({})", what.trim_end_matches(" is unsupported")),
             )
         }
-        ImageError::Limits(_) => undecodable(format, "it needs more memory than the limit allows"),
-        other => undecodable(format, one_line(other)),
+        ImageError::Limits(_) => unpacks_too_far(format, "the picture", limits),
+        other => Error::undecodable(format, one_line(other)),
     }
 }
 

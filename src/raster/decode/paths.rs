@@ -31,7 +31,7 @@ pub(super) fn check_length(tree: &Tree, transform: Transform, target: Size) -> R
     if sides > MOST_SIDES {
         return Err(format!(
             "its lines and outlines are {sides:.0} times as long as its longest side, and more than {MOST_SIDES} are \
-             not drawn; simplify its paths, or give a picture of it (PNG)"
+             not drawn"
         ));
     }
     Ok(())

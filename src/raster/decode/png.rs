@@ -7,7 +7,7 @@ use image::metadata::Orientation;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Reader, Transformations};
 
 use super::colour::{ColourKind, Meaning, one_line};
-use super::job::{DecodeOptions, Decoded, Job, ends_early, undecodable};
+use super::job::{DecodeOptions, Decoded, Job, Limits, ends_early, unpacks_too_far};
 use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Rows, Samples};
 use crate::Error;
@@ -20,11 +20,11 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
     let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: bytes_limit });
     decoder.set_transformations(Transformations::EXPAND); // palettes, 1 to 4 bits and the transparent colour
     decoder.set_ignore_text_chunk(true);
-    let info = decoder.read_header_info().map_err(fault)?;
+    let info = decoder.read_header_info().map_err(|fault| fault_in(fault, options.limits))?;
     let size = Size::new(info.width, info.height);
     check_palette(info.color_type, bytes)?;
     let mut job = Job::begin(FORMAT, size, orientation(bytes), options)?;
-    let mut reader = decoder.read_info().map_err(fault)?;
+    let mut reader = decoder.read_info().map_err(|fault| fault_in(fault, options.limits))?;
     let layout = layout(&reader)?;
     let meaning = meaning(&mut job, &reader, layout.kind);
     let source = Extents::pixels(size.width, job.part);
@@ -33,11 +33,12 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
         let length = layout.row_bytes(size.width) as u64 * u64::from(size.height);
         job.check_memory(length)?;
         let mut whole = vec![0; length as usize];
-        reader.next_frame(&mut whole).map_err(fault)?;
+        reader.next_frame(&mut whole).map_err(|fault| fault_in(fault, options.limits))?;
         return job.end(samples.raster(&whole));
     }
     let mut rows = samples.rows();
-    push_while_inflating(&mut reader, layout.row_bytes(size.width), size.height, &mut rows).map_err(fault)?;
+    push_while_inflating(&mut reader, layout.row_bytes(size.width), size.height, &mut rows)
+        .map_err(|fault| fault_in(fault, options.limits))?;
     job.end(rows.finish())
 }
 
@@ -84,7 +85,7 @@ fn layout<R: std::io::BufRead + std::io::Seek>(reader: &Reader<R>) -> Result<Sam
         ColorType::GrayscaleAlpha => (ColourKind::Grey, true),
         ColorType::Rgb => (ColourKind::Rgb, false),
         ColorType::Rgba => (ColourKind::Rgb, true),
-        ColorType::Indexed => return Err(undecodable(FORMAT, "its palette is missing")),
+        ColorType::Indexed => return Err(Error::undecodable(FORMAT, "its palette is missing")),
     };
     let depth = if depth == BitDepth::Sixteen { SampleDepth::SixteenBigEndian } else { SampleDepth::Eight };
     Ok(SampleLayout { kind, alpha, depth })
@@ -117,7 +118,7 @@ pub(super) fn check_palette(colour: ColorType, bytes: &[u8]) -> Result<(), Error
         Some(Chunk { at, data, .. }) => {
             let length = data.len();
             let why = format!("its palette (chunk PLTE at byte {at}) has {length} bytes, and a colour takes 3");
-            Err(undecodable(FORMAT, why))
+            Err(Error::undecodable(FORMAT, why))
         }
         None => Ok(()),
     }
@@ -146,12 +147,10 @@ fn chunks(bytes: &[u8]) -> impl Iterator<Item = Chunk<'_>> {
     })
 }
 
-fn fault(fault: DecodingError) -> Error {
+fn fault_in(fault: DecodingError, limits: Limits) -> Error {
     match fault {
         DecodingError::IoError(fault) if fault.kind() == ErrorKind::UnexpectedEof => ends_early(FORMAT),
-        DecodingError::LimitsExceeded => {
-            undecodable(FORMAT, "its colour profile or its rows are over the memory limit")
-        }
-        other => undecodable(FORMAT, one_line(&other)),
+        DecodingError::LimitsExceeded => unpacks_too_far(FORMAT, "a row or the colour profile", limits),
+        other => Error::undecodable(FORMAT, one_line(&other)),
     }
 }

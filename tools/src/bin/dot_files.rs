@@ -9,6 +9,7 @@
 use std::fs;
 use std::path::Path;
 
+use tactograph::Embossing;
 use tactograph::internals::devices::{Device, DotArea};
 use tactograph::internals::output::dots::{DocumentWords, DotMatrix, brf, index, pef, pixels, ubrl};
 
@@ -52,7 +53,7 @@ fn main() -> Outcome<()> {
     // Pictures of a page of dots, for CUPS's own way from pictures to braille: A4 of a Basic-D V3 at 2.0 mm, and the generic
     // embosser of text, whose driver counts 74 x 108 dots.
     let basic = Device::named("index-basic-d-v3")?;
-    let params = index::Params::new(basic, [210.0, 297.0], 2.0, 1, 1).map_err(|all| all.join("\n"))?;
+    let params = index::Params::new(basic, [210.0, 297.0], 2.0, Embossing::default()).map_err(|all| all.join("\n"))?;
     let eight = [random.page(104, 144)];
     put("eight.png", &pixels::write(&eight[0], 2.0, false, &DocumentWords::default()))?;
     put("eight.ubrl", ubrl::write(&eight).as_bytes())?;
@@ -117,7 +118,8 @@ fn index_cases(folder: &Path, random: &mut Random) -> Outcome<()> {
         for (page, sheet) in &PAGES[..count] {
             for pitch in [1.6, 2.0, 2.5] {
                 let (copies, impact) = (1 + random.below(3) as u16, 1 + random.below(3) as u8);
-                let params = index::Params::new(device, *sheet, pitch, copies, impact).map_err(|all| all.join("\n"))?;
+                let embossing = Embossing::new(copies, impact)?;
+                let params = index::Params::new(device, *sheet, pitch, embossing).map_err(|all| all.join("\n"))?;
                 // The driver counts dots on sheets that the embosser does not take, too; such a page is a small one here.
                 let (columns, rows) = match device.dot_area(*sheet, pitch) {
                     Ok(DotArea::Grid(grid)) => (grid.columns.len(), grid.rows.len()),

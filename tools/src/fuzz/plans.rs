@@ -84,7 +84,7 @@ pub(super) fn convert(bytes: &[u8]) {
     for _ in 0..bytes.next() % 8 {
         let key = &Profile::keys()[bytes.below(Profile::keys().len())];
         // a value of few kinds may go by no word that is known here
-        let _ = profile.set(key.path, &value(key, bytes.next()));
+        let _ = profile.set(key.path, value(key, bytes.next()));
     }
     let [width, height] = [0; 2].map(|_: u32| 1 + u32::from(bytes.next()) % SIDE);
     let (palette, grain) = ([0; 4].map(|_: u8| [0; 4].map(|_: u8| bytes.next())), bytes.next());

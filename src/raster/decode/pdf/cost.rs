@@ -10,7 +10,7 @@ use hayro_interpret::hayro_syntax::page::{Page, Resources};
 
 use super::unpacked::FORMAT;
 use crate::Error;
-use crate::raster::decode::job::{Limits, undecodable, unpacks_too_far};
+use crate::raster::decode::job::{Limits, unpacks_too_far};
 
 /// Most steps with each form, pattern and letter counted as often as it is drawn. Maps of whole countries have some
 /// millions; hayro takes about a second for ten.
@@ -30,12 +30,10 @@ pub(super) fn check(page: &Page<'_>, limits: Limits) -> Result<(), Error> {
     }
     let steps =
         page.page_stream().map_or(Ok(0), |content| Costs::default().of_content(content, page.resources(), MOST_LEVELS));
-    match steps {
-        Ok(steps) if steps > MOST_STEPS => Err(format!("its page takes more than {MOST_STEPS} steps to draw")),
-        Ok(_) => Ok(()),
-        Err(why) => Err(why.to_owned()),
+    if steps? > MOST_STEPS {
+        return Err(Error::too_complex(FORMAT, format!("its page takes more than {MOST_STEPS} steps to draw")));
     }
-    .map_err(|why| undecodable(FORMAT, why))
+    Ok(())
 }
 
 /// How long a page's contents are when they are unpacked and joined: a page may name one part many times.
@@ -51,8 +49,10 @@ fn length(page: &Page<'_>) -> u64 {
 struct Costs(HashMap<ObjectIdentifier, Option<u64>>);
 
 impl Costs {
-    fn of_content(&mut self, content: &[u8], resources: &Resources<'_>, levels: u32) -> Result<u64, &'static str> {
-        let levels = levels.checked_sub(1).ok_or("it is drawn in too many levels, one inside the other")?;
+    fn of_content(&mut self, content: &[u8], resources: &Resources<'_>, levels: u32) -> Result<u64, Error> {
+        let levels = levels
+            .checked_sub(1)
+            .ok_or_else(|| Error::too_complex(FORMAT, "it is drawn in too many levels, one inside the other"))?;
         // The dearest pattern and font that were chosen so far: what is chosen again later is not followed.
         let (mut pattern, mut font) = (0, 0);
         let mut total = 0_u64;
@@ -106,11 +106,11 @@ impl Costs {
     }
 
     /// Steps of a form, a pattern or a mask.
-    fn of_stream(&mut self, stream: &Stream<'_>, around: &Resources<'_>, levels: u32) -> Result<u64, &'static str> {
+    fn of_stream(&mut self, stream: &Stream<'_>, around: &Resources<'_>, levels: u32) -> Result<u64, Error> {
         let id = stream.obj_id();
         match self.0.get(&id) {
             Some(Some(known)) => return Ok(*known),
-            Some(None) => return Err("a part of it draws itself"),
+            Some(None) => return Err(Error::undecodable(FORMAT, "a part of it draws itself")),
             // not looked into yet
             None => {}
         }
@@ -124,18 +124,13 @@ impl Costs {
         Ok(steps)
     }
 
-    fn of_pattern(
-        &mut self,
-        name: Option<&Name<'_>>,
-        resources: &Resources<'_>,
-        levels: u32,
-    ) -> Result<u64, &'static str> {
+    fn of_pattern(&mut self, name: Option<&Name<'_>>, resources: &Resources<'_>, levels: u32) -> Result<u64, Error> {
         let stream = name.and_then(|name| resources.get_pattern(name)).and_then(|pattern| pattern.into_stream());
         stream.map_or(Ok(0), |stream| Ok(TWICE * self.of_stream(&stream, resources, levels)?))
     }
 
     /// Steps of the dearest letter of a font whose letters are drawings.
-    fn of_font(&mut self, name: &Name<'_>, resources: &Resources<'_>, levels: u32) -> Result<u64, &'static str> {
+    fn of_font(&mut self, name: &Name<'_>, resources: &Resources<'_>, levels: u32) -> Result<u64, Error> {
         let Some(font) = resources.get_font(name) else { return Ok(0) };
         let Some(letters) = font.get::<Dict<'_>>("CharProcs") else { return Ok(0) };
         let own = font.get::<Dict<'_>>("Resources").map(Resources::new);

@@ -21,7 +21,7 @@ use std::sync::{Arc, Mutex};
 
 use self::unpacked::FORMAT;
 use super::drawing;
-use super::job::{DecodeOptions, Decoded, undecodable};
+use super::job::{DecodeOptions, Decoded};
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
 use crate::{Error, Note};
@@ -29,10 +29,10 @@ use crate::{Error, Note};
 /// The page of a document that is asked for; the first if none is.
 pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     unpacked::check(bytes, options.limits)?;
-    let pdf = Pdf::new(bytes.to_vec()).map_err(|fault| undecodable(FORMAT, why_not_opened(fault)))?;
+    let pdf = Pdf::new(bytes.to_vec()).map_err(not_opened)?;
     let pages = pdf.pages();
     if pages.is_empty() {
-        return Err(undecodable(FORMAT, "it has no page"));
+        return Err(Error::undecodable(FORMAT, "it has no page"));
     }
     let number = options.page.unwrap_or(1);
     let nowhere = Error::NoSuchPage { page: number, pages: pages.len() };
@@ -68,7 +68,8 @@ fn decode_page(page: &Page<'_>, options: &DecodeOptions<'_>) -> Result<Decoded, 
 /// What a page says of the drawing that is made of it is said of the document.
 fn of_pdf(error: Error) -> Error {
     match error {
-        Error::Undecodable { why, .. } => undecodable(FORMAT, why),
+        Error::Undecodable { why, .. } => Error::undecodable(FORMAT, why),
+        Error::TooComplex { why, .. } => Error::too_complex(FORMAT, why),
         Error::TooMuchMemory { size, needed_mb, limit_mb, remedy, .. } => {
             Error::TooMuchMemory { format: FORMAT, size, needed_mb, limit_mb, remedy }
         }
@@ -76,13 +77,11 @@ fn of_pdf(error: Error) -> Error {
     }
 }
 
-fn why_not_opened(fault: LoadPdfError) -> &'static str {
+fn not_opened(fault: LoadPdfError) -> Error {
     match fault {
-        LoadPdfError::Decryption(DecryptionError::PasswordProtected) => {
-            "it is locked with a password, so unlock it first (print it into a new PDF, say)"
-        }
-        LoadPdfError::Decryption(_) => "it is encrypted in a way that is not known here",
-        LoadPdfError::Invalid => "it is damaged, or has no page",
+        LoadPdfError::Decryption(DecryptionError::PasswordProtected) => Error::Locked { format: FORMAT },
+        LoadPdfError::Decryption(_) => Error::undecodable(FORMAT, "it is encrypted in a way that is not known here"),
+        LoadPdfError::Invalid => Error::undecodable(FORMAT, "it is damaged, or has no page"),
     }
 }
 

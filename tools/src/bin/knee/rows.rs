@@ -51,7 +51,7 @@ pub(crate) fn profile(name: &str, changes: &[(&str, f32)]) -> Result<Profile, St
     let told = |error: tactograph::Error| error.to_string();
     let mut profile = Profile::named(name).map_err(told)?;
     for (key, value) in changes {
-        profile.set(key, &value.to_string()).map_err(told)?;
+        profile.set(key, value).map_err(told)?;
     }
     Ok(profile)
 }
