@@ -195,3 +195,19 @@ fn a_page_of_dots_with_strokes_is_written_for_no_device() {
     let refused = write(&Page::new(parts).expect("its marks lie on the sheet"));
     assert_eq!(refused, Err(Error::NotAllDots));
 }
+
+#[test]
+fn a_page_of_a_picture_of_another_size_is_told_as_it_may_be_another_picture() {
+    let (own, larger) = (page(&options()).to_svg(), PICTURE.replace("viewBox='0 0 300 200'", "viewBox='0 0 600 400'"));
+    let told = |picture: &str, options: Options| {
+        let drawing = tactograph::convert(picture.as_bytes(), &options).expect("a page");
+        let is_other = |note: &String| note.contains("of a picture of 300 x 200 pixels, and this one has 600 x 400");
+        drawing.notes.iter().map(ToString::to_string).filter(is_other).count()
+    };
+    for with in [Options::lines, Options::add_lines, Options::areas] {
+        let options = with(options(), &own).expect("a page of the program");
+        assert_eq!((told(PICTURE, options.clone()), told(&larger, options)), (0, 1));
+    }
+    let both = options().lines(&own).and_then(|options| options.areas(&own)).expect("a page of the program");
+    assert_eq!(told(&larger, both), 1, "once");
+}

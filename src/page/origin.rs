@@ -3,6 +3,7 @@
 
 use super::parts::{Class, Page, TextRole};
 use crate::geom::ninths::most_of;
+use crate::units::Size;
 
 const CONTOURS: &str = "contours left out in mm";
 const PLACES: &str = "contours left out in mm by ninths";
@@ -129,6 +130,8 @@ pub struct PartShown {
     pub page: Option<u32>,
     /// The name of the sheet, where the part lies on several.
     pub sheet: Option<String>,
+    /// Size of the picture, px, where it is known.
+    pub source: Option<Size>,
 }
 
 impl PartShown {
@@ -148,7 +151,8 @@ impl PartShown {
         };
         let crop = value(PART).map(str::to_owned);
         let page_number = value(DOCUMENT_PAGE).and_then(|number| number.parse().ok());
-        (!page.origin.is_empty()).then_some(Self { crop, page: page_number, sheet })
+        let source = Some(page.figure.source);
+        (!page.origin.is_empty()).then_some(Self { crop, page: page_number, sheet, source })
     }
 
     /// In words.

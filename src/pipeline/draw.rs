@@ -111,7 +111,8 @@ pub(super) fn find(
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
     notes.extend(told);
-    let of_given = [told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
+    let of_other = given.told_other_picture(source);
+    let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
     if plan.profile().figure.lines {
         let lines_of = lines_of(given, None, &decisions);

@@ -133,6 +133,17 @@ impl Given {
         }
     }
 
+    /// What is told of lines or areas of a page whose picture has another size than this one: it may be another picture.
+    pub(super) fn told_other_picture(&self, size: Size) -> Option<Note> {
+        let parts = self.hand_lines().filter_map(HandLines::part).chain(&self.part_of_areas);
+        let other = parts.filter_map(|part| part.source).find(|source| *source != size)?;
+        let told = format!(
+            "the page given as lines or areas is of a picture of {other} pixels, and this one has {size}: look whether \
+             both show the same"
+        );
+        Some(Note::TakenAs(About::Lines, told))
+    }
+
     /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on
     /// the sheet.
     ///

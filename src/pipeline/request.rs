@@ -78,7 +78,7 @@ impl Fit {
 
     /// How much of the picture is drawn.
     pub(super) fn part(&self) -> PartShown {
-        PartShown { crop: self.crop.map(|crop| crop.to_string()), page: self.page, sheet: None }
+        PartShown { crop: self.crop.map(|crop| crop.to_string()), page: self.page, ..PartShown::default() }
     }
 
     /// Whether a page shows the same, as far as that can be said without the size of the picture.

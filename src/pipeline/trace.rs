@@ -121,7 +121,7 @@ pub fn trace<'p>(
         contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
             find_edges(&read, tracing, &layout, plan, watch)
         })?;
-    notes.extend(given.told());
+    notes.extend(given.told().into_iter().chain(given.told_other_picture(source)));
     notes.extend(told);
     drop(read);
     request.go_on()?;
