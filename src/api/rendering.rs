@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use super::options::Cancelled;
 use crate::braille::Translate;
-use crate::page::{BrailleText, MediumParams, Page};
+use crate::listing::first_few;
+use crate::page::{BrailleText, InSet, MediumParams, Page};
 use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, OldPage, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
-use crate::reading;
+use crate::reading::{self, Reading};
 use crate::{About, Error, Note};
 
 /// How a page is rendered. A builder, owned and cheap to clone as [`Options`](crate::Options); what is not set has a
@@ -117,7 +118,8 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     if turned_over {
         read = pipeline::as_felt(read, &own);
     }
-    let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
+    let Adapted { page, lines, notes: more, of_places, of_overview, abbreviates } =
+        pipeline::adapted(&read, &own, translate)?;
     let cancelled = || options.is_cancelled();
     let request = |plan, mirrored| Request {
         plan,
@@ -130,6 +132,7 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     };
     let Some(profile) = &options.profile else {
         notes.extend(more.into_iter().chain(of_places));
+        notes.extend(overview_stays(of_overview, &page, &read));
         let wanted = KeyWanted { key, abbreviates, is_changed: read.is_changed };
         let key = pipeline::key_of_page(&page, wanted, translate, &request(&own, was_mirrored))?;
         notes.extend(key.notes);
@@ -138,7 +141,12 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
         let key = in_language(key.sheets, &page);
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
     };
-    let plan = Plan::new(profile)?;
+    let mut profile = profile.clone();
+    // of one of several sheets there is no overview: that of all is a sheet of its own
+    if page.is_sheet_of_set() {
+        profile.set("overview.on", "false")?;
+    }
+    let plan = Plan::new(&profile)?;
     // no paper is printed on its back
     let mirrored = was_mirrored && matches!(plan.medium(), MediumParams::Dots { .. });
     if was_mirrored && !mirrored {
@@ -147,6 +155,8 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     // words are placed anew, wherever they stand on the page
     notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
     notes.extend(more);
+    notes.extend(overview_drawn_of(of_overview, &plan));
+    notes.extend(placed_anew(&read.moved_texts));
     let old = OldPage { page: &page, lines: &lines, plan: &own };
     let mut drawing = pipeline::redraw(old, key, translate, &request(&plan, mirrored), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
@@ -165,6 +175,49 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
 /// What is told of a mirrored page that is rendered for a paper.
 const FROM_THE_BACK: &str = "the page is mirrored, for a machine that presses it from the back, and this paper is \
                              read from the side that is printed: left and right are exchanged again";
+
+/// What is told of the overview of a page that is written as it is: what is unlike the figure, or that it has a sheet
+/// of its own.
+fn overview_stays(unlike: Option<String>, page: &Page, read: &Reading) -> Option<Note> {
+    let has_own_sheet = InSet::of(page) == Some(InSet::Followed) && !read.names.by_hand.is_empty();
+    let own = "the overview of this page has a sheet of its own, and is as it was: change it there too, or lay this page \
+               out anew for its device, which draws it of the figure";
+    let told = unlike.map(|told| format!("the overview is as it was: {told}; change it there too, or delete it"));
+    let told = told.or_else(|| has_own_sheet.then(|| own.to_owned()));
+    told.map(|told| Note::TakenAs(About::Overview, told))
+}
+
+/// What is told of the overview of a page that is laid out anew, which is drawn of the one that the page has.
+fn overview_drawn_of(unlike: Option<String>, plan: &Plan) -> Option<Note> {
+    plan.layout().overview?;
+    let where_it_is = match plan.medium() {
+        MediumParams::Print(_) => "the overview",
+        MediumParams::Dots { .. } => "the overview, on a sheet of its own,",
+    };
+    let told = unlike.map(|unlike| {
+        format!(
+            "{where_it_is} is drawn of that of the page that was read: {unlike}; change it on that page too, or delete \
+             it there, and it is drawn of the figure"
+        )
+    });
+    told.map(|told| Note::TakenAs(About::Overview, told))
+}
+
+/// What is told of words that a person moved on a page that is laid out anew.
+fn placed_anew(moved: &[String]) -> Option<Note> {
+    let (was, it_has) = if moved.len() == 1 { ("was", "it has its place") } else { ("were", "they have their places") };
+    let named = first_few(moved, MOST_NAMED, String::clone);
+    (!moved.is_empty()).then(|| {
+        let told = format!(
+            "{named} {was} moved on the page, and {it_has} anew here: words stay where they were moved to only on the \
+             page's own paper or device"
+        );
+        Note::TakenAs(About::Braille, told)
+    })
+}
+
+/// Most texts that are named.
+const MOST_NAMED: usize = 5;
 
 /// Tells of words that stand in other cells than on the page that was read, which another table wrote.
 fn in_other_cells(before: &Page, after: &Page) -> Option<Note> {

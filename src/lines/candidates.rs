@@ -11,7 +11,7 @@ use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
-use super::{arrowheads, centreline, faint, join, junction, saliency, ticks, weight};
+use super::{arrowheads, centreline, faint, few, join, junction, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -82,6 +82,8 @@ impl LineCandidates {
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let has_outlines = contours < polylines.len();
         let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+            // in the figure others have made room for them already
+            _ if params.part == PagePart::Overview && few::is_of_person(line) => Rank::Person,
             _ if faint::is_faint(line) => Rank::Faint,
             _ if !has_outlines => Rank::Ordinary,
             _ if number < contours => Rank::of(line),

@@ -32,6 +32,8 @@ pub(super) enum Rank {
     Stroke,
     /// An outline of what the picture is about.
     Subject,
+    /// A line of an overview that a person drew.
+    Person,
 }
 
 /// Least length of a stroke that goes before outlines, mm.
@@ -120,8 +122,8 @@ mod tests {
 
     #[test]
     fn what_comes_first_is_greater() {
-        let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::Stroke, Rank::Subject];
+        let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::Stroke, Rank::Subject, Rank::Person];
         assert!(order.is_sorted());
-        assert_eq!(order.map(Rank::is_outline), [false, false, true, false, true]);
+        assert_eq!(order.map(Rank::is_outline), [false, false, true, false, true, false]);
     }
 }

@@ -9,6 +9,7 @@ use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::lines::{Line, Pen, Run};
 use crate::page::{Page, PartShown};
 use crate::profile::Plan;
+use crate::reading::DrawnArea;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Px, PxPoint, Size};
 use crate::{About, Error, Note};
 
@@ -22,8 +23,10 @@ pub struct HandLines {
     part: Option<PartShown>,
     /// How much of them lies outside of the figure and is left out, mm.
     left_outside: f32,
-    /// How many areas somebody drew beside them.
-    areas: usize,
+    /// The areas that somebody drew beside them.
+    areas: Vec<DrawnArea>,
+    /// What the lines of the figure are called, and which of them a person drew; of none that is not known.
+    names: Vec<LineName>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -50,14 +53,19 @@ impl HandLines {
         Self { part: PartShown::of(page), ..Self::of(&page.figure.lines, page.figure.place, plan) }
     }
 
-    /// The same lines of a page on which somebody drew so many areas.
-    pub fn beside_areas(self, areas: usize) -> Self {
+    /// The same lines, whose figure has lines of these names.
+    pub fn called(self, names: Vec<LineName>) -> Self {
+        Self { names, ..self }
+    }
+
+    /// The same lines of a page on which somebody drew these areas.
+    pub fn beside_areas(self, areas: Vec<DrawnArea>) -> Self {
         Self { areas, ..self }
     }
 
-    /// How many areas somebody drew beside them.
-    pub(super) fn areas(&self) -> usize {
-        self.areas
+    /// The areas that somebody drew beside them.
+    pub(super) fn areas(&self) -> &[DrawnArea] {
+        &self.areas
     }
 
     /// How much of a picture the figure shows.
@@ -75,10 +83,7 @@ impl HandLines {
         let [width, height] = [place.width(), place.height()].map(|side| side.max(f32::MIN_POSITIVE));
         let share = |at: MmPoint| [(at.x - place.min.x) / width, (at.y - place.min.y) / height];
         let of_lines = lines.iter().enumerate().flat_map(|(of_line, line)| {
-            // of a heavy line of dots the second row is a part of the first
-            let dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-            let runs = if dotted { &line.runs[..1] } else { &line.runs[..] };
-            joined(runs).into_iter().map(move |runs| {
+            joined(line.own_runs()).into_iter().map(move |runs| {
                 let closed = runs.len() == 1 && runs[0].closed;
                 let mut vertices = Vec::new();
                 for (number, run) in runs.iter().enumerate() {
@@ -103,15 +108,38 @@ impl HandLines {
         let before = length(&own);
         let lines: Vec<HandLine> = own.into_iter().flat_map(|line| line.inside([width, height])).collect();
         let left_outside = (before - length(&lines)).max(0.0);
-        Self { lines, aspect: width / height, part: None, left_outside, areas: 0 }
+        Self { lines, aspect: width / height, part: None, left_outside, areas: Vec::new(), names: Vec::new() }
     }
 
-    /// The same lines as contours of a picture of this size.
+    /// The same lines as contours of a picture of this size, those that a person drew as such.
     ///
     /// # Errors
     /// If the picture has another shape than the figure of the page.
     pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
         self.edges_of(size, ChainKind { exact: true, of_drawing: true, ..ChainKind::default() })
+    }
+
+    /// Whether a person drew a line.
+    fn is_by_hand(&self, line: &HandLine) -> bool {
+        self.names.get(line.of_line).is_some_and(|name| name.by_hand)
+    }
+
+    /// The lines that a person drew, where the figure lies at `place`.
+    pub(super) fn by_hand_in(&self, place: MmRect) -> impl Iterator<Item = Polyline<MmPoint>> {
+        let there = move |[x, y]: [f32; 2]| place.min + MmVector::new(x * place.width(), y * place.height());
+        self.lines.iter().filter(|line| self.is_by_hand(line)).map(move |line| Polyline {
+            vertices: line.vertices.iter().map(|(at, _)| there(*at)).collect(),
+            closed: line.closed,
+        })
+    }
+
+    /// The closed lines that a person drew, each with its name and its places in shares of the figure.
+    pub(super) fn shapes_by_hand(&self) -> impl Iterator<Item = (&str, Vec<[f32; 2]>)> {
+        let shapes = self.lines.iter().filter(|line| line.closed && !line.is_disc && self.is_by_hand(line));
+        shapes.map(|line| {
+            let places = line.vertices.iter().map(|(at, _)| *at).collect();
+            (self.names[line.of_line].name.as_str(), places)
+        })
     }
 
     /// The same. Those that a person drew come first; others are cut where they run along them within `reach` px, and
@@ -122,19 +150,19 @@ impl HandLines {
     /// As [`HandLines::edges`].
     pub(super) fn edges_under_own(
         &self,
-        names: &[LineName],
         size: Size,
         [reach, gap]: [f32; 2],
         full_strength: f32,
     ) -> Result<Edges, Error> {
-        let is_by_hand = |line: &&HandLine| names.get(line.of_line).is_some_and(|name| name.by_hand);
-        let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) = self.lines.iter().partition(is_by_hand);
+        let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) =
+            self.lines.iter().partition(|line| self.is_by_hand(line));
         let own = |lines: Vec<&HandLine>| Self {
             lines: lines.into_iter().cloned().collect(),
             aspect: self.aspect,
             part: None,
             left_outside: 0.0,
-            areas: 0,
+            areas: Vec::new(),
+            names: Vec::new(),
         };
         let kind = ChainKind { exact: true, of_drawing: true, added: true, ..ChainKind::default() };
         let mut first = own(by_hand).edges_of(size, kind)?;
@@ -202,6 +230,7 @@ impl HandLines {
                 // only a disc has an inside
                 contrast: [if line.is_disc { strength } else { 0.0 }, 0.0, 0.0],
             };
+            let kind = ChainKind { added: kind.added || self.is_by_hand(line), ..kind };
             edges.push_as(kind, line.vertices.iter().map(edgel), line.closed);
         }
         Ok(edges)

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::geom::nearby::{Nearby, Segment};
-use crate::lines::{GONE, Line, Pen, Run};
+use crate::lines::{GONE, Line, Run};
 use crate::listing::list;
+use crate::page::Names;
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::{About, Note};
 
@@ -15,6 +16,14 @@ pub struct LineName {
     pub name: String,
     /// Whether a person drew it.
     pub by_hand: bool,
+}
+
+impl LineName {
+    /// Those of the lines of a page that was read.
+    pub fn of(names: &Names) -> Vec<Self> {
+        let of = |name: &String| Self { name: name.clone(), by_hand: names.by_hand.contains(name) };
+        names.lines.iter().map(of).collect()
+    }
 }
 
 /// Lines are looked at this often, mm.
@@ -76,8 +85,6 @@ fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
 
 /// The segments of a line, without the second row of a heavy line of dots.
 fn path_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
-    let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-    let rows = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
     let ticks = line.row_ticks().filter_map(|(run, at)| Some((at, *run.points.last()?)));
     let points = line.row_points().flat_map(|point| {
         let corner = move |k: u32| {
@@ -86,7 +93,7 @@ fn path_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
         };
         (0..CIRCLE).map(move |k| (corner(k), corner(k + 1)))
     });
-    rows.iter().flat_map(steps_of).chain(ticks).chain(points).collect()
+    line.own_runs().iter().flat_map(steps_of).chain(ticks).chain(points).collect()
 }
 
 /// So many sides are a circle.

@@ -2,7 +2,7 @@
 
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::hand_lines::{index_of_drawn, without};
+use super::hand_lines::{HandLines, index_of_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::lines_of_part::LinesOfPart;
 use super::lost_marks;
@@ -11,10 +11,11 @@ use super::progress::{Event, Stage, Watch, run};
 use super::request::{OverviewSize, scale_of_photograph};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
+use crate::listing::first_few;
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::units::{MmRect, PageTransform};
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
@@ -236,6 +237,52 @@ pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &La
         format!("{it_has} no room there, or would be too short; ask for fewer shapes, or do without the overview");
     (count > 0)
         .then(|| Note::NotOnPage(About::Overview, format!("{count} {noun} of the figure in the overview: {why}")))
+}
+
+/// What the maker is told of closed lines that a person drew and that are not in the overview, the largest first:
+/// where each is in the figure, by its name. What the figure lacks itself is told there.
+pub(super) fn told_by_hand<'l>(
+    given: impl Iterator<Item = &'l HandLines>,
+    figure: &[Line],
+    overview: &DrawnOverview,
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
+    let (place, lines) = overview.marks.as_ref()?;
+    let parts = [(figure, layout.figure), (lines, *place)];
+    let [of_figure, of_overview] = parts.map(|(lines, place)| LinesOfPart::of(lines, place, layout, plan));
+    let at = |[x, y]: [f32; 2], place: MmRect| place.min + MmVector::new(x * place.width(), y * place.height());
+    let mut missing: Vec<(&str, MmRect)> = Vec::new();
+    for (name, shares) in given.flat_map(HandLines::shapes_by_hand) {
+        let there = |place: MmRect| ring(shares.iter().map(|&share| at(share, place)).collect());
+        let [own, small] = [layout.figure, *place].map(there);
+        if of_figure.share_of_path(&own) >= HALF && of_overview.share_of_path(&small) < HALF {
+            missing.push((name, MmRect::from_points(own)));
+        }
+    }
+    missing.sort_by(|a, b| b.1.area().total_cmp(&a.1.area()));
+    let said = |(name, extent): &(&str, MmRect)| {
+        let (middle, size) = (extent.center(), extent.size());
+        let [width, height, x, y] = [size.width, size.height, middle.x, middle.y].map(f32::round);
+        format!("{name} ({width} x {height} mm, around {x}, {y} mm)")
+    };
+    let (shapes, them) = match missing.len() {
+        0 => return None,
+        1 => ("the closed line that you drew", "it"),
+        _ => ("closed lines that you drew", "them"),
+    };
+    let named = first_few(&missing, MOST_NAMED, said);
+    let why = format!("there is no room for {them} there; draw {them} simpler, or do without the overview");
+    Some(Note::NotOnPage(About::Overview, format!("{shapes}, in the overview: {named}: {why}")))
+}
+
+/// Most closed lines that are named.
+const MOST_NAMED: usize = 5;
+
+/// A closed path through these places.
+fn ring(mut points: Vec<MmPoint>) -> Vec<MmPoint> {
+    points.extend(points.first().copied());
+    points
 }
 
 #[cfg(test)]

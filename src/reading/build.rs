@@ -40,6 +40,8 @@ pub(super) struct Built {
     pub(super) notes: Vec<Note>,
     /// Areas that a person drew.
     pub(super) areas: Vec<DrawnArea>,
+    /// The texts in braille that a person moved, by their names.
+    pub(super) moved_texts: Vec<String>,
 }
 
 /// The page of these marks.
@@ -47,15 +49,15 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print, pictures): (PaintedShapes<'_>, Vec<PrintText>, usize),
+    (marks, print, [pictures, cut]): (PaintedShapes<'_>, Vec<PrintText>, [usize; 2]),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
 ) -> Result<Built, Error> {
-    let PaintedShapes { marks, transforms, clipped, patterned, far, .. } = marks;
+    let PaintedShapes { marks, transforms, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
-    let mut builder = Builder::new(&medium, sheet);
+    let mut builder = Builder::new(&medium, palette(&words), sheet);
     builder.is_foreign = elements.has_layer() && elements.layer(Layer::Figure).is_none();
     let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
@@ -74,10 +76,12 @@ pub(super) fn page(
         line_names,
         overview_names,
         text_begins,
+        moved_texts,
         ..
     } = builder;
     regions.sort_by_key(|(number, _, _)| *number);
     let area_names = regions.iter().map(|(_, name, _)| name.clone()).collect();
+    let moved_texts = moved_texts.into_iter().map(|text| text_name(&parts.braille[text])).collect();
     let texts: Vec<(String, usize)> = parts.braille.iter().map(text_name).zip(text_begins).collect();
     let objects = [line_names, overview_names, area_names];
     let names = names::of_page(&objects, texts, elements.text);
@@ -91,7 +95,7 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let notes = tally.notes().chain(tally::told_of_file([pictures, far, clipped, patterned])).collect();
+    let notes = tally.notes().chain(tally::told_of_file([pictures, far, cut, patterned])).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();
@@ -101,7 +105,7 @@ pub(super) fn page(
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    Ok(Built { page: Page::new(parts)?, names, notes, areas })
+    Ok(Built { page: Page::new(parts)?, names, notes, areas, moved_texts })
 }
 
 /// What the page is made for, as it says itself.
@@ -121,6 +125,16 @@ fn medium(words: &PageWords, sheet: [f32; 2]) -> Result<Medium, Error> {
             })
         }
     }
+}
+
+/// The signs of the page's own profile, as they are seen on it; what it does not say is that of the paper.
+fn palette(words: &PageWords) -> Palette {
+    let sign = |class: Class| {
+        let own = words.value(&format!("textures.palette.{}", class.name())).and_then(Sign::named);
+        let sign = own.unwrap_or_else(|| Palette::PAPER.sign(class));
+        if words.is_mirrored() { sign.mirrored() } else { sign }
+    };
+    Palette { signs: Class::ALL.map(sign) }
 }
 
 /// Where a layer says that its picture lies.
@@ -159,6 +173,8 @@ struct Pieces {
 
 struct Builder<'m> {
     medium: &'m Medium,
+    /// The signs of layers that do not say which they have, such as one that a person made.
+    palette: Palette,
     sheet: [f32; 2],
     /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
     is_foreign: bool,
@@ -173,6 +189,8 @@ struct Builder<'m> {
     texts: Vec<usize>,
     /// Where the element of each text begins in the file.
     text_begins: Vec<usize>,
+    /// Which of them a person moved: they are written without a transform.
+    moved_texts: Vec<usize>,
     /// Areas that a person drew.
     areas: Vec<DrawnArea>,
     /// Which dots of labels are which object.
@@ -181,10 +199,11 @@ struct Builder<'m> {
 }
 
 impl<'m> Builder<'m> {
-    fn new(medium: &'m Medium, sheet: [f32; 2]) -> Self {
+    fn new(medium: &'m Medium, palette: Palette, sheet: [f32; 2]) -> Self {
         let empty = Figure { place: MmRect::zero(), source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
         Self {
             medium,
+            palette,
             sheet,
             is_foreign: false,
             parts: Parts::of(sheet, empty),
@@ -195,6 +214,7 @@ impl<'m> Builder<'m> {
             regions: Vec::new(),
             texts: Vec::new(),
             text_begins: Vec::new(),
+            moved_texts: Vec::new(),
             areas: Vec::new(),
             labels: Vec::new(),
             tally: Tally::default(),
@@ -295,7 +315,7 @@ impl<'m> Builder<'m> {
         match runs.last_mut() {
             Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
             _ => {
-                let name = names::of_line(mark.element);
+                let name = names::of_line(mark.element, mark.clone);
                 runs.push(Pieces { object: mark.object, layer, strength, name, runs: of_path });
             }
         }
@@ -413,12 +433,12 @@ impl<'m> Builder<'m> {
         let number = element.attribute("id").and_then(|id| id.strip_prefix("region-")?.parse().ok());
         let texture = Texture {
             class,
-            sign: sign.unwrap_or(Palette::PAPER.sign(class)),
+            sign: sign.unwrap_or_else(|| self.palette.sign(class)),
             colour: colour.map_or([128; 3], |colour| colour.map(|channel| channel.clamp(0.0, 255.0) as u8)),
             area: area.map_or(GLYPH_AREA * glyphs.len() as f32, |area| clean((area * mark.area_scale).max(0.0))),
             glyphs,
         };
-        self.regions.push((number.unwrap_or(usize::MAX), names::of_area(element, class), texture));
+        self.regions.push((number.unwrap_or(usize::MAX), names::of_area(element, mark.clone, class), texture));
     }
 
     /// The text that an object is; a new one if it was not met yet.
@@ -433,6 +453,9 @@ impl<'m> Builder<'m> {
         let lines = said("data-braille").unwrap_or_default();
         self.texts.push(mark.object);
         self.text_begins.push(mark.element.range().start);
+        if mark.element.ancestors().any(|around| around.has_attribute("transform")) {
+            self.moved_texts.push(self.parts.braille.len());
+        }
         self.parts.braille.push(BrailleText {
             role,
             text,
