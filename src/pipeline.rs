@@ -72,8 +72,8 @@ use crate::page::{BrailleText, Dots, Figure, InSet, Medium, Overview, Page, Part
 use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
-use draw::{DrawnMarks, FromPerson, PageSays, draw, find};
-use finish::{finished, origin, too_black};
+use draw::{DrawnMarks, FromPerson, draw, find};
+use finish::{PageSays, finished, origin, told_empty, too_black};
 use progress::run;
 use request::OverviewSize;
 use words::{OnPage, WrittenWords};
@@ -224,16 +224,6 @@ fn compose(
     }
     Note::sort(&mut notes);
     Ok(Drawing { page, overview, key, texts, notes })
-}
-
-/// Tells of a page with nothing on it; of one from which all was erased, nothing else that is not there.
-fn told_empty(notes: &mut Vec<Note>, all_erased: bool) {
-    if all_erased {
-        let lacks =
-            |note: &Note| matches!(note, Note::NotOnPage(..) | Note::TextsLeftOut(_) | Note::LetteringLeftOut { .. });
-        notes.retain(|note| !lacks(note));
-    }
-    notes.push(if all_erased { Note::AllErased } else { Note::EmptyPage });
 }
 
 /// Puts all marks on the sheet.

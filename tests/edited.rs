@@ -67,7 +67,7 @@ fn a_closed_line_of_a_person_comes_first_in_the_overview() {
     assert!((left - 6.0).abs() < 1.5, "the outer line is {left} mm left of the inner one");
     assert!(!told(&drawing.notes).contains("in the overview: line"), "{}", told(&drawing.notes));
     // of two by hand the larger one, and the other is told
-    let both = with_line(&thin, &rectangle("inner", &before, RED, 11.0, 0.26));
+    let both = with_line(&thin, &rectangle("outer", &before, RED, 11.0, 0.26));
     let drawing = tactograph::convert(PICTURE.as_bytes(), &options().lines(&both).expect("a page")).expect("a page");
     let told = told(&drawing.notes);
     assert!(told.contains("the closed line that you drew, in the overview: line \"mine\" ("), "{told}");
@@ -165,7 +165,7 @@ fn lines_that_are_found_beside_added_ones_are_told() {
 #[test]
 fn the_overview_is_told_of_as_what_becomes_of_it() {
     let page = page(&options());
-    let svg = with_line(&page.to_svg(), &rectangle("mine", &page, [0.62, 0.05, 0.95, 0.2], 0.0, 1.5));
+    let svg = with_line(&page.to_svg(), &rectangle("mine", &page, [0.53, 0.02, 0.99, 0.26], 0.0, 1.5));
     let own = told(&render(&svg).notes);
     assert!(own.contains("the overview is as it was: ") && own.contains("change it there too, or delete it"), "{own}");
     let dots = told(&render_for(&svg, "index-basic-d").notes);
@@ -180,7 +180,7 @@ fn the_overview_is_told_of_as_what_becomes_of_it() {
     assert!(drawing.overview.is_some());
     // of a page whose overview has a sheet of its own
     let of_dots = page_of_dots();
-    let edited = with_line(&of_dots.to_svg(), &rectangle("mine", &of_dots, [0.62, 0.05, 0.95, 0.2], 0.0, 1.5));
+    let edited = with_line(&of_dots.to_svg(), &rectangle("mine", &of_dots, [0.53, 0.02, 0.99, 0.26], 0.0, 1.5));
     let told = told(&render(&edited).notes);
     assert!(told.contains("the overview of this page has a sheet of its own, and is as it was"), "{told}");
 }

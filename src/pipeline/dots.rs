@@ -1,7 +1,6 @@
 //! Pages of dots: what is done otherwise than for a printed page.
 
-use super::draw::PageSays;
-use super::finish::{finished, origin, title_of_overview};
+use super::finish::{PageSays, finished, origin, title_of_overview};
 use super::kept_lines;
 use super::lost_signs::{MOVED, extent, is_arrowhead, is_small_ring};
 use super::request::Request;

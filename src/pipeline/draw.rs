@@ -4,6 +4,7 @@ use super::areas_of_colours::AreasOfColours;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
 use super::find_edges::{edges_of, find_edges};
+use super::finish::PageSays;
 use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
@@ -15,7 +16,7 @@ use super::lost_signs;
 use super::margins::Lettered;
 use super::named::NamedThings;
 use super::outlines::{outlines_of_figure, regions_of_figure};
-use super::overview::{draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview};
+use super::overview::{DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
@@ -27,7 +28,7 @@ use super::words::{Words, become_labels};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
-use crate::page::{Dots, Figure, InSet, LeftOut, Medium};
+use crate::page::{Figure, Medium};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
@@ -52,25 +53,6 @@ pub(super) struct DrawnMarks {
     /// Texts that are not drawn.
     pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
-}
-
-/// What a page says of itself, beside how it was made.
-#[derive(Debug, Clone, Default)]
-pub(super) struct PageSays {
-    /// Contours that are not drawn.
-    pub(super) left_out: LeftOut,
-    /// Which sheet of a set it was before it was drawn anew.
-    pub(super) in_set: Option<InSet>,
-    /// That in braille.
-    pub(super) label: Option<Dots>,
-}
-
-impl PageSays {
-    /// As entries of its origin.
-    pub(super) fn to_origin(&self) -> Vec<(String, String)> {
-        let in_set = self.in_set.iter().map(InSet::to_origin);
-        in_set.chain(self.left_out.to_origin()).collect()
-    }
 }
 
 /// The layout with room for the texts of a drawing, which the last argument lays out in another size.
@@ -198,11 +180,9 @@ pub(super) fn draw(
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
         notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
     }
-    let left_out = left_out(&drawn.lost, overview.lost.rings, edges.of_drawing());
-    let said = PageSays { left_out, ..PageSays::default() };
+    let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview));
-    notes.extend(told_beside_added(given.added.as_ref(), &drawn.lines, &layout, plan));
-    notes.extend(told_by_hand(given.hand_lines(), &drawn.lines, &overview, &layout, plan));
+    notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
@@ -216,19 +196,21 @@ pub(super) fn draw(
     notes.extend(told);
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
-    let lost_signs = drawn.lost.signs;
-    Ok(DrawnMarks {
-        figure,
-        overview: overview.marks,
-        layout,
-        is_flat,
-        all_erased,
-        said,
-        lost_signs,
-        legend,
-        texts,
-        notes,
-    })
+    let (lost_signs, overview) = (drawn.lost.signs, overview.marks);
+    Ok(DrawnMarks { figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, notes })
+}
+
+/// What the maker is told of lines that a person drew: of what runs beside those that are added, and of those that are
+/// not in the overview.
+fn told_of_person(
+    given: &Given,
+    lines: &[Line],
+    overview: &DrawnOverview,
+    layout: &Layout,
+    plan: &Plan,
+) -> impl Iterator<Item = Note> {
+    let beside = told_beside_added(given.added.as_ref(), lines, layout, plan);
+    beside.into_iter().chain(told_by_hand(given.hand_lines(), lines, overview, layout))
 }
 
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.

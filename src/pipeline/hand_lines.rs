@@ -121,25 +121,23 @@ impl HandLines {
 
     /// Whether a person drew a line.
     fn is_by_hand(&self, line: &HandLine) -> bool {
-        self.names.get(line.of_line).is_some_and(|name| name.by_hand)
+        self.name_by_hand(line.of_line).is_some()
     }
 
-    /// The lines that a person drew, where the figure lies at `place`.
-    pub(super) fn by_hand_in(&self, place: MmRect) -> impl Iterator<Item = Polyline<MmPoint>> {
-        let there = move |[x, y]: [f32; 2]| place.min + MmVector::new(x * place.width(), y * place.height());
-        self.lines.iter().filter(|line| self.is_by_hand(line)).map(move |line| Polyline {
-            vertices: line.vertices.iter().map(|(at, _)| there(*at)).collect(),
-            closed: line.closed,
-        })
+    /// The lines where the figure lies at `place`, each with its number among those of the figure.
+    pub(super) fn in_place(&self, place: MmRect) -> Vec<(Line, usize)> {
+        let there = |[x, y]: [f32; 2]| place.min + MmVector::new(x * place.width(), y * place.height());
+        let line = |line: &HandLine| {
+            let points = line.vertices.iter().map(|(at, _)| there(*at)).collect();
+            let run = Run { closed: line.closed, ..Run::stroke(1.0, points) };
+            (Line { strength: 1.0, runs: vec![run] }, line.of_line)
+        };
+        self.lines.iter().filter(|line| !line.is_disc).map(line).collect()
     }
 
-    /// The closed lines that a person drew, each with its name and its places in shares of the figure.
-    pub(super) fn shapes_by_hand(&self) -> impl Iterator<Item = (&str, Vec<[f32; 2]>)> {
-        let shapes = self.lines.iter().filter(|line| line.closed && !line.is_disc && self.is_by_hand(line));
-        shapes.map(|line| {
-            let places = line.vertices.iter().map(|(at, _)| *at).collect();
-            (self.names[line.of_line].name.as_str(), places)
-        })
+    /// What a line of the figure is called, if a person drew it.
+    pub(super) fn name_by_hand(&self, number: usize) -> Option<&str> {
+        self.names.get(number).filter(|name| name.by_hand).map(|name| name.name.as_str())
     }
 
     /// The same. Those that a person drew come first; others are cut where they run along them within `reach` px, and

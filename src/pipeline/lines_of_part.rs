@@ -32,13 +32,15 @@ impl LinesOfPart {
     /// The share of a line of the figure at which there is one in this part of the page.
     pub(super) fn share_of_line(&self, line: &Line, [from, to]: [MmRect; 2]) -> f32 {
         let scale = to.width() / from.width();
-        let paths: Vec<Vec<MmPoint>> = line.runs.iter().map(|run| run.path().collect()).collect();
-        self.share(paths.iter().flat_map(|path| places_of(path)).map(|at| to.min + (at - from.min) * scale))
-    }
-
-    /// The share of a path in this part of the page at which there is a line.
-    pub(super) fn share_of_path(&self, path: &[MmPoint]) -> f32 {
-        self.share(places_of(path))
+        let segments = line.runs.iter().flat_map(|run| {
+            let path: Vec<MmPoint> = run.path().collect();
+            path.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>()
+        });
+        let places = segments.flat_map(|[a, b]| {
+            let steps = ((b - a).length() / STEP).ceil().max(1.0) as u32;
+            (0..=steps).map(move |step| to.min + (a.lerp(b, step as f32 / steps as f32) - from.min) * scale)
+        });
+        self.share(places)
     }
 
     /// Share of some places at which there is a line; 0 of none.
@@ -50,13 +52,4 @@ impl LinesOfPart {
         }
         near as f32 / all.max(1) as f32
     }
-}
-
-/// Places along a path, some at each of its points.
-fn places_of(path: &[MmPoint]) -> impl Iterator<Item = MmPoint> {
-    path.windows(2).flat_map(|pair| {
-        let (a, b) = (pair[0], pair[1]);
-        let steps = ((b - a).length() / STEP).ceil().max(1.0) as u32;
-        (0..=steps).map(move |step| a.lerp(b, step as f32 / steps as f32))
-    })
 }

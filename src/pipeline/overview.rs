@@ -4,6 +4,7 @@ use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
 use super::hand_lines::{HandLines, index_of_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
+use super::kept_lines;
 use super::lines_of_part::LinesOfPart;
 use super::lost_marks;
 use super::outlines::outlines_of_overview;
@@ -15,7 +16,7 @@ use crate::listing::first_few;
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
+use crate::units::{MmRect, PageTransform};
 use crate::{About, Note};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
@@ -246,18 +247,17 @@ pub(super) fn told_by_hand<'l>(
     figure: &[Line],
     overview: &DrawnOverview,
     layout: &Layout,
-    plan: &Plan,
 ) -> Option<Note> {
     let (place, lines) = overview.marks.as_ref()?;
-    let parts = [(figure, layout.figure), (lines, *place)];
-    let [of_figure, of_overview] = parts.map(|(lines, place)| LinesOfPart::of(lines, place, layout, plan));
-    let at = |[x, y]: [f32; 2], place: MmRect| place.min + MmVector::new(x * place.width(), y * place.height());
     let mut missing: Vec<(&str, MmRect)> = Vec::new();
-    for (name, shares) in given.flat_map(HandLines::shapes_by_hand) {
-        let there = |place: MmRect| ring(shares.iter().map(|&share| at(share, place)).collect());
-        let [own, small] = [layout.figure, *place].map(there);
-        if of_figure.share_of_path(&own) >= HALF && of_overview.share_of_path(&small) < HALF {
-            missing.push((name, MmRect::from_points(own)));
+    for given in given {
+        let (own, numbers): (Vec<Line>, Vec<usize>) = given.in_place(layout.figure).into_iter().unzip();
+        let shares = |lines: &[Line], place: MmRect| kept_lines::matched(&own, layout.figure, lines, place).1;
+        let shares = shares(figure, layout.figure).into_iter().zip(shares(lines, *place));
+        for ((line, number), (of_figure, of_overview)) in own.iter().zip(numbers).zip(shares) {
+            let run = line.runs.first().filter(|run| run.closed && of_figure >= HALF && of_overview < HALF);
+            let extent = run.map(|run| MmRect::from_points(&run.points));
+            missing.extend(given.name_by_hand(number).zip(extent));
         }
     }
     missing.sort_by(|a, b| b.1.area().total_cmp(&a.1.area()));
@@ -278,12 +278,6 @@ pub(super) fn told_by_hand<'l>(
 
 /// Most closed lines that are named.
 const MOST_NAMED: usize = 5;
-
-/// A closed path through these places.
-fn ring(mut points: Vec<MmPoint>) -> Vec<MmPoint> {
-    points.extend(points.first().copied());
-    points
-}
 
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,8 @@
 
 use super::areas;
 use super::decisions::LinesOf;
-use super::draw::{DrawnMarks, FigureLines, PageSays, draw_lines};
+use super::draw::{DrawnMarks, FigureLines, draw_lines};
+use super::finish::PageSays;
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::label::{Label, Position};
@@ -15,6 +16,7 @@ use super::texts::Text;
 use super::textures::{blank_ground, draw_textures, told_bare};
 use super::told_lines::{left_out, told_left_out};
 use super::words::Words;
+use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
@@ -81,13 +83,7 @@ pub(super) fn marks(
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
     let hand_lines = HandLines::of_figure(page, own).called(lines.to_vec());
     let mut edges = hand_lines.edges_under_own(size, blank, params.full_strength)?;
-    if let MediumParams::Dots { device, .. } = plan.medium()
-        && !device.has_heights()
-    {
-        // a page tells one strength of a whole line: a second row would go all along it
-        let most = 0.99 * plan.profile().dots.heavy_from;
-        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
-    }
+    without_second_rows(&mut edges, plan);
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     let of_leaders = whole_leaders(&mut edges, labels, page, &layout, plan);
     request.go_on()?;
@@ -107,20 +103,17 @@ pub(super) fn marks(
     }
     notes.extend(told_of_overview(&overview).chain(dots_left_out(page, own)));
     // what an overview of the page lacks is told where the page is read
-    if of_overview.is_none() {
-        notes.extend(told_by_hand(std::iter::once(&hand_lines), &drawn.lines, &overview, &layout, plan));
-    }
-    let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
-    // the ground of a page that has none already is another area
-    let has_ground = own.profile().figure.ground;
-    notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
+    let of_figure = std::iter::once(&hand_lines).filter(|_| of_overview.is_none());
+    notes.extend(told_by_hand(of_figure, &drawn.lines, &overview, &layout));
+    let (classes, of_ground) = areas_of(page, own, plan);
+    notes.extend(of_ground);
     request.go_on()?;
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     notes
         .extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let left_out = left_out(&drawn.lost, overview.lost.rings, !LeftOut::of(page).of_photograph);
-    let (said, told) = sheet_of_set(PageSays { left_out, ..PageSays::default() }, page, &layout, plan);
+    let (said, told) = sheet_of_set(PageSays::of(left_out), page, &layout, plan);
     notes.extend(told);
     Ok(DrawnMarks {
         figure,
@@ -134,6 +127,24 @@ pub(super) fn marks(
         texts: Vec::new(),
         notes,
     })
+}
+
+/// Makes contours too weak for a second row, where a device has one height only: a page tells one strength of a whole
+/// line, and a second row would go all along it.
+fn without_second_rows(edges: &mut Edges, plan: &Plan) {
+    if matches!(plan.medium(), MediumParams::Dots { device, .. } if !device.has_heights()) {
+        let most = 0.99 * plan.profile().dots.heavy_from;
+        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
+    }
+}
+
+/// The areas of a page that was made with `own`, if any are to have textures, and what is told of its ground: that of a
+/// page that has none already is another area.
+fn areas_of(page: &Page, own: &Plan, plan: &Plan) -> (Option<Classes>, Option<Note>) {
+    let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
+    let has_ground = own.profile().figure.ground;
+    let told = classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan));
+    (classes, told)
 }
 
 /// What a sheet of a set says of itself in another layout: it stays that sheet, with its name if there is room at the

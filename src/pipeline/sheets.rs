@@ -1,13 +1,12 @@
 //! From bytes to a picture on several sheets.
 
 use super::draw::{DrawnMarks, FromPerson, draw, find};
-use super::finish::{finished, origin, title_of_overview, too_black};
+use super::finish::{finished, origin, title_of_overview, told_empty, too_black};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
-use super::told_empty;
 use super::words::{OnPage, Words, WrittenWords};
 use crate::devices::Family;
 use crate::page::heading::HeadingParams;

@@ -5,7 +5,6 @@ use super::lost_signs::is_small;
 use crate::devices::Family;
 use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::polyline::PolylineRef;
 use crate::lines::{Beyond, Line, Lines, Lost};
 use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
@@ -125,8 +124,10 @@ pub(super) fn told_beside_added(
 ) -> Option<Note> {
     let (added, near) = (added?, plan.lines().max_spacing());
     let mut own = Nearby::new(layout.figure, near);
-    for (number, line) in (0..).zip(added.by_hand_in(layout.figure)) {
-        own.insert_line(number, PolylineRef { vertices: &line.vertices, closed: line.closed }, 0.0);
+    let lines = added.in_place(layout.figure).into_iter();
+    let by_hand = lines.filter(|(_, number)| added.name_by_hand(*number).is_some());
+    for (number, run) in (0..).zip(by_hand.flat_map(|(line, _)| line.runs)) {
+        own.insert_line(number, run.polyline(), 0.0);
     }
     let mut beside: Vec<(f32, MmPoint)> = figure.iter().filter_map(|line| runs_beside(line, &own, near)).collect();
     beside.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -136,8 +137,9 @@ pub(super) fn told_beside_added(
         count => (format!("{count} lines"), "run", "the longest "),
     };
     let told = format!(
-        "{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm) {run} beside lines that you drew and added, and may be \
-         what these replace: take the lines of the corrected page in place of those that are found, or erase that part",
+        "{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm) {run} beside lines that you drew and added, and \
+         may be what these replace: take the lines of the corrected page in place of those that are found, or erase that \
+         part",
         at.x, at.y
     );
     Some(Note::TakenAs(About::Lines, told))

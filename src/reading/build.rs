@@ -1,21 +1,20 @@
 //! A page of what was found drawn.
 
-use resvg::tiny_skia::{Point, Transform};
-
 use super::areas::{self, DrawnArea};
-use super::document::{Elements, not_a_page, numbers};
+use super::document::{Elements, numbers};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes, WHITE};
 use super::names::{self, Name};
+use super::said::{medium, on_sheet, palette, place_of, source};
 use super::shapes::{disc, glyph};
 use super::subpath::{Subpath, clean};
 use super::tally::{self, Tally, What};
 use super::words::{PageWords, language};
-use crate::devices::{Device, DotArea};
+use crate::devices::DotArea;
 use crate::output::layer::{self, Layer};
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
-    Print, PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
+    PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
 };
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 use crate::{Error, Note};
@@ -106,60 +105,6 @@ pub(super) fn page(
     parts.origin = words.origin;
     parts.medium = medium;
     Ok(Built { page: Page::new(parts)?, names, notes, areas, moved_texts })
-}
-
-/// What the page is made for, as it says itself.
-fn medium(words: &PageWords, sheet: [f32; 2]) -> Result<Medium, Error> {
-    match words.value("dots.device").filter(|id| *id != "none") {
-        None => Ok(Medium::Print(Print {
-            swell: words.number("print.swell").unwrap_or(0.0),
-            max_black: words.number("print.max_black").unwrap_or(0.0).max(0.0),
-        })),
-        Some(id) => {
-            let found = Device::named(id).ok().and_then(|device| {
-                let pitch = device.pitches().find(words.number("dots.pitch")?)?;
-                DotMedium::on(device, pitch, sheet)
-            });
-            found.map(Medium::Dots).ok_or_else(|| {
-                not_a_page("it is a page of dots for a device that is not known, or that does not take its sheet")
-            })
-        }
-    }
-}
-
-/// The signs of the page's own profile, as they are seen on it; what it does not say is that of the paper.
-fn palette(words: &PageWords) -> Palette {
-    let sign = |class: Class| {
-        let own = words.value(&format!("textures.palette.{}", class.name())).and_then(Sign::named);
-        let sign = own.unwrap_or_else(|| Palette::PAPER.sign(class));
-        if words.is_mirrored() { sign.mirrored() } else { sign }
-    };
-    Palette { signs: Class::ALL.map(sign) }
-}
-
-/// Where a layer says that its picture lies.
-fn place_of(layer: Layer, elements: &Elements<'_>, transform: Option<&Transform>) -> Option<MmRect> {
-    let node = elements.layer(layer)?;
-    let [x, y, width, height]: [f32; 4] = numbers(node, "data-box")?.try_into().ok()?;
-    let mut corners = [Point::from_xy(x, y), Point::from_xy(x + width, y + height)];
-    if let Some(transform) = transform {
-        transform.map_points(&mut corners);
-    }
-    let [a, b] = corners.map(|p| MmPoint::new(clean(p.x), clean(p.y)));
-    let place = MmRect::new(a.min(b), a.max(b));
-    (place.width() > 0.0 && place.height() > 0.0).then_some(place)
-}
-
-/// A place as far as it lies on the sheet; all of the sheet if there is none.
-fn on_sheet(place: Option<MmRect>, sheet: [f32; 2]) -> MmRect {
-    let all = MmRect::new(MmPoint::zero(), sheet.into());
-    place.and_then(|place| place.intersection(&all)).unwrap_or(all)
-}
-
-fn source(elements: &Elements<'_>) -> Option<Size> {
-    let text = elements.layer(Layer::Figure)?.attribute("data-source")?;
-    let (width, height) = text.split_once(' ')?;
-    Some(Size::new(width.parse().ok()?, height.parse().ok()?)).filter(|size| size.area() > 0)
 }
 
 /// The strokes and rows of dots of one object.

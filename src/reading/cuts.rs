@@ -6,14 +6,10 @@ use std::ops::Range;
 
 use usvg::roxmltree::Node;
 
-use super::document::is_shown;
-
 /// The properties that cut off or change what is drawn.
 const PROPERTIES: [&str; 3] = ["filter", "clip-path", "mask"];
 /// What stands in place of them.
 pub(super) const NONE: &str = "none";
-/// Elements that are not drawn themselves, beside `defs`.
-const NOT_DRAWN: [&str; 5] = ["clipPath", "mask", "symbol", "pattern", "marker"];
 
 /// Where the values of these properties stand in the text of an element's tag, or of a style sheet.
 pub(super) fn of_element(node: Node<'_, '_>, text: &str) -> Vec<Range<usize>> {
@@ -35,12 +31,6 @@ pub(super) fn of_element(node: Node<'_, '_>, text: &str) -> Vec<Range<usize>> {
     }
     found.sort_by_key(|range| range.start);
     found
-}
-
-/// Whether what an element has of them would be seen: it is drawn, or it is a style sheet.
-pub(super) fn are_seen(node: Node<'_, '_>) -> bool {
-    let is_drawn = || !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()));
-    node.tag_name().name() == "style" || is_shown(&node) && is_drawn()
 }
 
 /// Where the values of these properties stand in declarations of CSS.

@@ -111,11 +111,16 @@ fn place_mark(text: Node<'_, '_>, id: &str) -> String {
     format!("<rect{}/>", attributes.collect::<String>())
 }
 
+/// Elements that are not drawn themselves, beside `defs`.
+const NOT_DRAWN: [&str; 5] = ["clipPath", "mask", "symbol", "pattern", "marker"];
+
 /// Whether an element is a text that is shown, and no part of a definition.
 fn is_seen_text(node: Node<'_, '_>) -> bool {
     let hides = |above: Node<'_, '_>| {
         let style = above.attribute("style").unwrap_or_default().replace(' ', "");
-        ["defs", "clipPath", "mask", "symbol", "pattern", "marker"].contains(&above.tag_name().name())
+        let name = above.tag_name().name();
+        name == "defs"
+            || NOT_DRAWN.contains(&name)
             || above.attribute("display") == Some("none")
             || style.contains("display:none")
     };
@@ -200,7 +205,7 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
             done = end;
         }
         let cuts = cuts::of_element(node, text);
-        cut += usize::from(!cuts.is_empty() && cuts::are_seen(node));
+        cut += usize::from(!cuts.is_empty() && is_cut(node));
         for range in cuts {
             let _ = write!(out, "{}{}", &text[done..range.start], cuts::NONE);
             done = range.end;
@@ -208,6 +213,12 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
     }
     out.push_str(&text[done..]);
     Ok((out, cut))
+}
+
+/// Whether what an element has of clip paths, masks and filters would be seen: it is drawn, or it is a style sheet.
+fn is_cut(node: Node<'_, '_>) -> bool {
+    let is_drawn = || !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()));
+    node.tag_name().name() == "style" || is_shown(&node) && is_drawn()
 }
 
 /// Elements by their ids.

@@ -202,20 +202,9 @@ impl<'a> PaintedShapes<'a> {
             is_dashed: stroke.dasharray().is_some(),
         });
         let is_direct = own.parent() == Some(element) || own == element;
-        let layer = around.layer;
-        let clone = around.clone;
-        self.marks.push(PaintedShape {
-            layer,
-            object,
-            element,
-            clone,
-            is_direct,
-            subpaths,
-            fill,
-            colour,
-            stroke,
-            area_scale,
-        });
+        let Inherited { layer, clone, .. } = around;
+        let of = PaintedShape { layer, object, element, clone, is_direct, subpaths, fill, colour, stroke, area_scale };
+        self.marks.push(of);
         Ok(())
     }
 

@@ -22,6 +22,7 @@ mod leaders;
 mod marks;
 mod names;
 mod print;
+mod said;
 mod shapes;
 mod subpath;
 mod tally;
