@@ -313,3 +313,13 @@ fn a_layer_that_a_person_made_has_the_signs_of_its_page() {
     let yellow = textures.iter().find(|texture| texture.class == tactograph::Class::Yellow).expect("it is yellow");
     assert_eq!(yellow.sign.to_string(), "rhombus 100");
 }
+
+#[test]
+fn lines_outside_of_the_figure_are_told_once_and_by_name() {
+    let page = page(&options());
+    let y = page.figure.place.max.y + 9.0;
+    let added = format!("<path id='off' d='M60 {y}h40' fill='none' stroke='#000' stroke-width='1.5'/>");
+    let told = told(&render_for(&with_line(&page.to_svg(), &added), "index-basic-d").notes);
+    assert!(told.contains("40 mm of lines outside of the figure (line \"off\")"), "{told}");
+    assert!(!told.contains("too short for this page"), "{told}");
+}

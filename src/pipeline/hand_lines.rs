@@ -7,6 +7,7 @@ use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::lines::{Line, Pen, Run};
+use crate::listing::first_few;
 use crate::page::{Page, PartShown};
 use crate::profile::Plan;
 use crate::reading::DrawnArea;
@@ -21,8 +22,8 @@ pub struct HandLines {
     aspect: f32,
     /// How much of a picture the figure shows, as far as its page says.
     part: Option<PartShown>,
-    /// How much of them lies outside of the figure and is left out, mm.
-    left_outside: f32,
+    /// How much of each of these lines lies outside of the figure and is left out, mm.
+    left_outside: Vec<(usize, f32)>,
     /// The areas that somebody drew beside them.
     areas: Vec<DrawnArea>,
     /// What the lines of the figure are called, and which of them a person drew; of none that is not known.
@@ -44,6 +45,8 @@ struct HandLine {
 const BESIDE: f32 = 0.5;
 /// Most steps in which a side of a line that leaves the figure is looked at.
 const MOST_STEPS: f32 = 10_000.0;
+/// Most lines that are named.
+const MOST_NAMED: usize = 5;
 /// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
 pub(super) const SAME_SHAPE: f32 = 0.03;
 
@@ -104,10 +107,15 @@ impl HandLines {
             })
         });
         own.extend(marks);
-        let length = |lines: &[HandLine]| lines.iter().map(|line| line.length([width, height])).sum::<f32>();
-        let before = length(&own);
-        let lines: Vec<HandLine> = own.into_iter().flat_map(|line| line.inside([width, height])).collect();
-        let left_outside = (before - length(&lines)).max(0.0);
+        let length = |line: &HandLine| line.length([width, height]);
+        let (mut lines, mut left_outside) = (Vec::with_capacity(own.len()), Vec::new());
+        for line in own {
+            let (of_line, before) = (line.of_line, length(&line));
+            let inside = line.inside([width, height]);
+            let outside = before - inside.iter().map(length).sum::<f32>();
+            left_outside.extend((outside > 0.0).then_some((of_line, outside)));
+            lines.extend(inside);
+        }
         Self { lines, aspect: width / height, part: None, left_outside, areas: Vec::new(), names: Vec::new() }
     }
 
@@ -135,6 +143,12 @@ impl HandLines {
         self.lines.iter().filter(|line| !line.is_disc).map(line).collect()
     }
 
+    /// Whether a line of the figure lies outside of it as a whole.
+    pub(super) fn is_outside(&self, number: usize) -> bool {
+        let is_left_out = self.left_outside.iter().any(|(line, _)| *line == number);
+        is_left_out && self.lines.iter().all(|line| line.of_line != number)
+    }
+
     /// What a line of the figure is called, if a person drew it.
     pub(super) fn name_by_hand(&self, number: usize) -> Option<&str> {
         self.names.get(number).filter(|name| name.by_hand).map(|name| name.name.as_str())
@@ -158,7 +172,7 @@ impl HandLines {
             lines: lines.into_iter().cloned().collect(),
             aspect: self.aspect,
             part: None,
-            left_outside: 0.0,
+            left_outside: Vec::new(),
             areas: Vec::new(),
             names: Vec::new(),
         };
@@ -201,8 +215,17 @@ impl HandLines {
 
     /// What is told of lines outside of the figure: there is no picture there that they could belong to.
     pub fn told_outside(&self) -> Option<Note> {
-        let mm = self.left_outside.round();
-        let told = format!("{mm} mm of lines outside of the figure; move them into it, or make another page of them");
+        let mm = self.left_outside.iter().map(|(_, mm)| mm).sum::<f32>().round();
+        let named = self.left_outside.iter().filter(|(_, mm)| *mm >= 0.5).filter_map(|(line, _)| self.names.get(*line));
+        let mut named: Vec<&str> = named.map(|line| line.name.as_str()).collect();
+        named.dedup();
+        let names = if named.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", first_few(&named, MOST_NAMED, |name| (*name).to_owned()))
+        };
+        let told =
+            format!("{mm} mm of lines outside of the figure{names}; move them into it, or make another page of them");
         (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, told))
     }
 

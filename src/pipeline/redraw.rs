@@ -96,8 +96,7 @@ pub(super) fn marks(
     if plan.profile().figure.lines {
         let (stand_for, mut shares) =
             kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
-        // of heads of arrows is told by themselves
-        arrows(&page.figure.lines).iter().filter_map(|arrow| arrow.head).for_each(|head| shares[head] = 1.0);
+        told_by_themselves(page, &hand_lines).for_each(|line| shares[line] = 1.0);
         keep_widths(&mut drawn.lines, &stand_for, old, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
@@ -127,6 +126,13 @@ pub(super) fn marks(
         texts: Vec::new(),
         notes,
     })
+}
+
+/// The lines of a page that are told otherwise where they are not drawn: heads of arrows, and those that lie outside of
+/// the figure.
+fn told_by_themselves(page: &Page, hand_lines: &HandLines) -> impl Iterator<Item = usize> {
+    let heads = arrows(&page.figure.lines).into_iter().filter_map(|arrow| arrow.head);
+    heads.chain((0..page.figure.lines.len()).filter(|line| hand_lines.is_outside(*line)))
 }
 
 /// Makes contours too weak for a second row, where a device has one height only: a page tells one strength of a whole

@@ -48,8 +48,8 @@ pub(super) fn of_nothing(
     figure: &Figure,
     before: Option<&Figure>,
 ) -> Option<Note> {
-    let is_met_in = |figure: &Figure, at: MmPoint| {
-        let place = MmRect::new(at, at).inflate(NEAR, NEAR);
+    let is_met_in = |figure: &Figure, at: MmPoint, near: f32| {
+        let place = MmRect::new(at, at).inflate(near, near);
         let mut runs = figure.lines.iter().flat_map(|line| &line.runs);
         let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
         points.any(|glyph| place.contains(glyph.at))
@@ -60,11 +60,15 @@ pub(super) fn of_nothing(
         let (from, to) = (figure.place, before.place);
         let share = |at: f32, side: f32| if side > 0.0 { at / side } else { 0.0 };
         let x = to.min.x + to.width() * share(at.x - from.min.x, from.width());
-        is_met_in(before, MmPoint::new(x, to.min.y + to.height() * share(at.y - from.min.y, from.height())))
+        let y = to.min.y + to.height() * share(at.y - from.min.y, from.height());
+        is_met_in(before, MmPoint::new(x, y), NEAR)
     };
     let is_there = |label: &Wanted| {
         let at = label.anchor.center();
-        is_met_in(figure, at) || before.is_some_and(|before| !was_there(before, at))
+        // in a larger figure all is farther off, and lines may move a little
+        let larger = before.map_or(0.0, |before| figure.place.width() / before.place.width().max(f32::MIN_POSITIVE));
+        let near = if larger > 0.0 { MOVED * NEAR * larger.max(1.0) } else { NEAR };
+        is_met_in(figure, at, near) || before.is_some_and(|before| !was_there(before, at))
     };
     let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
     let alone: Vec<&str> = placed
@@ -79,6 +83,9 @@ pub(super) fn of_nothing(
         Note::TakenAs(About::Braille, told)
     })
 }
+
+/// How much farther off something may be in a figure that is drawn anew, as a share.
+const MOVED: f32 = 1.25;
 
 /// Whether a line is closed, of strokes or of dots, and surrounds a place.
 fn surrounds(line: &Line, at: MmPoint) -> bool {

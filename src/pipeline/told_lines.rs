@@ -138,8 +138,8 @@ pub(super) fn told_beside_added(
     };
     let told = format!(
         "{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm) {run} beside lines that you drew and added, and \
-         may be what these replace: take the lines of the corrected page in place of those that are found, or erase that \
-         part",
+         may be what these replace: take the lines of the corrected page in place of those that are found, or erase \
+         that part",
         at.x, at.y
     );
     Some(Note::TakenAs(About::Lines, told))

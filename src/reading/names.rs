@@ -90,11 +90,13 @@ fn told(names: &[Name]) -> Vec<String> {
         let of_name = ids.get(&name.shown.as_deref());
         let all = of_name.map_or(0, HashMap::len);
         let nth = of_name.and_then(|ids| ids.get(name.id.as_str())).copied().unwrap_or(1);
+        // what is called by its id needs it no second time
+        let is_by_id = |shown: &str| shown.ends_with(&format!("\"{}\"", name.id));
         match &name.shown {
             None if all > 1 => format!("{} {nth} without a name", name.kind),
             None => format!("{} {} without a name", article(name.kind), name.kind),
             Some(shown) if all > 1 && name.id.starts_with(UNNAMED) => format!("{shown} (copy {nth}, without an id)"),
-            Some(shown) if all > 1 => format!("{shown} (\"{}\")", name.id),
+            Some(shown) if all > 1 && !is_by_id(shown) => format!("{shown} (\"{}\")", name.id),
             Some(shown) => shown.clone(),
         }
     };

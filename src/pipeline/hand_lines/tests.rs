@@ -42,7 +42,7 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     ];
     let lines = ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect();
     let names = (0..5).map(|number| name(number == 0)).collect();
-    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: 0.0, areas: Vec::new(), names };
+    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: Vec::new(), areas: Vec::new(), names };
     let edges = lines.edges_under_own(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
     let row = |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
     assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
