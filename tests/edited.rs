@@ -58,18 +58,26 @@ fn overview_box(page: &Page) -> MmRect {
 
 #[test]
 fn a_closed_line_of_a_person_comes_first_in_the_overview() {
+    // a sheet that lies across has no room for a larger overview
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("page.orientation", "landscape").expect("it lies so");
+    let options = || Options::new(profile.clone());
     let before = page(&options());
+    let drawing = |svg: &str| {
+        let options = options().lines(svg).expect("a page");
+        tactograph::convert(PICTURE.as_bytes(), &options).expect("a page")
+    };
+    let beyond = |page: &Page| overview_box(&before).min.x - overview_box(page).min.x;
     // around the red box, so near to its line that a small picture has room for one of the two only; as thin as the pen
     // of an editor draws
-    let thin = with_line(&before.to_svg(), &rectangle("mine", &before, RED, 6.0, 0.26));
-    let drawing = tactograph::convert(PICTURE.as_bytes(), &options().lines(&thin).expect("a page")).expect("a page");
-    let left = overview_box(&before).min.x - overview_box(&drawing.page).min.x;
-    assert!((left - 6.0).abs() < 1.5, "the outer line is {left} mm left of the inner one");
-    assert!(!told(&drawing.notes).contains("in the overview: line"), "{}", told(&drawing.notes));
+    let thin = with_line(&before.to_svg(), &rectangle("mine", &before, RED, 5.0, 0.26));
+    let with_one = drawing(&thin);
+    assert!((beyond(&with_one.page) - 5.0).abs() < 1.0, "the outer line is {} mm off", beyond(&with_one.page));
+    assert!(!told(&with_one.notes).contains("that you drew"), "{}", told(&with_one.notes));
     // of two by hand the larger one, and the other is told
-    let both = with_line(&thin, &rectangle("outer", &before, RED, 11.0, 0.26));
-    let drawing = tactograph::convert(PICTURE.as_bytes(), &options().lines(&both).expect("a page")).expect("a page");
-    let told = told(&drawing.notes);
+    let with_two = drawing(&with_line(&thin, &rectangle("outer", &before, RED, 10.0, 0.26)));
+    assert!((beyond(&with_two.page) - 10.0).abs() < 1.0, "the outer line is {} mm off", beyond(&with_two.page));
+    let told = told(&with_two.notes);
     assert!(told.contains("the closed line that you drew, in the overview: line \"mine\" ("), "{told}");
 }
 
@@ -165,7 +173,7 @@ fn lines_that_are_found_beside_added_ones_are_told() {
 #[test]
 fn the_overview_is_told_of_as_what_becomes_of_it() {
     let page = page(&options());
-    let svg = with_line(&page.to_svg(), &rectangle("mine", &page, [0.53, 0.02, 0.99, 0.26], 0.0, 1.5));
+    let svg = with_line(&page.to_svg(), &rectangle("mine", &page, [0.53, 0.02, 0.99, 0.33], 0.0, 1.5));
     let own = told(&render(&svg).notes);
     assert!(own.contains("the overview is as it was: ") && own.contains("change it there too, or delete it"), "{own}");
     let dots = told(&render_for(&svg, "index-basic-d").notes);
@@ -180,7 +188,7 @@ fn the_overview_is_told_of_as_what_becomes_of_it() {
     assert!(drawing.overview.is_some());
     // of a page whose overview has a sheet of its own
     let of_dots = page_of_dots();
-    let edited = with_line(&of_dots.to_svg(), &rectangle("mine", &of_dots, [0.53, 0.02, 0.99, 0.26], 0.0, 1.5));
+    let edited = with_line(&of_dots.to_svg(), &rectangle("mine", &of_dots, [0.53, 0.02, 0.99, 0.33], 0.0, 1.5));
     let told = told(&render(&edited).notes);
     assert!(told.contains("the overview of this page has a sheet of its own, and is as it was"), "{told}");
 }

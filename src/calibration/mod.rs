@@ -129,7 +129,7 @@ fn pairs(profile: &Profile) -> Section {
 
 fn braille_cells() -> Section {
     // cells of several countries have the same measures
-    let measures = |cell: &CellSize| [cell.dot, cell.cell, cell.line];
+    let measures = |cell: &CellSize| [cell.dot, cell.cell, cell.line].map(f32::to_bits);
     let mut sizes: Vec<(CellSize, String)> = Vec::new();
     for cell in CellSize::ALL {
         match sizes.iter_mut().find(|(other, _)| measures(other) == measures(&cell)) {
