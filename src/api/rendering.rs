@@ -186,7 +186,7 @@ impl AdaptedPage<'_> {
         // words are placed anew, wherever they stand on the page
         notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
         notes.extend(more.iter().cloned());
-        notes.extend(overview_drawn_of(of_overview.as_deref(), &plan));
+        notes.extend(overview_drawn_of(of_overview.as_deref(), page, &plan));
         notes.extend(placed_anew(&read.moved_texts));
         let (old, cancelled) = (OldPage { page, lines, plan: own }, || options.is_cancelled());
         let request = self.request(&plan, mirrored, &cancelled);
@@ -221,8 +221,10 @@ fn overview_stays(unlike: Option<&str>, page: &Page, read: &Reading) -> Option<N
 }
 
 /// What is told of the overview of a page that is laid out anew, which is drawn of the one that the page has.
-fn overview_drawn_of(unlike: Option<&str>, plan: &Plan) -> Option<Note> {
+fn overview_drawn_of(unlike: Option<&str>, page: &Page, plan: &Plan) -> Option<Note> {
     plan.layout().overview?;
+    // one without lines is drawn of the figure
+    page.overview.as_ref().filter(|overview| !overview.lines.is_empty())?;
     let where_it_is = match plan.medium() {
         MediumParams::Print(_) => "the overview",
         MediumParams::Dots { .. } => "the overview, on a sheet of its own,",
