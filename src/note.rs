@@ -309,6 +309,12 @@ pub enum Note {
          lower edges.high and edges.low to get more, or draw only a part of it, so that it is larger"
     )]
     EmptyPage,
+    /// There is nothing on the page but its frame, as all of it was to be erased.
+    #[error(
+        "the page is empty, as all that is drawn of the picture lies in the parts to be erased or outside of those to \
+         be kept; erase less, or keep more"
+    )]
+    AllErased,
     /// The dots of the page are those of text cells, which stand apart.
     #[error(
         "the dots of braille cells are no even grid: there is a wider step after every second column and every third \
@@ -368,6 +374,7 @@ impl Note {
         Self::MixedAreas { .. } => "mixed-areas",
         Self::Simplified { .. } => "simplified",
         Self::EmptyPage => "empty-page",
+        Self::AllErased => "all-erased",
         Self::UnevenDots => "uneven-dots",
         Self::TooBlack { .. } => "too-black",
     }

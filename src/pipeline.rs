@@ -48,7 +48,7 @@ mod typed;
 mod unwritten;
 mod words;
 
-pub use adapt::{Adapted, adapted, as_felt};
+pub use adapt::{Adapted, adapted, as_felt, with_strokes_as_dots};
 pub use drawn_areas::areas_of;
 pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::{Given, GivenLines};
@@ -68,12 +68,12 @@ use crate::braille::Translate;
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
+use crate::page::{BrailleText, Dots, Figure, InSet, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{DrawnMarks, FromPerson, draw, find};
-use finish::{finished, origin, too_black};
+use finish::{PageSays, finished, origin, told_empty, too_black};
 use progress::run;
 use request::OverviewSize;
 use words::{OnPage, WrittenWords};
@@ -161,7 +161,10 @@ pub fn redraw(
     // a sheet of a key stays one, and a page with a key that was asked for has one
     let key = if key == KeySheets::Auto && read_key::has_own_key(page) { KeySheets::Always } else { key };
     let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels, &legend) };
-    let written = WrittenWords::new(&words, request.plan);
+    let mut written = WrittenWords::new(&words, request.plan);
+    if matches!(InSet::of(page), Some(InSet::One(..))) {
+        written = written.beside_label(request.plan);
+    }
     let layout = written.layout(redraw::shape(page), OverviewSize::Own, request)?;
     if let Some(Key { sheets, notes, .. }) = read_key::redrawn(page, &written, &layout, request)? {
         let mut sheets = sheets.into_iter();
@@ -183,7 +186,8 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
+    let DrawnMarks { mut figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, mut notes } =
+        marks;
     // of a page that is drawn anew, what it says itself
     let legend = if words.own_texts { legend } else { words.legend.to_vec() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
@@ -200,17 +204,17 @@ fn compose(
         let key = written.key(words, &braille, &figure, before, &layout, request)?;
         notes.extend(key.notes);
         let (page, overview) = match &layout.medium {
-            Medium::Print(_) => Ok((assemble(figure, overview, left_out, braille, &layout, request)?, None)),
+            Medium::Print(_) => Ok((assemble(figure, overview, said, braille, &layout, request)?, None)),
             Medium::Dots(medium) => {
                 let braille = [braille, written.above_overview(&layout, plan)];
-                dots::assemble(figure, overview, left_out, braille, &layout, medium, request)
+                dots::assemble(figure, overview, said, braille, &layout, medium, request)
             }
         }?;
         Ok::<_, Error>((page.with_key(&key.told), overview, key.sheets))
     })?;
     notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
     if page.is_empty() {
-        notes.push(Note::EmptyPage);
+        told_empty(&mut notes, all_erased);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
@@ -226,7 +230,7 @@ fn compose(
 fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    left_out: LeftOut,
+    said: PageSays,
     braille: Vec<BrailleText>,
     layout: &Layout,
     request: &Request<'_>,
@@ -236,7 +240,8 @@ fn assemble(
     let overview = overview.map(|(place, lines)| Overview { place, frame: around(place), lines });
     let parts = Parts {
         title: request.title.to_owned(),
-        origin: [origin(request, figure.source, &braille), left_out.to_origin()].concat(),
+        origin: [origin(request, figure.source, &braille), said.to_origin()].concat(),
+        labels: said.label.into_iter().collect(),
         frame: around(layout.room),
         orientation_mark: layout.mark.clone(),
         overview,

@@ -214,7 +214,13 @@ fn sheets_of_dots_are_what_the_device_can_raise() {
 #[test]
 fn every_row_names_its_key_and_every_sample_its_number() {
     let table = Code::of_language("en").and_then(Code::table).expect("a table");
-    let of_paper = ["a lines.width_min lines.width_max", "b lines.min_gap", "d frame.pitch", "e textures.min_glyph"];
+    let of_paper = [
+        "a lines.width_min lines.width_max",
+        "b lines.min_gap",
+        "c braille.cell",
+        "d frame.pitch",
+        "e textures.min_glyph",
+    ];
     let of_dots = [
         "a dots.pitch",
         "b dots.line_gap",

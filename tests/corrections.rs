@@ -5,16 +5,16 @@ use tactograph::{
     Crop, DotFormat, Embossing, Error, MmPoint, Options, Page, PageOptions, Profile, RenderOptions, SheetGrid,
 };
 
-const PICTURE: &str = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>\
+pub(crate) const PICTURE: &str = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>\
     <rect width='300' height='200' fill='#fff'/>\
     <path d='M30 30H140V170H30Z' fill='#c00' stroke='#000' stroke-width='3'/>\
     <path d='M190 60L270 150H190Z' fill='#06c' stroke='#000' stroke-width='3'/></svg>";
 
-fn options() -> Options {
+pub(crate) fn options() -> Options {
     Options::new(Profile::named("swell-a4").expect("it is built in"))
 }
 
-fn page(options: &Options) -> Page {
+pub(crate) fn page(options: &Options) -> Page {
     tactograph::convert(PICTURE.as_bytes(), options).expect("a page").page
 }
 
@@ -96,7 +96,7 @@ fn a_page_of_another_part_of_the_picture_is_refused() {
 }
 
 /// The rules that a check of a page finds broken, each with what it says.
-fn found(svg: &str) -> Vec<(&'static str, String)> {
+pub(crate) fn found(svg: &str) -> Vec<(&'static str, String)> {
     let checked = tactograph::check(svg, &PageOptions::new()).expect("a page");
     checked.findings.into_iter().map(|finding| (finding.rule.id, finding.what)).collect()
 }

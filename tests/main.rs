@@ -17,6 +17,7 @@ mod crowded;
 mod decode;
 mod dots;
 mod dotted;
+mod edited;
 mod few;
 mod gcode;
 mod golden;

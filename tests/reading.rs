@@ -162,7 +162,8 @@ fn braille_that_is_typed_on_a_gridline_changes_no_other_line() {
     let pins = RenderOptions::new().profile(Profile::named("dot-pad").expect("it is built in"));
     let told = tactograph::render(&edited, &pins).expect("it has room").notes;
     let told: Vec<String> = told.iter().map(ToString::to_string).filter(|told| told.contains("\"wall\"")).collect();
-    assert!(told.len() <= 1 && told.iter().all(|told| told.contains("left out")), "{told:?}");
+    // a part of it is outside of the figure, and what is inside has no room among the pins
+    assert!(told.len() <= 2 && told.iter().all(|told| told.contains("left out")), "{told:?}");
 }
 
 #[test]

@@ -50,7 +50,8 @@ pub fn check(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Checked, E
 fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Result<Checked, Error> {
     let go_on = || options.go_on();
     go_on()?;
-    let document = document(bytes)?;
+    let text = reading::text_of(bytes)?;
+    let document = document(&text)?;
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let parsing = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
     let tree = tree_of(&document, &parsing)?;
@@ -75,28 +76,34 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
         // a page whose layers have labels and no ids of ours
         Err(_) => Fingertip::NotAsked,
     };
-    let checked = drawn.check(read, &limits, fingertip, &go_on)?;
+    let (own, refused) = Profile::of_origin(&read.page.origin)?;
     let mut notes = read.notes.clone();
     if options.profile.is_none() {
-        notes.extend(Profile::of_origin(&read.page.origin)?.1);
+        notes.extend(refused);
     }
+    // strokes are judged as the dots that the device presses for them
+    let as_dots = pipeline::with_strokes_as_dots(read, &Plan::new(&own)?)?;
+    let read = as_dots.as_ref().map_or(read, |(read, _)| read);
+    let checked = drawn.check(read, &limits, fingertip, &go_on)?;
+    notes.extend(as_dots.iter().flat_map(|(_, told)| told).cloned());
     Ok(Checked { notes, ..checked })
 }
 
 /// # Errors
-/// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] and [`Error::TooComplex`].
-fn document(bytes: &[u8]) -> Result<usvg::roxmltree::Document<'_>, Error> {
-    checked_document(reading::text_of(bytes)?)
+/// [`Error::Undecodable`] and [`Error::TooComplex`].
+fn document(text: &str) -> Result<usvg::roxmltree::Document<'_>, Error> {
+    checked_document(text)
 }
 
 impl Checked {
     /// The page that was checked, an SVG, with a layer on top, `findings`, in which a box is drawn around each finding.
+    /// It takes the place of one that is there.
     ///
     /// # Errors
     /// [`Error::NotAPage`] if it is no SVG, [`Error::Undecodable`] if it is one that is broken, and
     /// [`Error::TooComplex`] if it is over a limit.
     pub fn marked(&self, page: impl AsRef<[u8]>) -> Result<String, Error> {
-        Ok(legibility::marked(&document(page.as_ref())?, self))
+        Ok(legibility::marked(&document(&reading::text_of(page.as_ref())?)?, self))
     }
 }
 

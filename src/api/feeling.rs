@@ -42,7 +42,7 @@ pub fn feel(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Felt, Error
 
 /// As [`feel`]; `go_on` is asked between the textures.
 pub(super) fn felt(page: &[u8], finger: f32, go_on: &dyn Fn() -> Result<(), Error>) -> Result<Felt, Error> {
-    let ink = Ink::of_page(reading::text_of(page)?, go_on)?;
+    let ink = Ink::of_page(&reading::text_of(page)?, go_on)?;
     go_on()?;
     let felt = ink.felt(finger)?;
     go_on()?;

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::{Code, Translate};
 use crate::page::{LANGUAGE, Page, PartShown};
-use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, Position, TextReader, Words};
+use crate::pipeline::{
+    self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, LineName, Position, TextReader, Words,
+};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -235,11 +237,11 @@ impl Options {
     pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
         self.given.lines = Some(if reading::is_svg(lines.as_ref()) {
             let (lines, notes) = self.hand_lines(lines.as_ref())?;
-            self.given.notes[0] = notes;
+            self.given.notes.of_lines = notes;
             GivenLines::Vectors(lines)
         } else {
             let picture = GivenLines::picture(lines.as_ref())?;
-            self.given.notes[0].clear();
+            self.given.notes.of_lines.clear();
             picture
         });
         Ok(self)
@@ -252,7 +254,7 @@ impl Options {
     /// As [`Options::lines`] of an SVG; [`Error::NotAPage`] of anything else.
     pub fn add_lines(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         let (lines, notes) = self.hand_lines(svg.as_ref())?;
-        (self.given.added, self.given.notes[1]) = (Some(lines), notes);
+        (self.given.added, self.given.notes.of_added) = (Some(lines), notes);
         Ok(self)
     }
 
@@ -267,10 +269,10 @@ impl Options {
         let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read(svg.as_ref())?)?;
         let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
         self.given.part_of_areas = PartShown::of(&read.page);
-        self.given.drawn_areas = read.areas.len();
+        self.given.drawn_areas = read.areas;
         self.given.areas = Some(areas);
         notes.extend(told);
-        self.given.notes[2] = notes;
+        self.given.notes.of_areas = notes;
         Ok(self)
     }
 
@@ -366,9 +368,10 @@ impl Options {
     fn hand_lines(&mut self, svg: &[u8]) -> Result<(HandLines, Vec<Note>), Error> {
         let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read_any(svg)?)?;
         let page = &read.page;
-        notes.extend(pipeline::dots_left_out(page));
+        notes.extend(pipeline::dots_left_out(page, &plan));
         self.given.texts_of_page = page.braille.len();
-        let lines = HandLines::of_figure(page, &plan).beside_areas(read.areas.len());
+        let names = LineName::of(&read.names);
+        let lines = HandLines::of_figure(page, &plan).called(names).beside_areas(read.areas);
         notes.extend(lines.told_outside());
         Ok((lines, notes))
     }

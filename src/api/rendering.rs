@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use super::options::Cancelled;
 use crate::braille::Translate;
-use crate::page::{BrailleText, MediumParams, Page};
+use crate::listing::first_few;
+use crate::page::{BrailleText, InSet, MediumParams, Page};
 use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, OldPage, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
-use crate::reading;
+use crate::reading::{self, Reading};
 use crate::{About, Error, Note};
 
 /// How a page is rendered. A builder, owned and cheap to clone as [`Options`](crate::Options); what is not set has a
@@ -104,7 +105,6 @@ pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing,
 }
 
 fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
-    let (key, translate) = (options.key, options.translate.as_deref());
     let mut read = reading::read(svg)?;
     let mut notes = std::mem::take(&mut read.notes);
     if options.is_cancelled() {
@@ -119,54 +119,142 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     if turned_over {
         read = pipeline::as_felt(read, &own);
     }
-    let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
-    let cancelled = || options.is_cancelled();
-    let request = |plan, mirrored| Request {
-        plan,
-        limits: Limits::default(),
-        fonts: &Arc::default,
-        title: &page.title,
-        language: &page.description_language,
-        fit: Fit { mirrored, ..Fit::default() },
-        cancelled: &cancelled,
-    };
-    let Some(profile) = &options.profile else {
-        notes.extend(more.into_iter().chain(of_places));
-        let wanted = KeyWanted { key, abbreviates, is_changed: read.is_changed };
-        let key = pipeline::key_of_page(&page, wanted, translate, &request(&own, was_mirrored))?;
+    let adapted = pipeline::adapted(&read, &own, options.translate.as_deref())?;
+    let page = AdaptedPage { options, read: &read, own: &own, adapted: &adapted, was_mirrored, turned_over };
+    match &options.profile {
+        None => page.as_it_is(notes),
+        Some(profile) => page.laid_out_anew(profile, notes),
+    }
+}
+
+/// A page that was read, as its own paper or device takes it.
+struct AdaptedPage<'a> {
+    options: &'a RenderOptions,
+    read: &'a Reading,
+    /// What it was made with.
+    own: &'a Plan,
+    adapted: &'a Adapted,
+    was_mirrored: bool,
+    /// Whether it is here as it is felt, and not as it was read.
+    turned_over: bool,
+}
+
+impl AdaptedPage<'_> {
+    fn request<'r>(&'r self, plan: &'r Plan, mirrored: bool, cancelled: &'r (dyn Fn() -> bool + Sync)) -> Request<'r> {
+        let page = &self.adapted.page;
+        Request {
+            plan,
+            limits: Limits::default(),
+            fonts: &Arc::default,
+            title: &page.title,
+            language: &page.description_language,
+            fit: Fit { mirrored, ..Fit::default() },
+            cancelled,
+        }
+    }
+
+    /// On its own paper or device.
+    fn as_it_is(&self, mut notes: Vec<Note>) -> Result<Drawing, Error> {
+        let Self { options, read, own, adapted, was_mirrored, turned_over } = self;
+        let Adapted { page, notes: more, of_places, of_overview, abbreviates, .. } = adapted;
+        notes.extend(more.iter().chain(of_places).cloned());
+        notes.extend(overview_stays(of_overview.as_deref(), page, read));
+        let wanted = KeyWanted { key: options.key, abbreviates: *abbreviates, is_changed: read.is_changed };
+        let cancelled = || options.is_cancelled();
+        let request = self.request(own, *was_mirrored, &cancelled);
+        let key = pipeline::key_of_page(page, wanted, options.translate.as_deref(), &request)?;
         notes.extend(key.notes);
-        let page = if key.sheets.is_empty() { page } else { page.clone().with_key(&key.told) };
-        let page = if turned_over { page.mirrored() } else { page };
+        let page = if key.sheets.is_empty() { page.clone() } else { page.clone().with_key(&key.told) };
+        let page = if *turned_over { page.mirrored() } else { page };
         let key = in_language(key.sheets, &page);
-        return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
-    };
-    let plan = Plan::new(profile)?;
-    // no paper is printed on its back
-    let mirrored = was_mirrored && matches!(plan.medium(), MediumParams::Dots { .. });
-    if was_mirrored && !mirrored {
-        notes.push(Note::TakenAs(About::Marks, FROM_THE_BACK.to_owned()));
+        Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes })
     }
-    // words are placed anew, wherever they stand on the page
-    notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
-    notes.extend(more);
-    let old = OldPage { page: &page, lines: &lines, plan: &own };
-    let mut drawing = pipeline::redraw(old, key, translate, &request(&plan, mirrored), &mut |_| ())?;
-    // words of a person stay, those of ours are of the new page
-    let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
-    drawing.page = drawing.page.called(None, own_words, Some(&page.language));
-    drawing.key = in_language(drawing.key, &page);
-    // who asks for another code or grade wants other cells
-    let [before, after] = [&own, &plan].map(|plan| (plan.profile().braille.code, plan.profile().braille.grade));
-    if before == after {
-        notes.extend(in_other_cells(&page, &drawing.page));
+
+    /// For another paper or device.
+    fn laid_out_anew(&self, profile: &Profile, mut notes: Vec<Note>) -> Result<Drawing, Error> {
+        let Self { options, read, own, adapted, was_mirrored, .. } = *self;
+        let Adapted { page, lines, notes: more, of_overview, .. } = adapted;
+        let mut profile = profile.clone();
+        // of one of several sheets there is no overview: that of all is a sheet of its own
+        if page.is_sheet_of_set() {
+            profile.set("overview.on", "false")?;
+        }
+        let plan = Plan::new(&profile)?;
+        // no paper is printed on its back
+        let mirrored = was_mirrored && matches!(plan.medium(), MediumParams::Dots { .. });
+        if was_mirrored && !mirrored {
+            notes.push(Note::TakenAs(About::Marks, FROM_THE_BACK.to_owned()));
+        }
+        // words are placed anew, wherever they stand on the page
+        notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
+        notes.extend(more.iter().cloned());
+        notes.extend(overview_drawn_of(of_overview.as_deref(), page, &plan));
+        notes.extend(placed_anew(&read.moved_texts));
+        let (old, cancelled) = (OldPage { page, lines, plan: own }, || options.is_cancelled());
+        let request = self.request(&plan, mirrored, &cancelled);
+        let mut drawing = pipeline::redraw(old, options.key, options.translate.as_deref(), &request, &mut |_| ())?;
+        // words of a person stay, those of ours are of the new page
+        let own_words = (!pipeline::is_made(page)).then_some(page.description.as_str());
+        drawing.page = drawing.page.called(None, own_words, Some(&page.language));
+        drawing.key = in_language(drawing.key, page);
+        // who asks for another code or grade wants other cells
+        let [before, after] = [own, &plan].map(|plan| (plan.profile().braille.code, plan.profile().braille.grade));
+        if before == after {
+            notes.extend(in_other_cells(page, &drawing.page));
+        }
+        notes.append(&mut drawing.notes);
+        Ok(Drawing { notes, ..drawing })
     }
-    notes.append(&mut drawing.notes);
-    Ok(Drawing { notes, ..drawing })
 }
 
 /// What is told of a mirrored page that is rendered for a paper.
 const FROM_THE_BACK: &str = "the page is mirrored, for a machine that presses it from the back, and this paper is \
                              read from the side that is printed: left and right are exchanged again";
+
+/// What is told of the overview of a page that is written as it is: what is unlike the figure, or that it has a sheet
+/// of its own.
+fn overview_stays(unlike: Option<&str>, page: &Page, read: &Reading) -> Option<Note> {
+    let has_own_sheet = InSet::of(page) == Some(InSet::Followed) && !read.names.by_hand.is_empty();
+    let own = "the overview of this page has a sheet of its own, and is as it was: change it there too, or lay this \
+               page out anew for its device, which draws it of the figure";
+    let told = unlike.map(|told| format!("the overview is as it was: {told}; change it there too, or delete it"));
+    let told = told.or_else(|| has_own_sheet.then(|| own.to_owned()));
+    told.map(|told| Note::TakenAs(About::Overview, told))
+}
+
+/// What is told of the overview of a page that is laid out anew, which is drawn of the one that the page has.
+fn overview_drawn_of(unlike: Option<&str>, page: &Page, plan: &Plan) -> Option<Note> {
+    plan.layout().overview?;
+    // one without lines is drawn of the figure
+    page.overview.as_ref().filter(|overview| !overview.lines.is_empty())?;
+    let where_it_is = match plan.medium() {
+        MediumParams::Print(_) => "the overview",
+        MediumParams::Dots { .. } => "the overview, on a sheet of its own,",
+    };
+    let told = unlike.map(|unlike| {
+        format!(
+            "{where_it_is} is drawn of that of the page that was read: {unlike}; change it on that page too, or delete \
+             it there, and it is drawn of the figure"
+        )
+    });
+    told.map(|told| Note::TakenAs(About::Overview, told))
+}
+
+/// What is told of words that a person moved on a page that is laid out anew.
+fn placed_anew(moved: &[String]) -> Option<Note> {
+    let (was, it_has) = if moved.len() == 1 { ("was", "it has its place") } else { ("were", "they have their places") };
+    let named = first_few(moved, MOST_NAMED, String::clone);
+    (!moved.is_empty()).then(|| {
+        let told = format!(
+            "{named} {was} moved on the page, and {it_has} anew here: words stay where they were moved to only on the \
+             page's own paper or device"
+        );
+        Note::TakenAs(About::Braille, told)
+    })
+}
+
+/// Most texts that are named.
+const MOST_NAMED: usize = 5;
 
 /// Tells of words that stand in other cells than on the page that was read, which another table wrote.
 fn in_other_cells(before: &Page, after: &Page) -> Option<Note> {

@@ -3,7 +3,7 @@
 //! ```text
 //!  a  | | | ...          lines, from the thinnest that a profile can ask for to 3 mm
 //!  b  || | | ...         pairs of lines, 1 to 8 mm apart
-//!  c  braille in dots of several sizes
+//!  c  braille in cells of several measures
 //!  d  frames             as the profile has it, finer and coarser
 //!  e  the smallest glyphs
 //!  f..j  textures        one table a class: three densities down, five boldnesses across
@@ -27,6 +27,7 @@ pub use headings::title;
 use headings::{Decides, heading_of, listed, told, words_of};
 
 use crate::Error;
+use crate::braille::CellSize;
 use crate::classes::Class;
 use crate::page::layout::FrameParams;
 use crate::page::{DotMedium, Dots, Figure, MediumParams, Page, Parts};
@@ -39,9 +40,6 @@ use crate::units::{MmPoint, MmRect, MmVector, Size};
 const WIDTHS: [f32; 11] = [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0];
 /// Gaps between the edges of two lines, mm: on both sides of the 3.2 and 6.4 mm of the guidelines.
 const GAPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
-/// Diameters of braille dots, mm: from well below what fonts for swell paper print (1.3) to the raised dot itself
-/// (1.6).
-const BRAILLE_DOTS: [f32; 5] = [1.0, 1.15, 1.3, 1.45, 1.6];
 /// Additional blank after a pair of lines, mm: with the blank between samples, well over the widest gap in a pair.
 const PAIR_GAP: f32 = 6.0;
 /// Additional blank after a word of braille, mm: one braille cell.
@@ -94,7 +92,7 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
 fn sections(plan: &Plan) -> Vec<Section> {
     let profile = plan.profile();
     let textures = plan.textures();
-    let mut sections = vec![single_lines(profile), pairs(profile), braille_dots(), frames(profile), glyphs(&textures)];
+    let mut sections = vec![single_lines(profile), pairs(profile), braille_cells(), frames(profile), glyphs(&textures)];
     for class in Class::ALL {
         sections.push(textured(class, &textures));
     }
@@ -129,10 +127,21 @@ fn pairs(profile: &Profile) -> Section {
     Section { blocks: blocks.collect(), keys: &["lines.min_gap"], key }
 }
 
-fn braille_dots() -> Section {
-    let key = format!("a full braille cell and the word dot, in dots of {} mm", listed(&BRAILLE_DOTS));
-    let blocks = row(BRAILLE_DOTS.map(samples::braille_trial)).into_iter();
-    Section { blocks: blocks.map(|block| samples::apart(WORD_GAP, block)).collect(), keys: &[], key }
+fn braille_cells() -> Section {
+    // cells of several countries have the same measures
+    let measures = |cell: &CellSize| [cell.dot, cell.cell, cell.line].map(f32::to_bits);
+    let mut sizes: Vec<(CellSize, String)> = Vec::new();
+    for cell in CellSize::ALL {
+        match sizes.iter_mut().find(|(other, _)| measures(other) == measures(&cell)) {
+            Some((_, names)) => *names += &format!(" or {}", cell.name),
+            None => sizes.push((cell, cell.name.to_owned())),
+        }
+    }
+    let names: Vec<&str> = sizes.iter().map(|(_, names)| names.as_str()).collect();
+    let key = format!("a full braille cell and the word dot, in cells of {}", listed(&names));
+    let blocks = row(sizes.iter().map(|(cell, _)| samples::braille_trial(*cell))).into_iter();
+    let blocks = blocks.map(|block| samples::apart(WORD_GAP, block)).collect();
+    Section { blocks, keys: &["braille.cell"], key }
 }
 
 fn frames(profile: &Profile) -> Section {

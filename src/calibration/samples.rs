@@ -22,10 +22,15 @@ const SIDE: f32 = 13.0;
 const FRAMED: [f32; 2] = [20.0, 10.0];
 
 /// Dots of some cells as a block.
-fn label(cells: &[u8], diameter: f32) -> Block {
-    let labels = vec![Dots { diameter, at: CellSize::MARBURG.dots(cells, diameter) }];
+fn label(cells: &[u8]) -> Block {
+    of_cells(cells, CellSize::MARBURG)
+}
+
+/// The same in cells of these measures.
+fn of_cells(cells: &[u8], size: CellSize) -> Block {
+    let labels = vec![Dots { diameter: braille::PRINTED, at: size.dots(cells, braille::PRINTED) }];
     Block {
-        size: CellSize::MARBURG.extent(cells.len(), diameter),
+        size: size.extent(cells.len(), braille::PRINTED),
         marks: SheetMarks { labels, ..SheetMarks::default() },
         ..Block::default()
     }
@@ -33,7 +38,7 @@ fn label(cells: &[u8], diameter: f32) -> Block {
 
 /// A sample above its number, both centred.
 pub(super) fn numbered(number: usize, sample: &Block) -> Block {
-    let label = label(&braille::number(number), braille::PRINTED);
+    let label = label(&braille::number(number));
     let width = label.size.x.max(sample.size.x);
     let mut block = Block { size: MmVector::new(width, sample.size.y + LABEL_GAP + label.size.y), ..Block::default() };
     block.marks.add(&sample.marks, MmVector::new(0.5 * (width - sample.size.x), 0.0));
@@ -55,7 +60,7 @@ pub(super) fn cells_in(width: f32) -> usize {
 pub(super) fn heading(lines: &[Vec<u8>]) -> Block {
     let mut block = Block { starts_row: true, keeps: true, ..Block::default() };
     for (i, line) in lines.iter().enumerate() {
-        let line = label(line, braille::PRINTED);
+        let line = label(line);
         let top = i as f32 * CellSize::MARBURG.line;
         block.marks.add(&line.marks, MmVector::new(0.0, top));
         block.size = block.size.max(line.size + MmVector::new(0.0, top));
@@ -77,9 +82,9 @@ pub(super) fn lines(widths: &[f32], gap: f32, strength: f32) -> Block {
     block
 }
 
-/// A few braille cells in dots of this diameter.
-pub(super) fn braille_trial(diameter: f32) -> Block {
-    label(&braille::TRIAL, diameter)
+/// A few braille cells of these measures.
+pub(super) fn braille_trial(cell: CellSize) -> Block {
+    of_cells(&braille::TRIAL, cell)
 }
 
 /// An empty frame.
@@ -116,7 +121,7 @@ pub(super) fn stacked(above: &Block, below: &Block) -> Block {
 
 /// A table of samples of one size with the numbers of the columns above and of the rows to the left.
 pub(super) fn table(rows: &[Vec<Block>]) -> Block {
-    let number = |n: usize| label(&braille::number(n + 1), braille::PRINTED);
+    let number = |n: usize| label(&braille::number(n + 1));
     let cell = rows.iter().flatten().fold(MmVector::zero(), |size, block| size.max(block.size));
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let (left, top) = (number(0).size.x + LABEL_GAP, number(0).size.y + LABEL_GAP);

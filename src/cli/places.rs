@@ -175,10 +175,12 @@ fn target(picture: &Path, names: &Names<'_>) -> Target {
     }
 }
 
-/// Where the preview of a result goes: `photo.idx` gives `photo.preview.png` beside it.
+/// Where the preview of a result goes: `photo.idx` gives `photo.idx.preview.png` beside it, so that another format of
+/// the same picture has a preview of its own.
 pub(super) fn preview(target: &Target, format: Option<DrawingFormat>) -> Option<PathBuf> {
-    let ending = Format::Drawing(format?).extension();
-    target.path().map(|path| path.with_extension(format!("preview.{ending}")))
+    let mut name = target.path()?.as_os_str().to_owned();
+    name.push(format!(".preview.{}", Format::Drawing(format?).extension()));
+    Some(name.into())
 }
 
 /// `photo.png` gives `photo.svg`, in `out_dir` or beside the picture. Where that is the picture itself, as for

@@ -30,6 +30,7 @@ pub(super) fn of_note(note: &Note) -> String {
         Note::NoRoomForOverview => format!("{note} (--sheets 2x2)"),
         Note::LinesNotInOverview { .. } => format!("{note} (--no-overview, --sheets 2x2)"),
         Note::EmptyPage => format!("{note} (--crop)"),
+        Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => {
             format!("{note} (--braille-table TABLE)")

@@ -161,6 +161,8 @@ pub(super) fn write_pages(
     let parts: Vec<String> = pages.iter().map(Page::part_of_set).collect();
     // of several files each is named by itself
     let of_files = |files: &[Vec<u8>]| match files {
+        // a figure alone is the page itself
+        [_] if parts.len() == 1 && parts[0] != "figure" => vec![format!(": {}", parts[0])],
         [_] => vec![output::and_sheets(&parts, 1)],
         _ if files.len() == parts.len() && !output::are_alike(&parts) => {
             parts.iter().map(|part| format!(": {part}")).collect()

@@ -223,7 +223,7 @@ fn candidate(
     if gap > reach(label) || around.is_point() && gap < BESIDE || !around.is_in_cell_or_open(place) {
         return None;
     }
-    let attachment = attachment(label, place, around)?;
+    let attachment = if label.is_nameless { Attachment::Beside } else { attachment(label, place, around)? };
     // beside another place of its axis a number says something else, and its leader line would be felt as a tick
     if around.scale.is_some() && !(attachment == Attachment::Beside && around.is_at_tick(place)) {
         return None;

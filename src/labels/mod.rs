@@ -200,7 +200,7 @@ fn groups_of(
         let Wanted { text, anchor, .. } = &wanted[label];
         around[label].is_point() && !anchor.is_empty() && !scale::is_number(text)
     };
-    let is_written = |label: usize| forms[label].is_ok() && !names_point(label);
+    let is_written = |label: usize| forms[label].is_ok() && !wanted[label].is_nameless && !names_point(label);
     let is_at_line = |label: usize| levels::is_at_line(wanted[label].anchor, around[label].room);
     let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side(), is_at_line);
     letters::add(&mut groups, forms, wanted, translator);

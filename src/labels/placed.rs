@@ -74,6 +74,8 @@ pub struct Wanted {
     pub led_from: Option<MmPoint>,
     /// Of a text whose leader line in the drawing is on the page, where that begins.
     pub leader: Option<MmPoint>,
+    /// Whether it names nothing, and stands as near to that place as there is room, without a leader line.
+    pub is_nameless: bool,
 }
 
 /// What a label stands with.

@@ -7,7 +7,6 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
 use super::finding::{FoundBreach, InFile};
-use super::layer::LAYER;
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written, string_of};
@@ -56,9 +55,6 @@ struct Seen {
 
 impl Seen {
     fn add(&mut self, group: &Group, opacity: f32) {
-        if group.id() == LAYER {
-            return;
-        }
         let opacity = opacity * group.opacity().get();
         for node in group.children() {
             match node {

@@ -6,10 +6,8 @@ use usvg::roxmltree::Document;
 
 use super::finding::Finding;
 use super::report::Checked;
+use crate::reading::FINDINGS;
 use crate::units::{MM_PER_CSS_PX, MmRect};
-
-/// Id of the layer. Whoever reads the page leaves it out.
-pub const LAYER: &str = "findings";
 
 /// Room between what was found and the box around it, mm.
 const ROOM: f32 = 1.5;
@@ -41,7 +39,7 @@ pub fn marked(document: &Document<'_>, checked: &Checked) -> String {
     };
     let mut layer = format!(
         "<g xmlns=\"http://www.w3.org/2000/svg\" \
-         xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" id=\"{LAYER}\" inkscape:groupmode=\"layer\" \
+         xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" id=\"{FINDINGS}\" inkscape:groupmode=\"layer\" \
          inkscape:label=\"Findings\" fill=\"none\" stroke=\"#d00000\" stroke-width=\"0.6\" \
          transform=\"translate({x} {y}) scale({scale})\">\n"
     );

@@ -36,7 +36,7 @@ pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
 pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APPROACH, BEND_LEAST, SMALL_RING};
-pub use layer::{LAYER, marked};
+pub use layer::marked;
 pub use limits::{MediumLimits, RuleLimits};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
@@ -45,6 +45,7 @@ pub(crate) use strokes::{GOES_ON, STEPS, longest_cut};
 pub use verdict::{Fingertip, Textures, Verdict};
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 
 use usvg::Tree;
 use usvg::roxmltree::Document;
@@ -106,7 +107,7 @@ pub fn overview_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Opti
     let found = overview::findings(&felt, names, &paths, &paths.index(CELL), limits);
     let (first, count) = (found.first()?, found.len());
     let told = and_more(&first.what, count - 1, "such place");
-    Some(format!("the overview is as it was: {told}; change it there too, or delete it"))
+    Some(told)
 }
 
 /// Braille of a page that has too little blank around it or is no standard braille, in words; none if all is well.
@@ -133,7 +134,7 @@ pub fn check(page: &Page, limits: &RuleLimits, felt: Option<&Report>) -> Checked
     let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
     let names = Names::of(page);
     // who is never asked whether to go on refuses nothing
-    let found = found(page, &names, limits, &|| Ok(())).unwrap_or_default();
+    let Ok(found) = found::<Infallible>(page, &names, limits, &|| Ok(()));
     checked((found, Render::LeavesAsItIs), page, &names.rows, limits, felt)
 }
 
@@ -151,12 +152,12 @@ fn checked(
 }
 
 /// All breaches of the rules over marks; `go_on` is asked between the kinds of rules.
-fn found(
+fn found<E>(
     page: &Page,
     names: &Names,
     limits: &RuleLimits,
-    go_on: &dyn Fn() -> Result<(), Error>,
-) -> Result<Vec<FoundBreach>, Error> {
+    go_on: &dyn Fn() -> Result<(), E>,
+) -> Result<Vec<FoundBreach>, E> {
     go_on()?;
     let (page, names, twins) = twins::merged(page.clone(), names);
     let (page, names) = (&page, &names);

@@ -11,7 +11,7 @@ use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
-use super::{arrowheads, centreline, faint, join, junction, saliency, ticks, weight};
+use super::{arrowheads, centreline, faint, few, join, junction, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -81,7 +81,10 @@ impl LineCandidates {
         junction::extend(&mut polylines, area, params.join_gap);
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let has_outlines = contours < polylines.len();
+        // in the figure others have made room for them already
+        let is_first = |line: &Polyline<Vertex>| params.part == PagePart::Overview && few::is_of_person(line);
         let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+            _ if is_first(line) => Rank::Person,
             _ if faint::is_faint(line) => Rank::Faint,
             _ if !has_outlines => Rank::Ordinary,
             _ if number < contours => Rank::of(line),
@@ -89,16 +92,8 @@ impl LineCandidates {
         };
         let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
         let saliencies = saliency::saliencies(&polylines, params);
-        Self {
-            lines: polylines.into_iter().zip(ranks).collect(),
-            saliencies,
-            contours,
-            gridlines,
-            short,
-            points,
-            scales,
-            heads,
-        }
+        let lines = polylines.into_iter().zip(ranks).collect();
+        Self { lines, saliencies, contours, gridlines, short, points, scales, heads }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.

@@ -3,9 +3,10 @@
 use super::clearance::Cleared;
 use super::outlines::Outlines;
 use super::params::Params;
-use super::vertex::{FoundIn, nearby};
+use super::vertex::{FoundIn, Vertex, nearby};
 use crate::geom::components::DisjointSets;
 use crate::geom::nearby::Nearby;
+use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
 
 /// How many of the lines are left out as there are to be few.
@@ -25,7 +26,7 @@ pub(super) fn keep_beside_outlines(cleared: &mut Vec<Cleared>, outlines: &Outlin
     }
     let mut count = 0;
     cleared.retain(|line| {
-        let stays = line.rank.is_outline() || is_of_person(line);
+        let stays = line.rank.is_outline() || is_of_person(&line.polyline);
         count += usize::from(!stays && line.polyline.length() >= length);
         stays || (count <= most && line.polyline.length() >= length)
     });
@@ -45,8 +46,8 @@ pub(super) fn keep(drawn: &mut Vec<&Cleared>, of_outlines: usize, area: MmRect, 
 }
 
 /// Whether a line is one that a person drew into the picture: none of these is beyond what there is to be.
-pub(super) fn is_of_person(line: &Cleared) -> bool {
-    let vertices = &line.polyline.vertices;
+pub(super) fn is_of_person(line: &Polyline<Vertex>) -> bool {
+    let vertices = &line.vertices;
     2 * vertices.iter().filter(|vertex| vertex.source == FoundIn::Person).count() > vertices.len()
 }
 
@@ -54,7 +55,7 @@ pub(super) fn is_of_person(line: &Cleared) -> bool {
 /// none of them goes.
 fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
     let mut budget = Budget::new(most.saturating_sub(of_outlines), most);
-    drawn.retain(|line| line.rank.is_outline() || is_of_person(line) || budget.has(line.polyline.closed));
+    drawn.retain(|line| line.rank.is_outline() || is_of_person(&line.polyline) || budget.has(line.polyline.closed));
     budget.beyond
 }
 
@@ -94,7 +95,7 @@ impl Thing {
         self.saliency += line.saliency;
         self.lines += 1;
         self.has_ring |= line.polyline.closed;
-        self.is_of_person |= is_of_person(line);
+        self.is_of_person |= is_of_person(&line.polyline);
     }
 
     fn is_shape(&self) -> bool {

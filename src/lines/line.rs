@@ -96,6 +96,12 @@ impl Run {
 const BROADER: f32 = 1.6;
 
 impl Line {
+    /// The pieces along which it runs: of a heavy line of dots not the second row, which is a part of the first.
+    pub(crate) fn own_runs(&self) -> &[Run] {
+        let is_stroke = self.runs.first().is_none_or(|run| run.pen == Pen::Stroke);
+        if is_stroke { &self.runs } else { &self.runs[..1] }
+    }
+
     /// Length, mm.
     pub fn length(&self) -> f32 {
         self.runs.iter().map(Run::length).sum()

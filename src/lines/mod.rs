@@ -94,7 +94,8 @@ pub fn draw_with(
     // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about, and what a
     // person drew, stays.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
-    let stays = |line: &&Cleared| line.saliency >= least || line.rank == Rank::Subject || few::is_of_person(line);
+    let is_meant = |line: &Cleared| line.rank == Rank::Subject || few::is_of_person(&line.polyline);
+    let stays = |line: &&Cleared| line.saliency >= least || is_meant(line);
     let mut drawn: Vec<_> = cleared.iter().filter(stays).collect();
     let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.

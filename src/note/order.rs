@@ -15,7 +15,8 @@ impl Note {
     fn rank(&self) -> u8 {
         match self {
             // there is nothing on the page, or hardly anything
-            Self::EmptyPage | Self::NoLines | Self::NoContours | Self::LinesOff | Self::NoBrailleCode(_) => 0,
+            Self::EmptyPage | Self::AllErased | Self::NoLines | Self::NoContours | Self::LinesOff => 0,
+            Self::NoBrailleCode(_) => 0,
             // it may be another page than is wanted
             Self::FirstPageOnly { .. } => 0,
             Self::Faulty(..) | Self::TooDense { .. } => 1,

@@ -232,6 +232,11 @@ impl Page {
         self
     }
 
+    /// Whether this sheet is one of those on which a picture lies, or an overview that has a sheet to itself.
+    pub(crate) fn is_sheet_of_set(&self) -> bool {
+        InSet::of(self).is_some_and(|in_set| in_set != InSet::Followed)
+    }
+
     /// What this sheet is among those of its picture, in a word: `figure`, `overview`, `key`, or the name of one of the
     /// sheets on which a picture lies, its row as a letter from `a` and its column as a number from 1.
     pub fn part_of_set(&self) -> String {

@@ -190,8 +190,6 @@ impl Spread {
             BrailleText { dots: moved(&text.dots), leader, ..text.clone() }
         };
         let of_frame = frame.at.iter().copied().filter(|&at| inside(at, 0.5 * frame.diameter)).collect();
-        let label = [braille::letter(row as usize), braille::number(column as usize + 1)].concat();
-        let cells = CellGrid::of(&self.medium, CellSize::MARBURG);
         Cut {
             figure: Figure {
                 place: MmRect::new(place.min + by, place.max + by),
@@ -201,7 +199,7 @@ impl Spread {
             },
             frame: moved(&Dots { diameter: frame.diameter, at: of_frame }),
             ticks: self.ticks(column, row, figure.place),
-            label: Dots { diameter: cells.diameter, at: cells.dots(&[label], self.label) },
+            label: label_at(self.label, [row, column].map(|number| number as usize), &self.medium),
             braille: braille.iter().filter(|text| whole(&text.dots)).map(of_label).collect(),
             name: format!("{}{}", char::from(b'a' + row as u8), column + 1),
         }
@@ -242,6 +240,25 @@ impl Spread {
         }
         ticks
     }
+}
+
+/// The label of the sheet of this name, such as `a1`, in the top left corner of a page; none of what is no such name.
+pub fn label(name: &str, medium: &Medium, margin: f32) -> Option<Dots> {
+    let letter = name.chars().next().filter(char::is_ascii_lowercase)?;
+    let column: usize = name[1..].parse().ok().filter(|number| (1..=SheetGrid::MOST as usize).contains(number))?;
+    let corner = match medium {
+        Medium::Print(_) => MmPoint::zero(),
+        Medium::Dots(dots) => dots.usable().min,
+    };
+    let row = letter as usize - 'a' as usize;
+    Some(label_at(corner + MmVector::new(margin, margin), [row, column - 1], medium))
+}
+
+/// The label of the sheet in this row and column: a letter and a number, in cells that begin in this corner.
+fn label_at(corner: MmPoint, [row, column]: [usize; 2], medium: &Medium) -> Dots {
+    let cells = CellGrid::of(medium, CellSize::MARBURG);
+    let label = [braille::letter(row), braille::number(column + 1)].concat();
+    Dots { diameter: cells.diameter, at: cells.dots(&[label], corner) }
 }
 
 /// The pieces of a line whose ink lies in a window. Pieces shorter than their width are left out: they would be blots

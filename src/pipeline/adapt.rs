@@ -30,6 +30,8 @@ pub struct Adapted {
     pub notes: Vec<Note>,
     /// What is told of the places of its words, which is of no use where they are placed anew.
     pub of_places: Vec<Note>,
+    /// What its overview shows that the figure has not, or lacks, where somebody changed the page.
+    pub of_overview: Option<String>,
     /// Whether words are abbreviated that were not before.
     pub abbreviates: bool,
 }
@@ -43,8 +45,7 @@ pub struct Adapted {
 pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result<Adapted, Error> {
     let Reading { page, .. } = read;
     let mut parts = Parts::clone(page);
-    let line_name = |name: &String| LineName { name: name.clone(), by_hand: read.names.by_hand.contains(name) };
-    let mut lines: Vec<LineName> = read.names.lines.iter().map(line_name).collect();
+    let mut lines = LineName::of(&read.names);
     let mut notes: Vec<Note> = right_signs(&mut parts, page, plan);
     match &page.medium {
         Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
@@ -59,6 +60,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
     if read.is_changed {
         of_places.extend(print_words::follow(&mut parts, labels, plan));
     }
+    let mut of_overview = None;
     let mut page = Page::new(parts)?;
     if read.is_changed {
         let (free, told) = without_crowded_signs(page, plan)?;
@@ -73,8 +75,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
             by_hand: read.names.by_hand.clone(),
         };
         let limits = plan.limits();
-        let of_overview = legibility::overview_as_told(&page, &names, &limits);
-        notes.extend(of_overview.map(|told| Note::TakenAs(About::Overview, told)));
+        of_overview = legibility::overview_as_told(&page, &names, &limits);
         let of_braille = legibility::braille_as_told(&page, &names, &limits);
         of_places.extend(of_braille.map(|told| Note::Faulty(About::Braille, told)));
     }
@@ -82,7 +83,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
         let wording = Wording::nearest(&page.description_language);
         page = described(page, wording);
     }
-    Ok(Adapted { page, lines, notes, of_places, abbreviates })
+    Ok(Adapted { page, lines, notes, of_places, of_overview, abbreviates })
 }
 
 /// Draws areas anew that were moved to another colour; tells how many, and how many have no room for its signs.
@@ -157,6 +158,23 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
     names.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
     parts.figure.lines.extend(drawn);
     std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
+}
+
+/// A page of dots on which somebody drew strokes, with the dots that are made of them, and what is told of them; none
+/// if it is another page.
+///
+/// # Errors
+/// If a dot is off the sheet.
+pub fn with_strokes_as_dots(read: &Reading, plan: &Plan) -> Result<Option<(Reading, Vec<Note>)>, Error> {
+    let Medium::Dots(medium) = &read.page.medium else { return Ok(None) };
+    let mut parts = Parts::clone(&read.page);
+    let mut lines = LineName::of(&read.names);
+    let notes = strokes_as_dots(&mut parts, &mut lines, medium, plan);
+    if notes.is_empty() {
+        return Ok(None);
+    }
+    let names = Names { lines: lines.into_iter().map(|line| line.name).collect(), ..read.names.clone() };
+    Ok(Some((Reading { page: Page::new(parts)?, names, ..read.clone() }, notes)))
 }
 
 /// A line of this share of the strength of heavy ones is none, whatever rounding does.

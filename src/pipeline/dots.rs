@@ -1,6 +1,6 @@
 //! Pages of dots: what is done otherwise than for a printed page.
 
-use super::finish::{finished, origin, title_of_overview};
+use super::finish::{PageSays, finished, origin, title_of_overview};
 use super::kept_lines;
 use super::lost_signs::{MOVED, extent, is_arrowhead, is_small_ring};
 use super::request::Request;
@@ -11,9 +11,7 @@ use crate::dots::ShownScale;
 use crate::geom::polygon::holds_box;
 use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, TickMark};
 use crate::page::layout::Layout;
-use crate::page::{
-    BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame, which_are_weak,
-};
+use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Parts, Texture, frame, which_are_weak};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -147,7 +145,7 @@ pub(super) fn textures(
 pub(super) fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    left_out: LeftOut,
+    said: PageSays,
     [braille, above_overview]: [Vec<BrailleText>; 2],
     layout: &Layout,
     medium: &DotMedium,
@@ -165,7 +163,8 @@ pub(super) fn assemble(
         .transpose()?;
     let mut parts = parts(request.title.to_owned(), figure, braille, (layout, layout.room, medium), request);
     parts.origin.extend(overview.is_some().then(|| InSet::Followed.to_origin()));
-    parts.origin.extend(left_out.to_origin());
+    parts.origin.extend(said.to_origin());
+    parts.labels.extend(said.label);
     let page = finished(parts, request)?;
     Ok((page, overview))
 }

@@ -4,6 +4,7 @@ use super::areas_of_colours::AreasOfColours;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
 use super::find_edges::{edges_of, find_edges};
+use super::finish::PageSays;
 use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
@@ -15,19 +16,19 @@ use super::lost_signs;
 use super::margins::Lettered;
 use super::named::NamedThings;
 use super::outlines::{outlines_of_figure, regions_of_figure};
-use super::overview::{draw_overview, seen_in_figure, told_of_few, told_of_overview};
+use super::overview::{DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
-use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified, told_whole};
+use super::told_lines::{left_out, told_beside_added, told_dashed, told_left_out, told_simplified, told_whole};
 use super::words::{Words, become_labels};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
-use crate::page::{Figure, LeftOut, Medium};
+use crate::page::{Figure, Medium};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
@@ -41,8 +42,10 @@ pub(super) struct DrawnMarks {
     pub(super) overview: Option<(MmRect, Vec<Line>)>,
     pub(super) layout: Layout,
     pub(super) is_flat: bool,
-    /// Contours that are not drawn.
-    pub(super) left_out: LeftOut,
+    /// Whether all contours were erased.
+    pub(super) all_erased: bool,
+    /// What the page says of itself.
+    pub(super) said: PageSays,
     /// Small closed shapes of a drawing that are not on the page, or not whole.
     pub(super) lost_signs: Vec<LostSign>,
     /// What colours mean by the drawing's legend, if it has one.
@@ -59,6 +62,7 @@ pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout, &dyn Fn(Size) -> Re
 pub(super) struct Found {
     picture: decode::Decoded,
     is_flat: bool,
+    all_erased: bool,
     layout: Layout,
     texts: Vec<Text>,
     edges: Edges,
@@ -106,7 +110,7 @@ pub(super) fn find(
 
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let Contours { mut edges, mut decisions, told } =
+    let Contours { mut edges, mut decisions, told, all_erased } =
         contours_of(given, picture.raster.size(), &layout, erased, request, || {
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
@@ -134,7 +138,7 @@ pub(super) fn find(
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
-    Ok(Found { picture, is_flat, layout, texts, edges, decisions, legend, overview, notes })
+    Ok(Found { picture, is_flat, all_erased, layout, texts, edges, decisions, legend, overview, notes })
 }
 
 /// Everything but the page: draws the contours and colours that were found.
@@ -145,7 +149,7 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, is_flat, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
+    let Found { picture, is_flat, all_erased, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
     let (mut legend, mut notes) = (found.legend, found.notes);
     let has_lines = plan.profile().figure.lines && !edges.is_empty();
     let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
@@ -177,8 +181,9 @@ pub(super) fn draw(
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
         notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
     }
-    let left_out = left_out(&drawn.lost, overview.lost.rings, edges.of_drawing());
+    let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview));
+    notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
@@ -192,8 +197,21 @@ pub(super) fn draw(
     notes.extend(told);
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
-    let lost_signs = drawn.lost.signs;
-    Ok(DrawnMarks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, legend, texts, notes })
+    let (lost_signs, overview) = (drawn.lost.signs, overview.marks);
+    Ok(DrawnMarks { figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, notes })
+}
+
+/// What the maker is told of lines that a person drew: of what runs beside those that are added, and of those that are
+/// not in the overview.
+fn told_of_person(
+    given: &Given,
+    lines: &[Line],
+    overview: &DrawnOverview,
+    layout: &Layout,
+    plan: &Plan,
+) -> impl Iterator<Item = Note> {
+    let beside = told_beside_added(given.added.as_ref(), lines, layout, plan);
+    beside.into_iter().chain(told_by_hand(given.hand_lines(), lines, overview, layout))
 }
 
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.
@@ -226,6 +244,8 @@ pub(super) struct Contours {
     pub(super) decisions: Decisions,
     /// What is told of those that were given.
     pub(super) told: Option<Note>,
+    /// Whether there were some, and all were erased.
+    pub(super) all_erased: bool,
 }
 
 /// The contours of a picture of this size: what a person gave, or what `find` finds, with the lines that were added,
@@ -256,8 +276,10 @@ pub(super) fn contours_of(
     if let Some(added) = &given.added {
         added.add_to(&mut edges, room_of_added)?;
     }
+    let is_any = !edges.is_empty();
     erase(&mut edges, &erased);
-    Ok(Contours { edges, decisions: Decisions { erased, room_of_added, ..Decisions::default() }, told })
+    let all_erased = is_any && edges.is_empty();
+    Ok(Contours { edges, decisions: Decisions { erased, room_of_added, ..Decisions::default() }, told, all_erased })
 }
 
 /// Whose lines are drawn of contours: those that a person gave stay as they are.

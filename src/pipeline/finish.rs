@@ -5,7 +5,7 @@ use super::print_words;
 use super::request::Request;
 use crate::description;
 use crate::output::seal;
-use crate::page::{BrailleText, Medium, Page, Parts, Print};
+use crate::page::{BrailleText, Dots, InSet, LeftOut, Medium, Page, Parts, Print};
 use crate::units::Size;
 use crate::wording::Wording;
 use crate::{Error, Note};
@@ -20,6 +20,40 @@ pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, 
     let page = Page::new(parts)?;
     let page = if request.fit.mirrored { page.mirrored() } else { page };
     Ok(described(page, Wording::nearest(request.language)))
+}
+
+/// What a page says of itself, beside how it was made.
+#[derive(Debug, Clone)]
+pub(super) struct PageSays {
+    /// Contours that are not drawn.
+    pub(super) left_out: LeftOut,
+    /// Which sheet of a set it was before it was drawn anew.
+    pub(super) in_set: Option<InSet>,
+    /// That in braille.
+    pub(super) label: Option<Dots>,
+}
+
+impl PageSays {
+    /// That these contours are not drawn.
+    pub(super) fn of(left_out: LeftOut) -> Self {
+        Self { left_out, in_set: None, label: None }
+    }
+
+    /// As entries of its origin.
+    pub(super) fn to_origin(&self) -> Vec<(String, String)> {
+        let in_set = self.in_set.iter().map(InSet::to_origin);
+        in_set.chain(self.left_out.to_origin()).collect()
+    }
+}
+
+/// Tells of a page with nothing on it; of one from which all was erased, nothing else that is not there.
+pub(super) fn told_empty(notes: &mut Vec<Note>, all_erased: bool) {
+    if all_erased {
+        let lacks =
+            |note: &Note| matches!(note, Note::NotOnPage(..) | Note::TextsLeftOut(_) | Note::LetteringLeftOut { .. });
+        notes.retain(|note| !lacks(note));
+    }
+    notes.push(if all_erased { Note::AllErased } else { Note::EmptyPage });
 }
 
 /// What the maker is told when more of the figure is black than the profile allows.

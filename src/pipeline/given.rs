@@ -12,6 +12,7 @@ use crate::page::PartShown;
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode;
+use crate::reading::DrawnArea;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
 use crate::{About, Error, Note};
@@ -27,14 +28,14 @@ pub struct Given {
     pub areas: Option<Classes>,
     /// Who reads text in the pixels of the picture; without, nobody knows what it says.
     pub text_reader: Option<TextReader>,
-    /// How many areas somebody drew on the page of which areas are taken.
-    pub drawn_areas: usize,
+    /// The areas that somebody drew on the page of which areas are taken.
+    pub drawn_areas: Vec<DrawnArea>,
     /// How much of a picture the page shows of which areas are taken, as far as it says.
     pub part_of_areas: Option<PartShown>,
     /// How many braille texts the page has that the lines are of: they are not taken from it.
     pub texts_of_page: usize,
-    /// What the maker should know of these files: of that of the lines, of the added ones, and of the areas.
-    pub notes: [Vec<Note>; 3],
+    /// What the maker should know of these files.
+    pub notes: GivenNotes,
     /// Parts of the picture, as it is drawn, that stay blank.
     pub erased: Vec<Crop>,
     /// Parts outside which it stays blank; without any, it does so nowhere.
@@ -43,6 +44,17 @@ pub struct Given {
     pub subjects: Vec<[Position; 2]>,
     /// Whether weak lines and textures around it are left out.
     pub calm_background: bool,
+}
+
+/// What the maker should know of the files that are given.
+#[derive(Debug, Clone, Default)]
+pub struct GivenNotes {
+    /// Of that of the lines.
+    pub of_lines: Vec<Note>,
+    /// Of that of the added ones.
+    pub of_added: Vec<Note>,
+    /// Of that of the areas.
+    pub of_areas: Vec<Note>,
 }
 
 /// Lines in place of those that would be found.
@@ -97,8 +109,9 @@ impl Given {
 
     /// What is told of the files that are given; of one that is given as two things, once.
     pub(super) fn told(&self) -> Vec<Note> {
+        let GivenNotes { of_lines, of_added, of_areas } = &self.notes;
         let mut told: Vec<Note> = Vec::new();
-        for note in self.notes.iter().flatten() {
+        for note in of_lines.iter().chain(of_added).chain(of_areas) {
             if !told.contains(note) {
                 told.push(note.clone());
             }
@@ -108,15 +121,21 @@ impl Given {
 
     /// What is told of areas that somebody drew beside lines of which only these are taken.
     pub(super) fn told_areas(&self) -> Option<Note> {
-        let count: usize = self.hand_lines().map(HandLines::areas).sum();
+        let mut left_out: Vec<&DrawnArea> = Vec::new();
+        for area in self.hand_lines().flat_map(HandLines::areas) {
+            // a page that is given as both has them among its areas, and one that is given twice has the same
+            if !self.drawn_areas.contains(area) && !left_out.contains(&area) {
+                left_out.push(area);
+            }
+        }
+        let count = left_out.len();
         let told = || {
             let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
             let why = "of what is given as lines no areas are taken; draw them on a page, and give that as areas";
             let told = format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}");
             Note::NotOnPage(About::Areas, told)
         };
-        // a page that is given as both has them among its areas
-        (count > 0 && self.drawn_areas != count).then(told)
+        (count > 0).then(told)
     }
 
     /// Refuses lines and areas of a page that shows another part of the picture than `fit` asks for: they would lie

@@ -7,8 +7,10 @@ use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::lines::{Line, Pen, Run};
+use crate::listing::first_few;
 use crate::page::{Page, PartShown};
 use crate::profile::Plan;
+use crate::reading::DrawnArea;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Px, PxPoint, Size};
 use crate::{About, Error, Note};
 
@@ -20,10 +22,12 @@ pub struct HandLines {
     aspect: f32,
     /// How much of a picture the figure shows, as far as its page says.
     part: Option<PartShown>,
-    /// How much of them lies outside of the figure and is left out, mm.
-    left_outside: f32,
-    /// How many areas somebody drew beside them.
-    areas: usize,
+    /// How much of each of these lines lies outside of the figure and is left out, mm.
+    left_outside: Vec<(usize, f32)>,
+    /// The areas that somebody drew beside them.
+    areas: Vec<DrawnArea>,
+    /// What the lines of the figure are called, and which of them a person drew; of none that is not known.
+    names: Vec<LineName>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +45,8 @@ struct HandLine {
 const BESIDE: f32 = 0.5;
 /// Most steps in which a side of a line that leaves the figure is looked at.
 const MOST_STEPS: f32 = 10_000.0;
+/// Most lines that are named.
+const MOST_NAMED: usize = 5;
 /// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
 pub(super) const SAME_SHAPE: f32 = 0.03;
 
@@ -50,14 +56,19 @@ impl HandLines {
         Self { part: PartShown::of(page), ..Self::of(&page.figure.lines, page.figure.place, plan) }
     }
 
-    /// The same lines of a page on which somebody drew so many areas.
-    pub fn beside_areas(self, areas: usize) -> Self {
+    /// The same lines, whose figure has lines of these names.
+    pub fn called(self, names: Vec<LineName>) -> Self {
+        Self { names, ..self }
+    }
+
+    /// The same lines of a page on which somebody drew these areas.
+    pub fn beside_areas(self, areas: Vec<DrawnArea>) -> Self {
         Self { areas, ..self }
     }
 
-    /// How many areas somebody drew beside them.
-    pub(super) fn areas(&self) -> usize {
-        self.areas
+    /// The areas that somebody drew beside them.
+    pub(super) fn areas(&self) -> &[DrawnArea] {
+        &self.areas
     }
 
     /// How much of a picture the figure shows.
@@ -75,10 +86,7 @@ impl HandLines {
         let [width, height] = [place.width(), place.height()].map(|side| side.max(f32::MIN_POSITIVE));
         let share = |at: MmPoint| [(at.x - place.min.x) / width, (at.y - place.min.y) / height];
         let of_lines = lines.iter().enumerate().flat_map(|(of_line, line)| {
-            // of a heavy line of dots the second row is a part of the first
-            let dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-            let runs = if dotted { &line.runs[..1] } else { &line.runs[..] };
-            joined(runs).into_iter().map(move |runs| {
+            joined(line.own_runs()).into_iter().map(move |runs| {
                 let closed = runs.len() == 1 && runs[0].closed;
                 let mut vertices = Vec::new();
                 for (number, run) in runs.iter().enumerate() {
@@ -99,19 +107,51 @@ impl HandLines {
             })
         });
         own.extend(marks);
-        let length = |lines: &[HandLine]| lines.iter().map(|line| line.length([width, height])).sum::<f32>();
-        let before = length(&own);
-        let lines: Vec<HandLine> = own.into_iter().flat_map(|line| line.inside([width, height])).collect();
-        let left_outside = (before - length(&lines)).max(0.0);
-        Self { lines, aspect: width / height, part: None, left_outside, areas: 0 }
+        let length = |line: &HandLine| line.length([width, height]);
+        let (mut lines, mut left_outside) = (Vec::with_capacity(own.len()), Vec::new());
+        for line in own {
+            let (of_line, before) = (line.of_line, length(&line));
+            let inside = line.inside([width, height]);
+            let outside = before - inside.iter().map(length).sum::<f32>();
+            left_outside.extend((outside > 0.0).then_some((of_line, outside)));
+            lines.extend(inside);
+        }
+        Self { lines, aspect: width / height, part: None, left_outside, areas: Vec::new(), names: Vec::new() }
     }
 
-    /// The same lines as contours of a picture of this size.
+    /// The same lines as contours of a picture of this size, those that a person drew as such.
     ///
     /// # Errors
     /// If the picture has another shape than the figure of the page.
     pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
         self.edges_of(size, ChainKind { exact: true, of_drawing: true, ..ChainKind::default() })
+    }
+
+    /// Whether a person drew a line.
+    fn is_by_hand(&self, line: &HandLine) -> bool {
+        self.name_by_hand(line.of_line).is_some()
+    }
+
+    /// The lines where the figure lies at `place`, each with its number among those of the figure.
+    pub(super) fn in_place(&self, place: MmRect) -> Vec<(Line, usize)> {
+        let there = |[x, y]: [f32; 2]| place.min + MmVector::new(x * place.width(), y * place.height());
+        let line = |line: &HandLine| {
+            let points = line.vertices.iter().map(|(at, _)| there(*at)).collect();
+            let run = Run { closed: line.closed, ..Run::stroke(1.0, points) };
+            (Line { strength: 1.0, runs: vec![run] }, line.of_line)
+        };
+        self.lines.iter().filter(|line| !line.is_disc).map(line).collect()
+    }
+
+    /// Whether a line of the figure lies outside of it as a whole.
+    pub(super) fn is_outside(&self, number: usize) -> bool {
+        let is_left_out = self.left_outside.iter().any(|(line, _)| *line == number);
+        is_left_out && self.lines.iter().all(|line| line.of_line != number)
+    }
+
+    /// What a line of the figure is called, if a person drew it.
+    pub(super) fn name_by_hand(&self, number: usize) -> Option<&str> {
+        self.names.get(number).filter(|name| name.by_hand).map(|name| name.name.as_str())
     }
 
     /// The same. Those that a person drew come first; others are cut where they run along them within `reach` px, and
@@ -122,19 +162,19 @@ impl HandLines {
     /// As [`HandLines::edges`].
     pub(super) fn edges_under_own(
         &self,
-        names: &[LineName],
         size: Size,
         [reach, gap]: [f32; 2],
         full_strength: f32,
     ) -> Result<Edges, Error> {
-        let is_by_hand = |line: &&HandLine| names.get(line.of_line).is_some_and(|name| name.by_hand);
-        let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) = self.lines.iter().partition(is_by_hand);
+        let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) =
+            self.lines.iter().partition(|line| self.is_by_hand(line));
         let own = |lines: Vec<&HandLine>| Self {
             lines: lines.into_iter().cloned().collect(),
             aspect: self.aspect,
             part: None,
-            left_outside: 0.0,
-            areas: 0,
+            left_outside: Vec::new(),
+            areas: Vec::new(),
+            names: Vec::new(),
         };
         let kind = ChainKind { exact: true, of_drawing: true, added: true, ..ChainKind::default() };
         let mut first = own(by_hand).edges_of(size, kind)?;
@@ -175,8 +215,17 @@ impl HandLines {
 
     /// What is told of lines outside of the figure: there is no picture there that they could belong to.
     pub fn told_outside(&self) -> Option<Note> {
-        let mm = self.left_outside.round();
-        let told = format!("{mm} mm of lines outside of the figure; move them into it, or make another page of them");
+        let mm = self.left_outside.iter().map(|(_, mm)| mm).sum::<f32>().round();
+        let named = self.left_outside.iter().filter(|(_, mm)| *mm >= 0.5).filter_map(|(line, _)| self.names.get(*line));
+        let mut named: Vec<&str> = named.map(|line| line.name.as_str()).collect();
+        named.dedup();
+        let names = if named.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", first_few(&named, MOST_NAMED, |name| (*name).to_owned()))
+        };
+        let told =
+            format!("{mm} mm of lines outside of the figure{names}; move them into it, or make another page of them");
         (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, told))
     }
 
@@ -202,6 +251,7 @@ impl HandLines {
                 // only a disc has an inside
                 contrast: [if line.is_disc { strength } else { 0.0 }, 0.0, 0.0],
             };
+            let kind = ChainKind { added: kind.added || self.is_by_hand(line), ..kind };
             edges.push_as(kind, line.vertices.iter().map(edgel), line.closed);
         }
         Ok(edges)

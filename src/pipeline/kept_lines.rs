@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::geom::nearby::{Nearby, Segment};
-use crate::lines::{GONE, Line, Pen, Run};
+use crate::lines::{GONE, Line, Run};
 use crate::listing::list;
+use crate::page::Names;
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::{About, Note};
 
@@ -15,6 +16,14 @@ pub struct LineName {
     pub name: String,
     /// Whether a person drew it.
     pub by_hand: bool,
+}
+
+impl LineName {
+    /// Those of the lines of a page that was read.
+    pub fn of(names: &Names) -> Vec<Self> {
+        let of = |name: &String| Self { name: name.clone(), by_hand: names.by_hand.contains(name) };
+        names.lines.iter().map(of).collect()
+    }
 }
 
 /// Lines are looked at this often, mm.
@@ -76,8 +85,6 @@ fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
 
 /// The segments of a line, without the second row of a heavy line of dots.
 fn path_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
-    let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-    let rows = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
     let ticks = line.row_ticks().filter_map(|(run, at)| Some((at, *run.points.last()?)));
     let points = line.row_points().flat_map(|point| {
         let corner = move |k: u32| {
@@ -86,7 +93,7 @@ fn path_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
         };
         (0..CIRCLE).map(move |k| (corner(k), corner(k + 1)))
     });
-    rows.iter().flat_map(steps_of).chain(ticks).chain(points).collect()
+    line.own_runs().iter().flat_map(steps_of).chain(ticks).chain(points).collect()
 }
 
 /// So many sides are a circle.
@@ -124,38 +131,4 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn line(y: f32, from: f32, to: f32) -> Line {
-        Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![MmPoint::new(from, y), MmPoint::new(to, y)])] }
-    }
-
-    #[test]
-    fn a_line_that_is_gone_is_named_though_its_neighbour_is_near() {
-        let (from, to) = (MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), MmPoint::new(10.0, 20.0));
-        let to = MmRect::new(to, to + MmPoint::new(50.0, 50.0).to_vector());
-        let before = [line(10.0, 0.0, 80.0), line(13.0, 0.0, 80.0), line(60.0, 0.0, 100.0)];
-        // half as large, the first moved a little, the second gone, half of the third
-        let after = [line(50.0, 10.0, 35.0), line(25.4, 10.0, 50.0)];
-        let (stand_for, shares) = matched(&before, from, &after, to);
-        assert_eq!(stand_for, [2, 0]);
-        assert!(shares[0] > 0.9 && shares[1] < 0.1 && (shares[2] - 0.5).abs() < 0.05, "{shares:?}");
-        let name = |name: &str, by_hand: bool| LineName { name: name.to_owned(), by_hand };
-        let names = ["line 1", "line 2", "line 3"].map(|line| name(line, false));
-        let told = lost(&names, &shares).expect("one is lost").to_string();
-        assert!(told.contains("line 2, too short") && !told.contains("line 1"), "{told}");
-        assert_eq!(lost(&names, &[1.0, 0.5, 0.3]), None);
-        let names = [name("line 1", false), name("line 2", true)];
-        let told = lost(&names, &[0.0, 0.0]).expect("two are lost").to_string();
-        assert!(told.contains("2 lines, line 2 and line 1: "), "what a person drew comes first: {told}");
-        let told = lost(&names, &[0.5, 0.5]).expect("a part of one is lost").to_string();
-        assert!(told.contains("line 2 in part, too short"), "{told}");
-        let names: Vec<LineName> = (0..30).map(|i| name(&format!("line {i}"), i % 3 == 0)).collect();
-        let told = lost(&names, &[0.0; 30]).expect("all are lost").to_string();
-        assert!(
-            (0..30).step_by(3).all(|i| told.contains(&format!("line {i}"))) && told.contains("and 20 more"),
-            "{told}"
-        );
-    }
-}
+mod tests;

@@ -187,7 +187,13 @@ fn lacks(
     let params = labels::Params { area: layout.figure.inflate(across, down), ..within };
     let wanted: Vec<Wanted> = texts
         .iter()
-        .map(|(text, anchor)| Wanted { text: text.string.clone(), anchor: *anchor, led_from: None, leader: None })
+        .map(|(text, anchor)| Wanted {
+            text: text.string.clone(),
+            anchor: *anchor,
+            led_from: None,
+            leader: None,
+            is_nameless: false,
+        })
         .collect();
     // on a grid a line may lie a step aside and have a second row
     let line_width = match &layout.medium {

@@ -2,8 +2,9 @@
 
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::hand_lines::{index_of_drawn, without};
+use super::hand_lines::{HandLines, index_of_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
+use super::kept_lines;
 use super::lines_of_part::LinesOfPart;
 use super::lost_marks;
 use super::outlines::outlines_of_overview;
@@ -11,6 +12,7 @@ use super::progress::{Event, Stage, Watch, run};
 use super::request::{OverviewSize, scale_of_photograph};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
+use crate::listing::first_few;
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -237,6 +239,45 @@ pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &La
     (count > 0)
         .then(|| Note::NotOnPage(About::Overview, format!("{count} {noun} of the figure in the overview: {why}")))
 }
+
+/// What the maker is told of closed lines that a person drew and that are not in the overview, the largest first:
+/// where each is in the figure, by its name. What the figure lacks itself is told there.
+pub(super) fn told_by_hand<'l>(
+    given: impl Iterator<Item = &'l HandLines>,
+    figure: &[Line],
+    overview: &DrawnOverview,
+    layout: &Layout,
+) -> Option<Note> {
+    let (place, lines) = overview.marks.as_ref()?;
+    let mut missing: Vec<(&str, MmRect)> = Vec::new();
+    for given in given {
+        let (own, numbers): (Vec<Line>, Vec<usize>) = given.in_place(layout.figure).into_iter().unzip();
+        let shares = |lines: &[Line], place: MmRect| kept_lines::matched(&own, layout.figure, lines, place).1;
+        let shares = shares(figure, layout.figure).into_iter().zip(shares(lines, *place));
+        for ((line, number), (of_figure, of_overview)) in own.iter().zip(numbers).zip(shares) {
+            let run = line.runs.first().filter(|run| run.closed && of_figure >= HALF && of_overview < HALF);
+            let extent = run.map(|run| MmRect::from_points(&run.points));
+            missing.extend(given.name_by_hand(number).zip(extent));
+        }
+    }
+    missing.sort_by(|a, b| b.1.area().total_cmp(&a.1.area()));
+    let said = |(name, extent): &(&str, MmRect)| {
+        let (middle, size) = (extent.center(), extent.size());
+        let [width, height, x, y] = [size.width, size.height, middle.x, middle.y].map(f32::round);
+        format!("{name} ({width} x {height} mm, around {x}, {y} mm)")
+    };
+    let (shapes, them) = match missing.len() {
+        0 => return None,
+        1 => ("the closed line that you drew", "it"),
+        _ => ("closed lines that you drew", "them"),
+    };
+    let named = first_few(&missing, MOST_NAMED, said);
+    let why = format!("there is no room for {them} there; draw {them} simpler, or do without the overview");
+    Some(Note::NotOnPage(About::Overview, format!("{shapes}, in the overview: {named}: {why}")))
+}
+
+/// Most closed lines that are named.
+const MOST_NAMED: usize = 5;
 
 #[cfg(test)]
 mod tests;

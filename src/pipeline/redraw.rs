@@ -3,22 +3,25 @@
 use super::areas;
 use super::decisions::LinesOf;
 use super::draw::{DrawnMarks, FigureLines, draw_lines};
+use super::finish::PageSays;
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::label::{Label, Position};
 use super::leaders;
 use super::legend::LegendEntry;
-use super::overview::{draw_overview, told_of_overview};
+use super::overview::{draw_overview, told_by_hand, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::textures::{blank_ground, draw_textures, told_bare};
 use super::told_lines::{left_out, told_left_out};
 use super::words::Words;
+use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Figure, LeftOut, MediumParams, Page, TextRole};
+use crate::page::spread;
+use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
@@ -78,15 +81,9 @@ pub(super) fn marks(
     let (px_per_mm, params) = (PageTransform::new(size, layout.figure).px_per_mm(), plan.lines());
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
-    let hand_lines = HandLines::of_figure(page, own);
-    let mut edges = hand_lines.edges_under_own(lines, size, blank, params.full_strength)?;
-    if let MediumParams::Dots { device, .. } = plan.medium()
-        && !device.has_heights()
-    {
-        // a page tells one strength of a whole line: a second row would go all along it
-        let most = 0.99 * plan.profile().dots.heavy_from;
-        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
-    }
+    let hand_lines = HandLines::of_figure(page, own).called(lines.to_vec());
+    let mut edges = hand_lines.edges_under_own(size, blank, params.full_strength)?;
+    without_second_rows(&mut edges, plan);
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     let of_leaders = whole_leaders(&mut edges, labels, page, &layout, plan);
     request.go_on()?;
@@ -99,32 +96,80 @@ pub(super) fn marks(
     if plan.profile().figure.lines {
         let (stand_for, mut shares) =
             kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
-        // of heads of arrows is told by themselves
-        arrows(&page.figure.lines).iter().filter_map(|arrow| arrow.head).for_each(|head| shares[head] = 1.0);
+        told_by_themselves(page, &hand_lines).for_each(|line| shares[line] = 1.0);
         keep_widths(&mut drawn.lines, &stand_for, old, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend(told_of_overview(&overview).chain(dots_left_out(page)));
-    let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
-    // the ground of a page that has none already is another area
-    let has_ground = own.profile().figure.ground;
-    notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
+    notes.extend(told_of_overview(&overview).chain(dots_left_out(page, own)));
+    // what an overview of the page lacks is told where the page is read
+    let of_figure = std::iter::once(&hand_lines).filter(|_| of_overview.is_none());
+    notes.extend(told_by_hand(of_figure, &drawn.lines, &overview, &layout));
+    let (classes, of_ground) = areas_of(page, own, plan);
+    notes.extend(of_ground);
     request.go_on()?;
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     notes
         .extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
+    let left_out = left_out(&drawn.lost, overview.lost.rings, !LeftOut::of(page).of_photograph);
+    let (said, told) = sheet_of_set(PageSays::of(left_out), page, &layout, plan);
+    notes.extend(told);
     Ok(DrawnMarks {
         figure,
         overview: overview.marks,
         layout,
         is_flat: false,
-        left_out: left_out(&drawn.lost, overview.lost.rings, !LeftOut::of(page).of_photograph),
+        all_erased: false,
+        said,
         lost_signs: drawn.lost.signs,
         legend: Vec::new(),
         texts: Vec::new(),
         notes,
     })
+}
+
+/// The lines of a page that are told otherwise where they are not drawn: heads of arrows, and those that lie outside of
+/// the figure.
+fn told_by_themselves(page: &Page, hand_lines: &HandLines) -> impl Iterator<Item = usize> {
+    let heads = arrows(&page.figure.lines).into_iter().filter_map(|arrow| arrow.head);
+    heads.chain((0..page.figure.lines.len()).filter(|line| hand_lines.is_outside(*line)))
+}
+
+/// Makes contours too weak for a second row, where a device has one height only: a page tells one strength of a whole
+/// line, and a second row would go all along it.
+fn without_second_rows(edges: &mut Edges, plan: &Plan) {
+    if matches!(plan.medium(), MediumParams::Dots { device, .. } if !device.has_heights()) {
+        let most = 0.99 * plan.profile().dots.heavy_from;
+        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
+    }
+}
+
+/// The areas of a page that was made with `own`, if any are to have textures, and what is told of its ground: that of a
+/// page that has none already is another area.
+fn areas_of(page: &Page, own: &Plan, plan: &Plan) -> (Option<Classes>, Option<Note>) {
+    let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
+    let has_ground = own.profile().figure.ground;
+    let told = classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan));
+    (classes, told)
+}
+
+/// What a sheet of a set says of itself in another layout: it stays that sheet, with its name if there is room at the
+/// top. Tells what it has no longer.
+fn sheet_of_set(said: PageSays, page: &Page, layout: &Layout, plan: &Plan) -> (PageSays, Option<Note>) {
+    let in_set = InSet::of(page).filter(|in_set| *in_set != InSet::Followed);
+    let (label, told) = match &in_set {
+        Some(InSet::One(name, _)) => {
+            let label = spread::label(name, &layout.medium, plan.layout().margin).filter(|_| layout.heading.is_some());
+            let has_name = if label.is_some() { "" } else { ", for whose name there is no room at its top" };
+            let told = format!(
+                "this is sheet {name} of a picture on several sheets{has_name}; in another size it has no ticks, and \
+                 does not lie beside the others: for a set of such sheets, convert the picture for this paper or device"
+            );
+            (label, Some(Note::TakenAs(About::Marks, told)))
+        }
+        Some(InSet::Overview | InSet::OverviewOf(_) | InSet::Followed) | None => (None, None),
+    };
+    (PageSays { in_set, label, ..said }, told)
 }
 
 /// Takes the leader lines among the lines of a page out that are not drawn as a whole: their labels are led to what
@@ -189,12 +234,21 @@ fn of_page(note: Note) -> Note {
 }
 
 /// That dots which somebody drew on a page are not on one that is laid out anew; none if there are none.
-pub fn dots_left_out(page: &Page) -> Option<Note> {
-    let count: usize = page.labels.iter().map(|dots| dots.at.len()).sum();
+pub fn dots_left_out(page: &Page, own: &Plan) -> Option<Note> {
+    // the name of one of several sheets is made with it
+    let name = match InSet::of(page) {
+        Some(InSet::One(name, _)) => spread::label(&name, &page.medium, own.layout().margin),
+        Some(InSet::Overview | InSet::OverviewOf(_) | InSet::Followed) | None => None,
+    };
+    let is_of_name = |at: &MmPoint| name.iter().flat_map(|name| &name.at).any(|dot| (*dot - *at).length() < SAME);
+    let count = page.labels.iter().flat_map(|dots| &dots.at).filter(|at| !is_of_name(at)).count();
     let dots = if count == 1 { "1 dot" } else { &format!("{count} dots") };
     let why = "drawn by hand: they stay only where the page is written as it is, for its own paper or device";
     (count > 0).then(|| Note::NotOnPage(About::Dots, format!("{dots} {why}")))
 }
+
+/// Two dots no farther apart are one, mm: coordinates are rounded.
+const SAME: f32 = 0.05;
 
 /// The labels of a page.
 fn labels_of(page: &Page) -> impl Iterator<Item = &BrailleText> {

@@ -1,7 +1,7 @@
 //! From bytes to a picture on several sheets.
 
 use super::draw::{DrawnMarks, FromPerson, draw, find};
-use super::finish::{finished, origin, title_of_overview, too_black};
+use super::finish::{finished, origin, title_of_overview, told_empty, too_black};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
@@ -67,7 +67,8 @@ pub fn convert<'p>(
     let layout_of = |size: Size, _| Ok(together(&lay(size)?));
     let found = find(picture.into(), FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
-    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, legend, texts, mut notes } = marks;
+    let DrawnMarks { mut figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, mut notes } =
+        marks;
     let legend = if words.own_texts { legend } else { Vec::new() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let words = &Words { legend: &legend, lost_points: &lost_points, ..*words };
@@ -82,7 +83,7 @@ pub fn convert<'p>(
         let tiles = laid.spread.tiles();
         let OnPage { braille: labels, notes: of_labels, .. } =
             written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
-        let mut sheets = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
+        let mut sheets = assemble((&figure, &labels), overview, said.left_out, &laid, &written, request)?;
         notes.append(&mut sheets.notes);
         notes.extend(of_labels);
         let before = sheets.all().count() as u32;
@@ -94,7 +95,7 @@ pub fn convert<'p>(
     notes.extend(print_words::left_out(sheets.all(), plan));
     let of_picture = || sheets.overview.iter().chain(&sheets.pages);
     if of_picture().all(Page::is_empty) {
-        notes.push(Note::EmptyPage);
+        told_empty(&mut notes, all_erased);
     } else if plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::unwritten::{Lacks, RefusedTexts, named};
+use crate::geom::polygon::is_inside;
 use crate::labels::{self, Attachment, NEAR, Placed, PlacedAs, Unplaced, Wanted};
+use crate::lines::Line;
 use crate::listing::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
@@ -39,32 +41,38 @@ pub(super) fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
 
 /// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
 /// which on it has a leader line. In the middle of a large shape nothing may be so near: where the figure is that of a
-/// page that is drawn anew, only what was near `before` is missing.
+/// page that is drawn anew, only what was near `before` is missing. What a closed line surrounds names that.
 pub(super) fn of_nothing(
     wanted: &[Wanted],
     results: &[Result<Placed, Unplaced>],
     figure: &Figure,
     before: Option<&Figure>,
 ) -> Option<Note> {
-    let is_met_in = |figure: &Figure, at: MmPoint| {
-        let place = MmRect::new(at, at).inflate(NEAR, NEAR);
-        let lines = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
+    let is_met_in = |figure: &Figure, at: MmPoint, near: f32| {
+        let place = MmRect::new(at, at).inflate(near, near);
+        let mut runs = figure.lines.iter().flat_map(|line| &line.runs);
         let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
-        points.any(|glyph| place.contains(glyph.at)) || is_met(lines, place)
+        points.any(|glyph| place.contains(glyph.at))
+            || runs.any(|run| is_met(run.path(), place))
+            || figure.lines.iter().any(|line| surrounds(line, at))
     };
     let was_there = |before: &Figure, at: MmPoint| {
         let (from, to) = (figure.place, before.place);
         let share = |at: f32, side: f32| if side > 0.0 { at / side } else { 0.0 };
         let x = to.min.x + to.width() * share(at.x - from.min.x, from.width());
-        is_met_in(before, MmPoint::new(x, to.min.y + to.height() * share(at.y - from.min.y, from.height())))
+        let y = to.min.y + to.height() * share(at.y - from.min.y, from.height());
+        is_met_in(before, MmPoint::new(x, y), NEAR)
     };
     let is_there = |label: &Wanted| {
         let at = label.anchor.center();
-        is_met_in(figure, at) || before.is_some_and(|before| !was_there(before, at))
+        // in a larger figure all is farther off, and lines may move a little
+        let larger = before.map_or(0.0, |before| figure.place.width() / before.place.width().max(f32::MIN_POSITIVE));
+        let near = if larger > 0.0 { MOVED * NEAR * larger.max(1.0) } else { NEAR };
+        is_met_in(figure, at, near) || before.is_some_and(|before| !was_there(before, at))
     };
     let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
     let alone: Vec<&str> = placed
-        .filter(|(label, _)| label.anchor.is_empty() && !is_there(label))
+        .filter(|(label, _)| label.anchor.is_empty() && !label.is_nameless && !is_there(label))
         .map(|(label, _)| label.text.as_str())
         .collect();
     (!alone.is_empty()).then(|| {
@@ -75,6 +83,20 @@ pub(super) fn of_nothing(
         Note::TakenAs(About::Braille, told)
     })
 }
+
+/// How much farther off something may be in a figure that is drawn anew, as a share.
+const MOVED: f32 = 1.25;
+
+/// Whether a line is closed, of strokes or of dots, and surrounds a place.
+fn surrounds(line: &Line, at: MmPoint) -> bool {
+    let points: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let is_closed = points.first().zip(points.last()).is_some_and(|(first, last)| (*first - *last).length() <= NEXT);
+    is_closed && points.len() > 3 && is_inside(points.iter().zip(points.iter().cycle().skip(1)), at)
+}
+
+/// The last dot of a closed row is no farther from its first, mm: the coarsest grids have steps of 2.5 mm, and 3.5
+/// aslant.
+const NEXT: f32 = 4.0;
 
 /// Whether a line of these points passes through a box: looked at every 2 mm.
 fn is_met(mut points: impl Iterator<Item = MmPoint>, place: MmRect) -> bool {
@@ -103,6 +125,7 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
             .filter(is_nearer)
             .min_by(|a, b| far(&a.anchor, &placed.place).total_cmp(&far(&b.anchor, &placed.place)));
         other
+            .filter(|_| !wanted[number].is_nameless)
             .filter(|_| {
                 placed.attachment == Attachment::Beside
                     && !matches!(placed.stands, PlacedAs::InMargin | PlacedAs::AsTitle)

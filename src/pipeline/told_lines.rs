@@ -1,13 +1,16 @@
 //! What the maker is told of lines that are not drawn, or drawn otherwise.
 
+use super::hand_lines::HandLines;
 use super::lost_signs::is_small;
 use crate::devices::Family;
 use crate::edges::Edges;
-use crate::lines::{Beyond, Lines, Lost};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::lines::{Beyond, Line, Lines, Lost};
 use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
+use crate::units::MmPoint;
 use crate::{About, Note};
 
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
@@ -110,6 +113,70 @@ pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
     let why = "dashes would be too short for fingers; where the difference matters, say so in the title or a label";
     Some(Note::TakenAs(About::Lines, format!("{lines}: {they_are} drawn without gaps, as {why}")))
 }
+
+/// What the maker is told of lines that run beside those that a person drew and added, for half of their length or
+/// more: what these were to replace is nearly always such a line.
+pub(super) fn told_beside_added(
+    added: Option<&HandLines>,
+    figure: &[Line],
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
+    let (added, near) = (added?, plan.lines().max_spacing());
+    let mut own = Nearby::new(layout.figure, near);
+    let lines = added.in_place(layout.figure).into_iter();
+    let by_hand = lines.filter(|(_, number)| added.name_by_hand(*number).is_some());
+    for (number, run) in (0..).zip(by_hand.flat_map(|(line, _)| line.runs)) {
+        own.insert_line(number, run.polyline(), 0.0);
+    }
+    let mut beside: Vec<(f32, MmPoint)> = figure.iter().filter_map(|line| runs_beside(line, &own, near)).collect();
+    beside.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (mm, at) = *beside.first()?;
+    let (lines, run, which) = match beside.len() {
+        1 => ("1 line".to_owned(), "runs", ""),
+        count => (format!("{count} lines"), "run", "the longest "),
+    };
+    let told = format!(
+        "{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm) {run} beside lines that you drew and added, and \
+         may be what these replace: take the lines of the corrected page in place of those that are found, or erase \
+         that part",
+        at.x, at.y
+    );
+    Some(Note::TakenAs(About::Lines, told))
+}
+
+/// How long a line is, mm, and its middle, if it runs beside other lines; none of one that lies on them.
+fn runs_beside(line: &Line, others: &Nearby, near: f32) -> Option<(f32, MmPoint)> {
+    let (mut all, mut beside, mut on, mut points) = (0.0, 0.0, 0.0, Vec::new());
+    let sides = line.own_runs().iter().flat_map(|run| run.path().zip(run.path().skip(1)));
+    for (a, b) in sides {
+        let (length, way) = ((b - a).length(), (b - a).try_normalize().unwrap_or_default());
+        let steps = (length / BESIDE_STEP).ceil().max(1.0);
+        let is_along =
+            |other: &Segment| way.dot((other.b - other.a).try_normalize().unwrap_or_default()).abs() >= ALONG;
+        for k in 0..steps as u32 {
+            let at = a.lerp(b, (k as f32 + 0.5) / steps);
+            points.push(at);
+            all += length / steps;
+            match others.nearest(at, FAR_BESIDE * near, is_along) {
+                Some((distance, ..)) if distance < ON * near => on += length / steps,
+                Some(_) => beside += length / steps,
+                None => {}
+            }
+        }
+    }
+    let middle = points.get(points.len() / 2).copied()?;
+    (on < 0.5 * all && beside >= 0.5 * all).then_some((all, middle))
+}
+
+/// Lines are looked at this often, mm.
+const BESIDE_STEP: f32 = 1.0;
+/// A line runs along another if their directions differ by no more than 40 degrees: the cosine.
+const ALONG: f32 = 0.77;
+/// Two lines are one nearer than this, and beside one another up to the other, both as shares of the distance at which
+/// what is found gives way to what is added. Chosen by us: a person who draws by eye is some mm off.
+const ON: f32 = 0.3;
+const FAR_BESIDE: f32 = 2.0;
 
 /// What is kept in the page of contours that are not drawn.
 pub(super) fn left_out(lost: &Lost, shapes: usize, of_drawing: bool) -> LeftOut {

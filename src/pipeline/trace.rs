@@ -117,7 +117,7 @@ pub fn trace<'p>(
     let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let Contours { edges, decisions, told } =
+    let Contours { edges, decisions, told, .. } =
         contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
             find_edges(&read, tracing, &layout, plan, watch)
         })?;

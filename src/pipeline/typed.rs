@@ -43,11 +43,14 @@ pub(super) fn write(
         Label { x, y, text: text.string.clone() }
     };
     let (exact, beside): (Vec<&TypedText>, Vec<&TypedText>) = texts.iter().partition(|text| text.is_braille);
+    // half a line of braille beside the figure is not far
+    let is_outside = |text: &&TypedText| !place.inflate(SLACK, SLACK).contains(text.at);
+    // what stands there in the figure is not what was meant
+    let in_order = beside.iter().chain(&exact).enumerate();
+    let nameless: Vec<usize> = in_order.filter(|(_, text)| is_outside(text)).map(|(number, _)| number).collect();
     let labels: Vec<Label> = beside.into_iter().map(label).collect();
     let cells = CellGrid::of(&parts.medium, plan.profile().braille.cell);
     let exact: Vec<Text> = exact.into_iter().map(|text| in_place(text, &cells)).collect();
-    // half a line of braille beside the figure is not far
-    let is_outside = |text: &&TypedText| !place.inflate(SLACK, SLACK).contains(text.at);
     let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
     let language = parts.language.clone();
     let own_texts = !exact.is_empty();
@@ -58,6 +61,7 @@ pub(super) fn write(
         own_texts,
         translate,
         blocked: &blocked,
+        nameless: &nameless,
         ..Words::default()
     };
     let written = WrittenWords::new(&words, plan);

@@ -17,8 +17,9 @@ use crate::devices::Family;
 use crate::dots;
 use crate::labels::{self, MadeRoom, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
-use crate::page::heading::HeadingParams;
+use crate::page::heading::{Align, HeadingParams};
 use crate::page::layout::Layout;
+use crate::page::spread::LABEL_CELLS;
 use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Run, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
@@ -49,6 +50,8 @@ pub struct Words<'a> {
     pub before: Option<&'a Figure>,
     /// Boxes that labels keep clear of as of lines.
     pub blocked: &'a [MmRect],
+    /// Which of the labels, and then of the texts that are labels too, name nothing.
+    pub nameless: &'a [usize],
 }
 
 /// Words where they stand, and what they change of the page.
@@ -199,6 +202,16 @@ impl<'a> WrittenWords<'a> {
         self.heading.map(|heading| heading.beside(cells))
     }
 
+    /// The same with room for the label that says which sheet of a picture a page is.
+    pub(super) fn beside_label(self, plan: &Plan) -> Self {
+        let settings = &plan.profile().braille;
+        let alone = || HeadingParams::of(&Braille::default(), LABEL_CELLS, settings.cell, settings.align);
+        // a title that begins on the left would begin where the label stands
+        let mut heading = self.heading.map(|heading| heading.beside(LABEL_CELLS)).or_else(alone);
+        heading.iter_mut().for_each(|heading| heading.align = Align::Centre);
+        Self { heading, ..self }
+    }
+
     /// The labels where they stand in the figure, and what the maker should know of them. Textures make room. Where
     /// there are `tiles`, each label is whole in one of them.
     pub(super) fn labels(
@@ -344,7 +357,8 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
         match label.on(figure.place, figure.source) {
             Some(at) => {
                 let anchor = MmRect::new(at, at);
-                wanted.push(Wanted { text: label.text.clone(), anchor, led_from: None, leader: None });
+                let text = label.text.clone();
+                wanted.push(Wanted { text, anchor, led_from: None, leader: None, is_nameless: false });
             }
             None => outside.push(label.text.clone()),
         }
@@ -354,7 +368,13 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
         anchor: text.anchor(),
         led_from: text.led_over.map(|(from, _)| from),
         leader: text.leader,
+        is_nameless: false,
     }));
+    for &nameless in words.nameless {
+        if let Some(wanted) = wanted.get_mut(nameless) {
+            wanted.is_nameless = true;
+        }
+    }
     (wanted, outside)
 }
 

@@ -1,21 +1,20 @@
 //! A page of what was found drawn.
 
-use resvg::tiny_skia::{Point, Transform};
-
 use super::areas::{self, DrawnArea};
-use super::document::{Elements, not_a_page, numbers};
+use super::document::{Elements, numbers};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes, WHITE};
 use super::names::{self, Name};
+use super::said::{medium, on_sheet, palette, place_of, source};
 use super::shapes::{disc, glyph};
 use super::subpath::{Subpath, clean};
 use super::tally::{self, Tally, What};
 use super::words::{PageWords, language};
-use crate::devices::{Device, DotArea};
+use crate::devices::DotArea;
 use crate::output::layer::{self, Layer};
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
-    Print, PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
+    PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
 };
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 use crate::{Error, Note};
@@ -40,6 +39,8 @@ pub(super) struct Built {
     pub(super) notes: Vec<Note>,
     /// Areas that a person drew.
     pub(super) areas: Vec<DrawnArea>,
+    /// The texts in braille that a person moved, by their names.
+    pub(super) moved_texts: Vec<String>,
 }
 
 /// The page of these marks.
@@ -47,15 +48,15 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print, pictures): (PaintedShapes<'_>, Vec<PrintText>, usize),
+    (marks, print, [pictures, cut]): (PaintedShapes<'_>, Vec<PrintText>, [usize; 2]),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
 ) -> Result<Built, Error> {
-    let PaintedShapes { marks, transforms, clipped, patterned, far, .. } = marks;
+    let PaintedShapes { marks, transforms, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
-    let mut builder = Builder::new(&medium, sheet);
+    let mut builder = Builder::new(&medium, palette(&words), sheet);
     builder.is_foreign = elements.has_layer() && elements.layer(Layer::Figure).is_none();
     let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
@@ -74,10 +75,12 @@ pub(super) fn page(
         line_names,
         overview_names,
         text_begins,
+        moved_texts,
         ..
     } = builder;
     regions.sort_by_key(|(number, _, _)| *number);
     let area_names = regions.iter().map(|(_, name, _)| name.clone()).collect();
+    let moved_texts = moved_texts.into_iter().map(|text| text_name(&parts.braille[text])).collect();
     let texts: Vec<(String, usize)> = parts.braille.iter().map(text_name).zip(text_begins).collect();
     let objects = [line_names, overview_names, area_names];
     let names = names::of_page(&objects, texts, elements.text);
@@ -91,7 +94,7 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let notes = tally.notes().chain(tally::told_of_file([pictures, far, clipped, patterned])).collect();
+    let notes = tally.notes().chain(tally::told_of_file([pictures, far, cut, patterned])).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();
@@ -101,51 +104,7 @@ pub(super) fn page(
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    Ok(Built { page: Page::new(parts)?, names, notes, areas })
-}
-
-/// What the page is made for, as it says itself.
-fn medium(words: &PageWords, sheet: [f32; 2]) -> Result<Medium, Error> {
-    match words.value("dots.device").filter(|id| *id != "none") {
-        None => Ok(Medium::Print(Print {
-            swell: words.number("print.swell").unwrap_or(0.0),
-            max_black: words.number("print.max_black").unwrap_or(0.0).max(0.0),
-        })),
-        Some(id) => {
-            let found = Device::named(id).ok().and_then(|device| {
-                let pitch = device.pitches().find(words.number("dots.pitch")?)?;
-                DotMedium::on(device, pitch, sheet).ok()
-            });
-            found.map(Medium::Dots).ok_or_else(|| {
-                not_a_page("it is a page of dots for a device that is not known, or that does not take its sheet")
-            })
-        }
-    }
-}
-
-/// Where a layer says that its picture lies.
-fn place_of(layer: Layer, elements: &Elements<'_>, transform: Option<&Transform>) -> Option<MmRect> {
-    let node = elements.layer(layer)?;
-    let [x, y, width, height]: [f32; 4] = numbers(node, "data-box")?.try_into().ok()?;
-    let mut corners = [Point::from_xy(x, y), Point::from_xy(x + width, y + height)];
-    if let Some(transform) = transform {
-        transform.map_points(&mut corners);
-    }
-    let [a, b] = corners.map(|p| MmPoint::new(clean(p.x), clean(p.y)));
-    let place = MmRect::new(a.min(b), a.max(b));
-    (place.width() > 0.0 && place.height() > 0.0).then_some(place)
-}
-
-/// A place as far as it lies on the sheet; all of the sheet if there is none.
-fn on_sheet(place: Option<MmRect>, sheet: [f32; 2]) -> MmRect {
-    let all = MmRect::new(MmPoint::zero(), sheet.into());
-    place.and_then(|place| place.intersection(&all)).unwrap_or(all)
-}
-
-fn source(elements: &Elements<'_>) -> Option<Size> {
-    let text = elements.layer(Layer::Figure)?.attribute("data-source")?;
-    let (width, height) = text.split_once(' ')?;
-    Some(Size::new(width.parse().ok()?, height.parse().ok()?)).filter(|size| size.area() > 0)
+    Ok(Built { page: Page::new(parts)?, names, notes, areas, moved_texts })
 }
 
 /// The strokes and rows of dots of one object.
@@ -159,6 +118,8 @@ struct Pieces {
 
 struct Builder<'m> {
     medium: &'m Medium,
+    /// The signs of layers that do not say which they have, such as one that a person made.
+    palette: Palette,
     sheet: [f32; 2],
     /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
     is_foreign: bool,
@@ -173,6 +134,8 @@ struct Builder<'m> {
     texts: Vec<usize>,
     /// Where the element of each text begins in the file.
     text_begins: Vec<usize>,
+    /// Which of them a person moved: they are written without a transform.
+    moved_texts: Vec<usize>,
     /// Areas that a person drew.
     areas: Vec<DrawnArea>,
     /// Which dots of labels are which object.
@@ -181,10 +144,11 @@ struct Builder<'m> {
 }
 
 impl<'m> Builder<'m> {
-    fn new(medium: &'m Medium, sheet: [f32; 2]) -> Self {
+    fn new(medium: &'m Medium, palette: Palette, sheet: [f32; 2]) -> Self {
         let empty = Figure { place: MmRect::zero(), source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
         Self {
             medium,
+            palette,
             sheet,
             is_foreign: false,
             parts: Parts::of(sheet, empty),
@@ -195,6 +159,7 @@ impl<'m> Builder<'m> {
             regions: Vec::new(),
             texts: Vec::new(),
             text_begins: Vec::new(),
+            moved_texts: Vec::new(),
             areas: Vec::new(),
             labels: Vec::new(),
             tally: Tally::default(),
@@ -295,7 +260,7 @@ impl<'m> Builder<'m> {
         match runs.last_mut() {
             Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
             _ => {
-                let name = names::of_line(mark.element);
+                let name = names::of_line(mark.element, mark.clone);
                 runs.push(Pieces { object: mark.object, layer, strength, name, runs: of_path });
             }
         }
@@ -413,12 +378,12 @@ impl<'m> Builder<'m> {
         let number = element.attribute("id").and_then(|id| id.strip_prefix("region-")?.parse().ok());
         let texture = Texture {
             class,
-            sign: sign.unwrap_or(Palette::PAPER.sign(class)),
+            sign: sign.unwrap_or_else(|| self.palette.sign(class)),
             colour: colour.map_or([128; 3], |colour| colour.map(|channel| channel.clamp(0.0, 255.0) as u8)),
             area: area.map_or(GLYPH_AREA * glyphs.len() as f32, |area| clean((area * mark.area_scale).max(0.0))),
             glyphs,
         };
-        self.regions.push((number.unwrap_or(usize::MAX), names::of_area(element, class), texture));
+        self.regions.push((number.unwrap_or(usize::MAX), names::of_area(element, mark.clone, class), texture));
     }
 
     /// The text that an object is; a new one if it was not met yet.
@@ -433,6 +398,9 @@ impl<'m> Builder<'m> {
         let lines = said("data-braille").unwrap_or_default();
         self.texts.push(mark.object);
         self.text_begins.push(mark.element.range().start);
+        if mark.element.ancestors().any(|around| around.has_attribute("transform")) {
+            self.moved_texts.push(self.parts.braille.len());
+        }
         self.parts.braille.push(BrailleText {
             role,
             text,

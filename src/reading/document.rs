@@ -1,11 +1,12 @@
 //! The elements of a page's SVG: under limits, and each with an id.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 
 use usvg::roxmltree::{Document, Node};
 
-use super::entities;
+use super::{cuts, entities};
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::raster::decode::{checked_document, no_longer_than};
@@ -13,6 +14,9 @@ use crate::raster::decode::{checked_document, no_longer_than};
 /// Namespace of Inkscape's attributes.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 const SODIPODI: &str = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd";
+
+/// Id of the layer in which a check marks what it found, which is no part of a page.
+pub const FINDINGS: &str = "findings";
 
 /// Most clones of clones.
 const MOST_CLONES: usize = 20;
@@ -25,11 +29,11 @@ pub(super) fn not_a_page(why: &'static str) -> Error {
     Error::NotAPage { why, remedy: "give the SVG of a page that tactograph made" }
 }
 
-/// The text of an SVG.
+/// The text of an SVG, without what a check marked in it.
 ///
 /// # Errors
 /// [`Error::NotAPage`] if the bytes are plainly something else, which is called by its name.
-pub fn text_of(bytes: &[u8]) -> Result<&str, Error> {
+pub fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, Error> {
     const OF_A_PICTURE: &str = "give the SVG of the page, or convert the picture to a page.svg";
     const OTHERS: [(&[u8], &str, &str); 6] = [
         (b"%PDF-", "it is a PDF, and pages are read from their SVG", OF_A_PICTURE),
@@ -44,7 +48,25 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, Error> {
     }
     let text = std::str::from_utf8(bytes).map_err(|_| not_a_page("it is no text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
-    if text.trim_start().starts_with('<') { Ok(text) } else { Err(not_a_page("it is no SVG")) }
+    if text.trim_start().starts_with('<') { Ok(without_findings(text)) } else { Err(not_a_page("it is no SVG")) }
+}
+
+/// The same text as it was before a check marked it, to the byte, if nobody has saved it since.
+fn without_findings(text: &str) -> Cow<'_, str> {
+    let has_layer = text.contains(&format!("\"{FINDINGS}\"")) || text.contains(&format!("'{FINDINGS}'"));
+    // what cannot be parsed is told later
+    let Some(document) = has_layer.then(|| parse(text).ok()).flatten() else { return text.into() };
+    let is_layer = |node: &Node<'_, '_>| node.tag_name().name() == "g" && node.attribute("id") == Some(FINDINGS);
+    let mut out = String::with_capacity(text.len());
+    let mut done = 0;
+    for layer in document.descendants().filter(is_layer).map(|layer| layer.range()) {
+        if layer.start >= done {
+            out.push_str(&text[done..layer.start]);
+            done = layer.end + usize::from(text[layer.end..].starts_with('\n'));
+        }
+    }
+    out.push_str(&text[done..]);
+    out.into()
 }
 
 /// What the format is called in errors.
@@ -88,11 +110,16 @@ fn place_mark(text: Node<'_, '_>, id: &str) -> String {
     format!("<rect{}/>", attributes.collect::<String>())
 }
 
+/// Elements that are not drawn themselves, beside `defs`.
+const NOT_DRAWN: [&str; 5] = ["clipPath", "mask", "symbol", "pattern", "marker"];
+
 /// Whether an element is a text that is shown, and no part of a definition.
 fn is_seen_text(node: Node<'_, '_>) -> bool {
     let hides = |above: Node<'_, '_>| {
         let style = above.attribute("style").unwrap_or_default().replace(' ', "");
-        ["defs", "clipPath", "mask", "symbol", "pattern", "marker"].contains(&above.tag_name().name())
+        let name = above.tag_name().name();
+        name == "defs"
+            || NOT_DRAWN.contains(&name)
             || above.attribute("display") == Some("none")
             || style.contains("display:none")
     };
@@ -135,11 +162,11 @@ pub(super) struct TypedElement<'a> {
 const LABELS: &str = "labels-text";
 
 /// The same text, in which each element has an id: usvg keeps ids and no other attributes, and plain editors give none.
-/// Before each text stands a mark of its place.
+/// Before each text stands a mark of its place, and nothing is cut off: says how many elements were.
 ///
 /// # Errors
 /// As [`parse`].
-pub(super) fn with_ids(text: &str) -> Result<String, Error> {
+pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
     let mut document = parse(text)?;
     let replaced;
     let text = if text.contains("<!ENTITY") {
@@ -151,7 +178,7 @@ pub(super) fn with_ids(text: &str) -> Result<String, Error> {
     };
     let all: HashSet<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
     let mut out = String::with_capacity(text.len() + text.len() / 8);
-    let (mut done, mut number) = (0, 0);
+    let (mut done, mut number, mut cut) = (0, 0, 0);
     for node in document.descendants().filter(Node::is_element) {
         let (own, is_text) = (node.attribute("id"), is_seen_text(node));
         let start = node.range().start;
@@ -176,9 +203,21 @@ pub(super) fn with_ids(text: &str) -> Result<String, Error> {
             let _ = write!(out, "{} id=\"{id}\"", &text[done..end]);
             done = end;
         }
+        let cuts = cuts::of_element(node, text);
+        cut += usize::from(!cuts.is_empty() && is_cut(node));
+        for range in cuts {
+            let _ = write!(out, "{}{}", &text[done..range.start], cuts::NONE);
+            done = range.end;
+        }
     }
     out.push_str(&text[done..]);
-    Ok(out)
+    Ok((out, cut))
+}
+
+/// Whether what an element has of clip paths, masks and filters would be seen: it is drawn, or it is a style sheet.
+fn is_cut(node: Node<'_, '_>) -> bool {
+    let is_drawn = || !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()));
+    node.tag_name().name() == "style" || is_shown(&node) && is_drawn()
 }
 
 /// Elements by their ids.

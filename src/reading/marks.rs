@@ -17,9 +17,6 @@ const ROUNDING: f32 = 1e-5;
 /// Most points of all paths together: a page of ours has 100 000 at most.
 const MOST_POINTS: usize = 5_000_000;
 
-/// Id of the layer in which a check marks what it found, which is no part of the page.
-const FINDINGS: &str = "findings";
-
 /// Farthest that a path may reach, mm: curves of more would take points without end.
 const FAR: f32 = 10_000.0;
 
@@ -31,6 +28,8 @@ pub(super) struct PaintedShape<'a> {
     pub(super) object: usize,
     /// The element of that object.
     pub(super) element: Node<'a, 'a>,
+    /// The clone by which it is shown, if it is shown by one.
+    pub(super) clone: Option<Node<'a, 'a>>,
     /// Whether it lies right in its object, and not in a group of that.
     pub(super) is_direct: bool,
     pub(super) subpaths: Vec<Subpath>,
@@ -77,8 +76,6 @@ pub(super) struct PaintedShapes<'a> {
     pub(super) marks: Vec<PaintedShape<'a>>,
     /// From the units of each layer's element to mm.
     pub(super) transforms: HashMap<String, Transform>,
-    /// How many groups are cut by a clip path, or changed by a mask or a filter.
-    pub(super) clipped: usize,
     /// How many paths have a gradient or a pattern.
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
@@ -96,6 +93,8 @@ struct Inherited<'a> {
     object: Option<(usize, Node<'a, 'a>)>,
     /// What a clone shows: usvg leaves its parts no ids.
     cloned: Option<Node<'a, 'a>>,
+    /// That clone; of clones of clones the one that is shown.
+    clone: Option<Node<'a, 'a>>,
     opacity: f32,
 }
 
@@ -107,14 +106,17 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<PaintedShap
     let mut marks = PaintedShapes {
         marks: Vec::new(),
         transforms: HashMap::new(),
-        clipped: 0,
         patterned: 0,
         far: 0,
         texts: HashMap::new(),
         points: 0,
         objects: 0,
     };
-    marks.add_group(tree.root(), Inherited { layer: None, object: None, cloned: None, opacity: 1.0 }, elements)?;
+    marks.add_group(
+        tree.root(),
+        Inherited { layer: None, object: None, cloned: None, clone: None, opacity: 1.0 },
+        elements,
+    )?;
     Ok(marks)
 }
 
@@ -125,15 +127,11 @@ fn to_mm(transform: Transform) -> Transform {
 
 impl<'a> PaintedShapes<'a> {
     fn add_group(&mut self, group: &Group, around: Inherited<'a>, elements: &Elements<'a>) -> Result<(), Error> {
-        if group.id() == FINDINGS {
-            return Ok(());
-        }
         let mut around = Inherited { opacity: around.opacity * group.opacity().get(), ..around };
-        let changed = group.clip_path().is_some() || group.mask().is_some() || !group.filters().is_empty();
-        self.clipped += usize::from(changed);
-        if let Some(element) = elements.get(group.id()).and_then(|element| elements.shown_by(element)) {
-            if elements.get(group.id()) != Some(element) {
-                around.cloned = Some(element);
+        let own = elements.get(group.id());
+        if let Some(element) = own.and_then(|element| elements.shown_by(element)) {
+            if own != Some(element) {
+                (around.cloned, around.clone) = (Some(element), around.clone.or(own));
             }
             if let Some(layer) = layer_of(element) {
                 around = Inherited { layer: Some(layer), object: None, ..around };
@@ -205,8 +203,9 @@ impl<'a> PaintedShapes<'a> {
             is_dashed: stroke.dasharray().is_some(),
         });
         let is_direct = own.parent() == Some(element) || own == element;
-        let layer = around.layer;
-        self.marks.push(PaintedShape { layer, object, element, is_direct, subpaths, fill, colour, stroke, area_scale });
+        let Inherited { layer, clone, .. } = around;
+        let of = PaintedShape { layer, object, element, clone, is_direct, subpaths, fill, colour, stroke, area_scale };
+        self.marks.push(of);
         Ok(())
     }
 

@@ -15,12 +15,14 @@
 
 mod areas;
 mod build;
+mod cuts;
 mod document;
 mod entities;
 mod leaders;
 mod marks;
 mod names;
 mod print;
+mod said;
 mod shapes;
 mod subpath;
 mod tally;
@@ -41,7 +43,7 @@ use build::Built;
 use document::Elements;
 
 pub use areas::DrawnArea;
-pub use document::{string_of, text_of};
+pub use document::{FINDINGS, string_of, text_of};
 pub use print::{is_light, is_print_words};
 pub use typed::{TypedText, is_braille, is_written};
 
@@ -63,6 +65,8 @@ pub struct Reading {
     pub areas: Vec<DrawnArea>,
     /// Whether somebody has changed or saved it since it was written.
     pub is_changed: bool,
+    /// The texts in braille that a person moved, by their names.
+    pub moved_texts: Vec<String>,
     /// Texts that a person typed and that are to be written in braille, which are not on the page either.
     pub texts: Vec<TypedText>,
 }
@@ -105,7 +109,8 @@ pub fn read_any(svg: &[u8]) -> Result<Reading, Error> {
 }
 
 fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
-    let text = document::with_ids(document::text_of(svg)?)?;
+    let given = document::text_of(svg)?;
+    let (text, cut) = document::with_ids(&given)?;
     let document = document::parse(&text)?;
     let elements = Elements::of(&document);
     if needs_layers && !elements.has_layer() {
@@ -125,10 +130,11 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);
     let pictures = document.descendants().filter(is_picture).count();
     let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
-    let Built { page, names, mut notes, areas } = build::page((marks, print, pictures), words, &elements, sheet)?;
+    let Built { page, names, mut notes, areas, moved_texts } =
+        build::page((marks, print, [pictures, cut]), words, &elements, sheet)?;
     notes.extend(told);
-    let is_changed = !svg::is_as_written(svg);
-    Ok(Reading { page, names, notes, areas, is_changed, texts })
+    let is_changed = !svg::is_as_written(given.as_bytes());
+    Ok(Reading { page, names, notes, areas, is_changed, moved_texts, texts })
 }
 
 /// Whether bytes are text in XML, as all pages are.
@@ -139,7 +145,7 @@ pub fn is_svg(bytes: &[u8]) -> bool {
 /// Whether bytes are an SVG that can be read, be it a page or not.
 pub fn is_drawing(bytes: &[u8]) -> bool {
     let is_root = |document: &usvg::roxmltree::Document<'_>| document.root_element().tag_name().name() == "svg";
-    document::text_of(bytes).and_then(document::parse).is_ok_and(|document| is_root(&document))
+    document::text_of(bytes).is_ok_and(|text| document::parse(&text).is_ok_and(|document| is_root(&document)))
 }
 
 /// Whether a text is a page of ours: it has the layer of a figure with the place that the writer gives it.

@@ -23,15 +23,25 @@ pub(super) struct Name {
     pub(super) by_hand: bool,
 }
 
-/// The name of a line.
-pub(super) fn of_line(element: Node<'_, '_>) -> Name {
-    let name = named(element, "line", |name| is_numbered(name, "line ") || is_numbered(name, "overview line "));
-    Name { by_hand: !element.has_attribute("data-strength"), ..name }
+/// The name of a line, or of a clone of it, which a person made.
+pub(super) fn of_line(element: Node<'_, '_>, clone: Option<Node<'_, '_>>) -> Name {
+    let is_ours = |name: &str| is_numbered(name, "line ") || is_numbered(name, "overview line ");
+    let name = of_clone(named(element, "line", is_ours), clone, is_ours);
+    Name { by_hand: clone.is_some() || !element.has_attribute("data-strength"), ..name }
+}
+
+/// The name of what a clone shows as the clone's: by its own label, or as a copy of that.
+fn of_clone(name: Name, clone: Option<Node<'_, '_>>, is_ours: impl Fn(&str) -> bool) -> Name {
+    let Some(clone) = clone else { return name };
+    let own = named(clone, name.kind, is_ours);
+    let shown = if label_of(clone).is_some() { own.shown } else { name.shown };
+    Name { shown, ..own }
 }
 
 /// The name of an area; one that was moved to another texture keeps its old name in the list, so its class is said too.
-pub(super) fn of_area(element: Node<'_, '_>, class: Class) -> Name {
-    let name = named(element, "area", |name| name.split_once(" area ").is_some_and(|(_, number)| is_number(number)));
+pub(super) fn of_area(element: Node<'_, '_>, clone: Option<Node<'_, '_>>, class: Class) -> Name {
+    let is_ours = |name: &str| name.split_once(" area ").is_some_and(|(_, number)| is_number(number));
+    let name = of_clone(named(element, "area", is_ours), clone, is_ours);
     let shown = name.shown.map(|shown| match shown.starts_with(class.name()) {
         true => shown,
         false => format!("{shown} ({})", class.name()),
@@ -80,10 +90,13 @@ fn told(names: &[Name]) -> Vec<String> {
         let of_name = ids.get(&name.shown.as_deref());
         let all = of_name.map_or(0, HashMap::len);
         let nth = of_name.and_then(|ids| ids.get(name.id.as_str())).copied().unwrap_or(1);
+        // what is called by its id needs it no second time
+        let is_by_id = |shown: &str| shown.ends_with(&format!("\"{}\"", name.id));
         match &name.shown {
             None if all > 1 => format!("{} {nth} without a name", name.kind),
             None => format!("{} {} without a name", article(name.kind), name.kind),
-            Some(shown) if all > 1 => format!("{shown} (\"{}\")", name.id),
+            Some(shown) if all > 1 && name.id.starts_with(UNNAMED) => format!("{shown} (copy {nth}, without an id)"),
+            Some(shown) if all > 1 && !is_by_id(shown) => format!("{shown} (\"{}\")", name.id),
             Some(shown) => shown.clone(),
         }
     };
@@ -118,27 +131,4 @@ fn article(noun: &str) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests {
-    use usvg::roxmltree::Document;
-
-    use super::*;
-
-    /// The names of the lines of a drawing.
-    fn lines(elements: &str) -> Vec<String> {
-        let svg = format!("<svg xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\">{elements}</svg>");
-        let document = Document::parse(&svg).expect("it is XML");
-        told(&document.root_element().children().map(of_line).collect::<Vec<_>>())
-    }
-
-    #[test]
-    fn objects_are_called_as_an_editor_lists_them() {
-        assert_eq!(lines("<path id=\"line-7\" inkscape:label=\"line 7\"/>"), ["line 7"]);
-        assert_eq!(lines("<path id=\"line-7\"/><path id=\"path12\"/>"), ["line 7", "line \"path12\""]);
-        assert_eq!(lines("<path id=\"a\" inkscape:label=\" the  roof \"/>"), ["line \"the roof\""]);
-        assert_eq!(lines("<path/>"), ["a line without a name"]);
-        assert_eq!(lines("<path/><path id=\"unnamed-4\"/>"), ["line 1 without a name", "line 2 without a name"]);
-        assert_eq!(article("area"), "an");
-        let copies = "<path id=\"line-7\" inkscape:label=\"line 7\"/><path id=\"b\" inkscape:label=\"line 7\"/>";
-        assert_eq!(lines(copies), ["line 7 (\"line-7\")", "line 7 (\"b\")"]);
-    }
-}
+mod tests;

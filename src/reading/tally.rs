@@ -65,8 +65,9 @@ impl Tally {
                 What::Outlined => taken(
                     About::Areas,
                     format!(
-                        "{}{at} without the colour of a texture, drawn as lines around them",
-                        n("filled shape", "filled shapes")
+                        "{}{at} without the colour of a texture, drawn as {}",
+                        n("filled shape", "filled shapes"),
+                        if *count == 1 { "a line around it" } else { "lines around them" }
                     ),
                 ),
                 What::NoGlyph => left_out(

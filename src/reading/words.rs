@@ -2,7 +2,7 @@
 
 use usvg::roxmltree::{Document, Node};
 
-use crate::page::LANGUAGE;
+use crate::page::{LANGUAGE, MIRRORED};
 
 const XML: &str = "http://www.w3.org/XML/1998/namespace";
 
@@ -50,6 +50,11 @@ impl PageWords {
     pub(super) fn value(&self, name: &str) -> Option<&str> {
         let value = self.origin.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
         value.map(|value| value.trim_matches('"'))
+    }
+
+    /// Whether it is a page for the back of the sheet.
+    pub(super) fn is_mirrored(&self) -> bool {
+        self.value(MIRRORED) == Some("true")
     }
 
     /// A number of how the page was made.

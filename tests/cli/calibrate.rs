@@ -84,7 +84,7 @@ fn a_device_gets_its_own_sheets() {
     assert_eq!(run.code, 0, "{}", run.err);
     let wrote: Vec<&str> = run.err.lines().filter(|line| line.starts_with("wrote ")).collect();
     assert!(
-        wrote.len() == 2 && wrote[0].starts_with("wrote s.idx") && wrote[1].starts_with("wrote s.preview.pdf"),
+        wrote.len() == 2 && wrote[0].starts_with("wrote s.idx") && wrote[1].starts_with("wrote s.idx.preview.pdf"),
         "{}",
         run.err
     );
@@ -96,5 +96,5 @@ fn a_device_gets_its_own_sheets() {
     let run = place.run(&["calibrate", "-o", "s.idx"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("IDX holds dots, and the profile swell-a4 is for printing"), "{}", run.err);
-    assert_eq!(place.names(), ["s.idx", "s.preview.pdf"]);
+    assert_eq!(place.names(), ["s.idx", "s.idx.preview.pdf"]);
 }

@@ -47,7 +47,7 @@ fn the_report_says_what_became_of_each_picture() {
     let [good, bad, white] = &first["pictures"].as_array().expect("pictures")[..] else { panic!("{first}") };
     assert_eq!((&good["picture"], &good["done"], &good["page"]), (&"a.png".into(), &true.into(), &Value::Null));
     assert_eq!(good["outputs"], serde_json::json!(["a.idx"]));
-    assert_eq!(good["previews"], serde_json::json!(["a.preview-1.png", "a.preview-2.png"]));
+    assert_eq!(good["previews"], serde_json::json!(["a.idx.preview-1.png", "a.idx.preview-2.png"]));
     assert_eq!((&bad["picture"], &bad["done"]), (&"bad.png".into(), &false.into()));
     assert_eq!(bad["error"], serde_json::json!({ "about": "bad.png", "what": "the file is empty; give a picture" }));
     assert!(white["notes"].as_array().is_some_and(|notes| !notes.is_empty()), "an empty page without a note: {white}");
@@ -72,7 +72,7 @@ fn the_report_says_what_became_of_each_picture() {
 #[test]
 fn a_report_has_a_place_of_its_own() {
     let place = Place::with_picture("a.png");
-    for name in ["a.png", "a.svg", "./a.preview.png"] {
+    for name in ["a.png", "a.svg", "./a.svg.preview.png"] {
         let line = format!("--report {name}: a picture or a page has this name; choose another one");
         place.refuses(&["convert", "a.png", "--preview", "png", "--report", name], 2, &[&line]);
     }

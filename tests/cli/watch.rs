@@ -105,7 +105,7 @@ fn what_is_saved_is_converted_and_own_files_are_not() {
     // pages and previews lie in the directory itself
     let watching = Watching::start(&place, &["--preview", "png"]);
     save(&place, "a.png", &picture());
-    watching.wait_to_hear("in/a.png: wrote in/a.svg and in/a.preview.png");
+    watching.wait_to_hear("in/a.png: wrote in/a.svg and in/a.svg.preview.png");
     save(&place, "bad.png", b"no picture");
     watching
         .wait_for("a message on bad.png", |said| said.iter().any(|line| line.starts_with("tactograph: in/bad.png: ")));
@@ -115,13 +115,13 @@ fn what_is_saved_is_converted_and_own_files_are_not() {
     // a picture that is mended is converted, and so is one that was not complete when it was first seen
     let (whole, half) = (png(60, 60, &[200; 60 * 60 * 3]), picture());
     save(&place, "bad.png", &whole);
-    watching.wait_to_hear("in/bad.png: wrote in/bad.svg and in/bad.preview.png");
+    watching.wait_to_hear("in/bad.png: wrote in/bad.svg and in/bad.svg.preview.png");
     place.put("in/slow.png", &half[..half.len() / 2]);
     place.put("in/slow.png", &half);
-    watching.wait_to_hear("in/slow.png: wrote in/slow.svg and in/slow.preview.png");
+    watching.wait_to_hear("in/slow.png: wrote in/slow.svg and in/slow.svg.preview.png");
     // had its own files been taken for news, that would be heard before this
     save(&place, "z.jpg", &jpeg());
-    watching.wait_to_hear("in/z.jpg: wrote in/z.svg and in/z.preview.png");
+    watching.wait_to_hear("in/z.jpg: wrote in/z.svg and in/z.svg.preview.png");
     let said = watching.stop("-TERM");
     let wrote: Vec<&String> = said.iter().filter(|line| line.contains(": wrote ")).collect();
     assert_eq!(wrote.len(), 4, "{said:#?}");

@@ -27,7 +27,7 @@ pub(in crate::cli) struct Writing {
 
     /// Also writes each page as a picture to look at: png, pdf or svg
     ///
-    /// The preview of cup.idx is cup.preview.png beside it; of several sheets cup.preview-1.png, cup.preview-2.png, but
+    /// The preview of cup.idx is cup.idx.preview.png beside it; of several sheets cup.idx.preview-1.png and so on, but
     /// one PDF. It is the file that --format png would write. An existing file is treated like any other whose name the
     /// program makes up.
     #[arg(long, value_name = "FORMAT", value_parser = drawing(), hide_possible_values = true, hide_short_help = true)]

@@ -23,7 +23,7 @@ fn room(points: &[(f32, f32)], closed: bool) -> Room {
 }
 
 fn named(anchor: MmRect) -> Wanted {
-    Wanted { text: "word".to_owned(), anchor, led_from: None, leader: None }
+    Wanted { text: "word".to_owned(), anchor, led_from: None, leader: None, is_nameless: false }
 }
 
 fn at(x: f32, y: f32) -> Wanted {
@@ -195,7 +195,7 @@ fn the_name_of_an_angle_stays_between_its_legs() {
     let legs = room(&[(140.0, 120.0), (90.0, 120.0), (125.0, 60.0)], false);
     let anchor = MmRect::new(MmPoint::new(97.0, 112.0), MmPoint::new(101.0, 116.0));
     let join_at = |text: &str, place: MmRect, anchor: MmRect| {
-        let label = [Wanted { text: text.into(), anchor, led_from: None, leader: None }];
+        let label = [Wanted { text: text.into(), anchor, led_from: None, leader: None, is_nameless: false }];
         placed(&label, place, &legs, &params()).map(|found| (found.leader().is_some(), found.attachment.crosses()))
     };
     let join_of = |text: &str, place: MmRect| join_at(text, place, anchor);

@@ -27,6 +27,7 @@ fn counts_of(ticks: &[usize], (from, to): (f32, f32)) -> Vec<i64> {
             anchor: MmRect::new(MmPoint::new(at(i) - 2.0, 27.0), MmPoint::new(at(i) + 2.0, 31.0)),
             led_from: None,
             leader: None,
+            is_nameless: false,
         })
         .collect();
     let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);
@@ -65,6 +66,7 @@ fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
             anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),
             led_from: None,
             leader: None,
+            is_nameless: false,
         };
         let wanted: Vec<Wanted> = (0..4).map(number).collect();
         let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);

@@ -83,8 +83,9 @@ pub(super) fn clear(
         let (rank, round, is_part) = (line.rank, line.round + 1, line.is_part);
         let is_whole_or_none = line.polyline.closed && params.whole_rings;
         match judge(line, &drawn, &mut own) {
-            // a part of such a ring is nothing: it is left out
-            Decision::Open(_) | Decision::Split(_) if is_whole_or_none => {}
+            // a part of such a ring is nothing: it is left out; but one that a person drew is there as far as it can be
+            Decision::Open(_) if is_whole_or_none && rank != Rank::Person => {}
+            Decision::Split(_) if is_whole_or_none => {}
             Decision::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
             Decision::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));

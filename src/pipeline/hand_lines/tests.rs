@@ -41,10 +41,9 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
         [[0.1, 0.1], [0.9, 0.1]],
     ];
     let lines = ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect();
-    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: 0.0, areas: 0 };
-    let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
-    let edges =
-        lines.edges_under_own(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
+    let names = (0..5).map(|number| name(number == 0)).collect();
+    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: Vec::new(), areas: Vec::new(), names };
+    let edges = lines.edges_under_own(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
     let row = |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
     assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
     let column =
@@ -56,8 +55,7 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     };
     assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
     assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
-    let none = lines
-        .edges_under_own(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
-        .expect("the same shape");
+    let lines = lines.called(vec![name(false); 5]);
+    let none = lines.edges_under_own(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("the same shape");
     assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
 }

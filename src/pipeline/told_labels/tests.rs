@@ -5,7 +5,13 @@ use super::*;
 #[test]
 fn a_label_that_stands_at_what_another_names_is_told() {
     let place = |x: f32| MmRect::new(MmPoint::new(x, 10.0), MmPoint::new(x + 10.0, 16.0));
-    let wanted = |text: &str, x: f32| Wanted { text: text.to_owned(), anchor: place(x), led_from: None, leader: None };
+    let wanted = |text: &str, x: f32| Wanted {
+        text: text.to_owned(),
+        anchor: place(x),
+        led_from: None,
+        leader: None,
+        is_nameless: false,
+    };
     let placed = |x: f32| {
         Ok(Placed {
             place: place(x),
