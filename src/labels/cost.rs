@@ -6,8 +6,8 @@
 //! ```text
 //!  0.1 to 0.5  for each mm off the middle or the level of a point: sets the order of places that are as near
 //!  0.3         for each glyph of a texture that goes: a few are not missed, a patch of 30 is as bad as a leader line
-//!  3 to 5      the worse side of a point, a second line or row, or a line so near beside a label that its dots are read
-//!              as a letter: more than a step of a grid of dots (2 to 2.5 mm)
+//!  3 to 5      the worse side of a point, a second line or row, or a line so near beside a label that its dots are
+//!              read as a letter: more than a step of a grid of dots (2 to 2.5 mm)
 //!  8           a gridline that is interrupted: a value above its bar stands there rather than with a leader line
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation

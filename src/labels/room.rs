@@ -290,8 +290,8 @@ impl Room {
         hits.into_iter().try_fold(0.0_f32, |most, hit| hit.map(|hit| most.max(hit)))
     }
 
-    /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as the
-    /// doors of a room.
+    /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as
+    /// the doors of a room.
     pub(super) fn is_shut_in(&self, at: MmPoint, reach: f32) -> bool {
         let is_free = |ray: &u32| {
             let (sin, cos) = (TAU * *ray as f32 / RAYS as f32).sin_cos();

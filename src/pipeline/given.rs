@@ -152,7 +152,7 @@ impl Given {
         }
     }
 
-    /// What is told of lines or areas of a page whose picture has another size than this one: it may be another picture.
+    /// What is told of lines or areas of a page whose picture has another size than this one: it may be another one.
     pub(super) fn told_other_picture(&self, size: Size) -> Option<Note> {
         let parts = self.hand_lines().filter_map(HandLines::part).chain(&self.part_of_areas);
         let other = parts.filter_map(|part| part.source).find(|source| *source != size)?;
