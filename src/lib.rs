@@ -101,10 +101,13 @@
 //!   [`feel`] runs; progress also from threads of its own, one call at a time. A caller
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
 //!   any of them, or both wait for each other for ever. In a browser there are no threads, and a function
-//!   of JavaScript needs a wrapper that promises so.
+//!   of JavaScript needs a wrapper that promises so. What is called must not call this crate, nor wait for work of
+//!   the pool of threads in which it runs: it may be called from the middle of that. A wrapper that does not know what
+//!   its users write puts events into a queue.
 //! * What a caller gives may fail: a translator and a reader of text say why, which a note tells, and the page is made
 //!   without those words. One that panics ends the work, and its panic goes on through the function that was called (a
-//!   wrapper catches it there, as with [`catch_unwind`](std::panic::catch_unwind)); options and all else stay as they
+//!   wrapper catches it there, with [`catch_unwind`](std::panic::catch_unwind) and
+//!   [`AssertUnwindSafe`](std::panic::AssertUnwindSafe)); options and all else stay as they
 //!   were and can be used again. To end the work in order there is `cancelled`, also for progress that cannot be shown.
 //! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
 //!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
@@ -115,7 +118,8 @@
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
 //!   What is known to panic is refused before.
 //! * [`Options::cancelled`], [`RenderOptions::cancelled`] and [`PageOptions::cancelled`] end work that is no longer
-//!   wanted: a button, a closed window, a signal. All else takes less than a second, but for a PNG ([`Page::to_png`])
+//!   wanted: a button, a closed window, a signal. In a browser no event arrives while a function runs: there it takes a
+//!   worker, and a flag in shared memory or the end of that worker. All else takes less than a second, but for a PNG ([`Page::to_png`])
 //!   at more than 300 dots per inch, and for pages of millions of points, which take seconds to be read.
 //! * [`Event::Done`] is what a progress bar shows: a share of the work that never goes back.
 //! * Profiles, devices, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`],

@@ -92,7 +92,7 @@ pub struct Drawing {
     /// Texts, which are not drawn unless asked for: those of an SVG drawing or a page of PDF in the order in which they
     /// are painted, then those that were found in the pixels of the picture.
     pub texts: Vec<Text>,
-    /// Remarks, in the order of the stages.
+    /// Remarks, first what makes the page wrong or lacks on it.
     pub notes: Vec<Note>,
 }
 

@@ -345,6 +345,24 @@ fn refused(pages: &[Page], format: DotFormat, id: &str) -> String {
 }
 
 #[test]
+fn a_page_of_parts_is_read_as_what_it_is_made_for() {
+    for (device, pitch) in [("index-basic-d-v4", 2.0), ("index-basic-d-v5", 2.5), ("braillerap-a4", 2.5)] {
+        let page = page_of(medium(device, pitch, A4), A4);
+        let read = tactograph::render(page.to_svg(), &RenderOptions::new()).expect("it is one").page;
+        assert_eq!(read.medium, page.medium, "{device}");
+        let profile = Profile::of_page(page.to_svg()).expect("it is one");
+        let id = profile.get("dots.device").expect("a key").to_string();
+        assert_eq!(id.trim_matches('"'), device);
+        let judged = tactograph::check(page.to_svg(), &PageOptions::new()).expect("it can be judged");
+        assert!(judged.limit(&rule("line-gap")).is_some_and(|(_, unit)| unit == "dots"), "{device}");
+    }
+}
+
+fn rule(id: &str) -> Rule {
+    *Rule::all().iter().find(|rule| rule.id == id).expect("there is such a rule")
+}
+
+#[test]
 fn no_pages_are_no_file() {
     assert_eq!(write_pdf("nothing", &[]), Err(Error::NoPages));
     for &format in DotFormat::ALL {

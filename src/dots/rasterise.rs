@@ -11,7 +11,7 @@
 //!                               . . #
 //! ```
 //!
-//! A sharp corner keeps its tip, though the dots on both sides of it touch, as other lines may end there. One that is
+//! A sharp corner keeps its dot, though the dots on both sides of it touch, as other lines may end there. One that is
 //! sharper still would be a clot of dots.
 
 use std::ops::RangeInclusive;
@@ -27,14 +27,14 @@ use crate::units::MmPoint;
 pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
     let closed = line.closed;
     let points: Vec<GridPoint> = line.path().map(|&at| to_grid(at, grid)).collect();
-    let tips = sharp_tips(line, grid);
+    let sharp = sharp_corners(line, grid);
     let mut cells = Vec::new();
     if !closed {
         cells.extend(points.first().map(|&at| nearest(at)));
     }
     for pair in points.windows(2) {
         crossed(pair[0], pair[1], &mut cells);
-        cells.extend(Some(nearest(pair[1])).filter(|tip| tips.contains(tip)));
+        cells.extend(Some(nearest(pair[1])).filter(|corner| sharp.contains(corner)));
     }
     if !closed {
         cells.extend(points.last().map(|&at| nearest(at)));
@@ -44,7 +44,7 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell
         cells.extend(points.first().map(|&at| nearest(at)));
     }
     cells.dedup();
-    smooth(thin(connected(cells, closed), closed, &tips), closed, &tips)
+    smooth(thin(connected(cells, closed), closed, &sharp), closed, &sharp)
 }
 
 /// The sides of a corner are taken over so many steps of the grid.
@@ -56,7 +56,7 @@ const STRAIGHT: f32 = 0.95;
 const SHARP: RangeInclusive<f32> = 0.17..=0.64;
 
 /// The dots at the sharp corners of a line.
-pub(super) fn sharp_tips(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
+pub(super) fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
     let vertices = line.vertices.iter().map(|&at| to_grid(at, grid).into()).collect();
     let line: Polyline<Point2D<f32, UnknownUnit>> = Polyline { vertices, closed: line.closed };
     let side = |i: usize, forwards: bool| {
@@ -79,14 +79,14 @@ pub(super) fn sharp_tips(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cel
 ///   . . # . .        . . . . .
 ///   # # . # #   ->   # # # # #
 /// ```
-fn smooth(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cell> {
+fn smooth(mut cells: Vec<Cell>, closed: bool, sharp: &[Cell]) -> Vec<Cell> {
     let n = cells.len();
     if n < 5 {
         return cells;
     }
     let range = if closed { 0..n } else { 1..n - 1 };
     for i in range {
-        if tips.contains(&cells[i]) {
+        if sharp.contains(&cells[i]) {
             continue;
         }
         let (before, after) = (cells[(i + n - 1) % n], cells[(i + 1) % n]);
@@ -149,8 +149,8 @@ pub(super) fn between(a: Cell, b: Cell) -> impl Iterator<Item = Cell> {
     })
 }
 
-/// Removes dots whose two neighbours touch each other, except true corners and the tips of sharp ones.
-pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cell> {
+/// Removes dots whose two neighbours touch each other, except true corners and sharp ones.
+pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, sharp: &[Cell]) -> Vec<Cell> {
     loop {
         let before = cells.len();
         let mut out: Vec<Cell> = Vec::with_capacity(before);
@@ -161,13 +161,13 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cel
         for (i, &cell) in cells.iter().enumerate() {
             // a curl: the line returns to where it was a few dots ago
             let recent = out.len().saturating_sub(CURL)..out.len().saturating_sub(2);
-            let has_tip = |j: usize| out[j + 1..].iter().any(|cell| tips.contains(cell));
-            if let Some(j) = recent.into_iter().find(|&j| distance(out[j], cell) <= 1 && !has_tip(j)) {
+            let has_sharp = |j: usize| out[j + 1..].iter().any(|cell| sharp.contains(cell));
+            if let Some(j) = recent.into_iter().find(|&j| distance(out[j], cell) <= 1 && !has_sharp(j)) {
                 out.truncate(j + 1);
             }
             while let [.., a, b] = out[..]
                 && distance(a, cell) <= 1
-                && !tips.contains(&b)
+                && !sharp.contains(&b)
                 && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, cell, ahead(i + 1).copied())
             {
                 out.pop();
@@ -182,7 +182,7 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cel
                 && out.len() > 4
                 && (b == first
                     || distance(a, first) <= 1
-                        && !tips.contains(&b)
+                        && !sharp.contains(&b)
                         && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, first, Some(second)))
             {
                 out.pop();
@@ -190,7 +190,7 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, tips: &[Cell]) -> Vec<Cel
             if let [first, second, .., last] = out[..]
                 && out.len() > 4
                 && distance(last, second) <= 1
-                && !tips.contains(&first)
+                && !sharp.contains(&first)
                 && !is_corner(out.get(out.len() - 2).copied(), last, first, second, out.get(2).copied())
             {
                 out.remove(0);

@@ -59,7 +59,7 @@ fn of_other_classes<'a>(
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
         let name = PagePart::Texture(number as u32).name(page, names);
         let what = format!("{name} is {}, and its marks are those of another colour", texture.class.name());
-        Some(FoundBreach::at(TEXTURE_SIGN, extent.center(), extent, 0.0, what).of(&name))
+        Some(FoundBreach::at(TEXTURE_SIGN, extent.center(), extent, 0.0, what).unmeasured().of(&name))
     })
 }
 

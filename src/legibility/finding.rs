@@ -21,7 +21,8 @@ pub struct Finding {
     pub place: String,
     /// The box around all of it.
     pub extent: Option<MmRect>,
-    /// What was measured, in the unit that [`Checked::limit`](super::Checked::limit) gives for the rule.
+    /// What was measured, in the unit that [`Checked::limit`](super::Checked::limit) gives for the rule; none where the
+    /// breach is no matter of measure, as a leader line that ends in the blank.
     pub measured: Option<f32>,
     /// What `render` makes of it, where that puts it right: then it is a warning only.
     pub mended: Option<&'static str>,
@@ -72,6 +73,11 @@ impl FoundBreach {
     /// A breach by the whole page.
     pub(super) fn of_page(rule: Rule, measured: Option<f32>, what: String) -> Self {
         Self { rule, what, at: None, extent: None, measured, becomes_braille: false, in_file: InFile::Page }
+    }
+
+    /// The same where nothing is measured that its rule has a limit for.
+    pub(super) fn unmeasured(self) -> Self {
+        Self { measured: None, ..self }
     }
 
     /// The same of the object of this name.

@@ -38,7 +38,7 @@ pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby
         let extent = around(leader.points.iter().copied())?;
         let name = text_name(text);
         let what = format!("the line that leads from {name} ends where nothing is within {LEADER_END} mm");
-        Some(FoundBreach::at(LABEL_LINE, at, extent, LEADER_END, what).of(&name))
+        Some(FoundBreach::at(LABEL_LINE, at, extent, 0.0, what).unmeasured().of(&name))
     };
     let of_labels = page.braille.iter().filter_map(of);
     of_labels.chain((0..paths.paths.len()).filter_map(|path| of_line(path, page, names, paths, index))).collect()
@@ -50,7 +50,7 @@ fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearb
     let place = page.figure.place;
     let lengths = SHORTEST..LONGEST * place.width().max(place.height());
     let [(_, a, _), (_, b, _)] = paths.tips(path).try_into().ok()?;
-    let is_line = of.kind != PathKind::SecondRow && lengths.contains(&of.length);
+    let is_line = of.kind != PathKind::BesideRow && lengths.contains(&of.length);
     if !is_line || (b - a).length() < STRAIGHT * of.length {
         return None;
     }
@@ -79,7 +79,7 @@ fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearb
     }
     let (name, text) = (name_in(&names.lines, of.line), text_name(label));
     let what = format!("{name}, which leads from {text}, ends where nothing is within {LEADER_END} mm");
-    Some(FoundBreach::at(LABEL_LINE, at, MmRect::new(a.min(b), a.max(b)), LEADER_END, what).of(name))
+    Some(FoundBreach::at(LABEL_LINE, at, MmRect::new(a.min(b), a.max(b)), 0.0, what).unmeasured().of(name))
 }
 
 /// Whether a mark of a texture is near, or lines of the figure are on all sides.

@@ -58,7 +58,7 @@ fn added(
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
         let name = name_in(names, number);
         let what = format!("the figure has nothing like {name}, {length:.0} mm of it");
-        Some(FoundBreach::at(OVERVIEW, at, extent, length, what).of(name))
+        Some(FoundBreach::at(OVERVIEW, at, extent, length, what).unmeasured().of(name))
     };
     (0..overview.lines.len()).filter_map(of_line).collect()
 }

@@ -30,8 +30,8 @@ pub(super) enum PathKind {
     Stroke,
     /// A row of dots.
     Row,
-    /// The second row of a heavy line of dots, beside the first.
-    SecondRow,
+    /// Dots beside it: the second row of a heavy line, its points, ticks and arrowheads.
+    BesideRow,
 }
 
 /// All strokes of a list of lines. The `line` of a segment is the number of its path.
@@ -52,7 +52,7 @@ impl Paths {
                 let kind = match run.pen {
                     Pen::Stroke => PathKind::Stroke,
                     Pen::Dots(_) if number == 0 => PathKind::Row,
-                    Pen::Dots(_) => PathKind::SecondRow,
+                    Pen::Dots(_) => PathKind::BesideRow,
                 };
                 let goes_on =
                     kind == PathKind::Stroke && last.is_some_and(|last| (last - run.points[0]).length() <= SAME);
@@ -61,7 +61,7 @@ impl Paths {
                 }
                 match kind {
                     PathKind::Stroke => all.add(run),
-                    PathKind::Row | PathKind::SecondRow => all.add_row(run, (line, kind), step),
+                    PathKind::Row | PathKind::BesideRow => all.add_row(run, (line, kind), step),
                 }
                 last = run.path().last();
             }

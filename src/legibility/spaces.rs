@@ -219,7 +219,13 @@ fn of_texture(name: &str, breach: Breach, limits: &RuleLimits) -> FoundBreach {
     let (count, marks) = (breach.count, if breach.count == 1 { "mark lies" } else { "marks lie" });
     let nearest = millimetres(breach.blank);
     let what = format!("{name}: {count} {marks} too near to a line, the nearest {nearest} from it; {least}");
-    finding(TEXTURE_GAP, breach, what)
+    // in the unit of its limit
+    let unit = match limits.medium {
+        MediumLimits::Print { .. } => 1.0,
+        MediumLimits::Dots { pitch, .. } => pitch,
+    };
+    let blank = breach.blank / unit;
+    finding(TEXTURE_GAP, Breach { blank, ..breach }, what)
 }
 
 fn finding(rule: Rule, breach: Breach, what: String) -> FoundBreach {

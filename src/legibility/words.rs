@@ -35,7 +35,7 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
             let (have, need) = (text.dots.at.len(), count);
             let dots = if have == 1 { "1 dot".to_owned() } else { format!("{have} dots") };
             let what = format!("{name} has {dots}, and its cells have {need}");
-            return Some(FoundBreach::at(BRAILLE_CELL, extent.center(), extent, 0.0, what).of(&name));
+            return Some(FoundBreach::at(BRAILLE_CELL, extent.center(), extent, 0.0, what).unmeasured().of(&name));
         }
         let dots: Vec<MmPoint> = text.dots.at.iter().copied().map(as_felt).collect();
         let (at, off) = farthest_off(&dots, &wanted);

@@ -54,7 +54,7 @@ pub fn write(page: &Page) -> String {
                 .set("xml:lang", plain(&page.description_language))
                 .add(svg::node::Text::new(plain(&page.description))),
         )
-        .add(metadata(&page.origin));
+        .add(metadata(&page.whole_origin()));
     if let Some(mark) = &page.orientation_mark {
         document = document.add(with_strokes(layer(Layer::OrientationMark)).add(stroke(mark)));
     }

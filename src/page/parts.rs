@@ -36,7 +36,8 @@ pub struct Parts {
     pub language: String,
     /// The language of the description, likewise.
     pub description_language: String,
-    /// How it was made: program, profile and every parameter, as name and value. What reads a page again goes by it.
+    /// How it was made: program, profile and every parameter, as name and value. What reads a page again goes by it;
+    /// what the page is made for (`medium`) is written with it where it is not said here.
     pub origin: Vec<(String, String)>,
     /// The band of fine dots around the figure; empty if there is none.
     pub frame: Dots,

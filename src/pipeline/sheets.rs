@@ -28,7 +28,7 @@ pub struct Sheets {
     pub pages: Vec<Page>,
     /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
     pub key: Vec<Page>,
-    /// Remarks, in the order of the stages.
+    /// Remarks, first what makes a page wrong or lacks on it.
     pub notes: Vec<Note>,
 }
 

@@ -162,7 +162,8 @@ const DRAWN: &[&str] = &["figure.lines", "figure.textures", "overview.on"];
 
 impl Profile {
     /// Whether all values are in range and go together. They do in a profile fresh from [`Profile::named`] or
-    /// [`Profile::from_toml`]; to be asked again after [`Profile::set`] or after writing to the fields.
+    /// [`Profile::from_toml`]; to be asked again after
+    /// [`Profile::set`].
     ///
     /// # Errors
     /// [`Error::Profile`] with every fault at once. The place of a fault is where the value concerned was last given by

@@ -35,10 +35,15 @@ const _: () = assert!(
         && legibility::STRAIGHTNESS <= lines::STRAIGHTNESS
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
         && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
-        && legibility::longest_cut(2) >= dots::longest_cut(2)
+        && allows_all_cuts(10)
         && legibility::GOES_ON <= dots::GOES_ON
         && legibility::STEPS == dots::STEPS
 );
+
+/// Whether the check lets lines of dots cross wherever they are drawn so, with gaps of up to so many dots.
+const fn allows_all_cuts(most: u32) -> bool {
+    most == 0 || legibility::longest_cut(most) >= dots::longest_cut(most) && allows_all_cuts(most - 1)
+}
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;

@@ -70,11 +70,11 @@ pub(in crate::dots) fn on_grid(
 /// The dots of a line within a part of the grid, one dot wide, and whether it is closed.
 fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     let line = polyline_of(line);
-    let (mut cells, tips) = (rasterise::rasterise(line.view(), grid), rasterise::sharp_tips(line.view(), grid));
+    let (mut cells, sharp) = (rasterise::rasterise(line.view(), grid), rasterise::sharp_corners(line.view(), grid));
     cells.iter_mut().for_each(|cell| *cell = within.nearest(*cell));
     cells.dedup();
     let closed = line.closed || ends_touch(&cells);
-    (rasterise::thin(cells, closed, &tips), closed)
+    (rasterise::thin(cells, closed, &sharp), closed)
 }
 
 /// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others

@@ -85,7 +85,7 @@ fn a_sharp_corner_keeps_its_tip() {
                 let corner = nearest(to_grid(corner, &grid()));
                 assert!(cells.iter().any(|cell| distance(*cell, corner) == 0), "{degrees} {start}: {cells:?}");
             }
-            let again = thin(cells.clone(), true, &sharp_tips(line.view(), &grid()));
+            let again = thin(cells.clone(), true, &sharp_corners(line.view(), &grid()));
             assert_eq!(again, cells, "{degrees} {start}");
         }
     }
@@ -96,7 +96,7 @@ fn a_spike_of_a_wavering_line_is_no_corner() {
     let line = Polyline::open(
         [(10.0, 20.4), (14.0, 20.4), (14.3, 21.1), (14.6, 20.4), (20.0, 20.4)].map(|(x, y)| at(x, y)).to_vec(),
     );
-    assert!(sharp_tips(line.view(), &grid()).is_empty());
+    assert!(sharp_corners(line.view(), &grid()).is_empty());
     let cells = rasterise(line.view(), &grid());
     assert!(cells.iter().all(|cell| cell[1] == 20), "{cells:?}");
 }
