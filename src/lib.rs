@@ -119,8 +119,9 @@
 //!   What is known to panic is refused before.
 //! * [`Options::cancelled`], [`RenderOptions::cancelled`] and [`PageOptions::cancelled`] end work that is no longer
 //!   wanted: a button, a closed window, a signal. In a browser no event arrives while a function runs: there it takes a
-//!   worker, and a flag in shared memory or the end of that worker. All else takes less than a second, but for a PNG ([`Page::to_png`])
-//!   at more than 300 dots per inch, and for pages of millions of points, which take seconds to be read.
+//!   worker, and a flag in shared memory or the end of that worker. All else takes less than a second, but for a PNG
+//!   ([`Page::to_png`]) at more than 300 dots per inch, and for pages of millions of points, which take seconds to be
+//!   read.
 //! * [`Event::Done`] is what a progress bar shows: a share of the work that never goes back.
 //! * Profiles, devices, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`],
 //!   [`Profile::keys`] with [what each takes](Key::choices), [`medium::Device::ALL`], [`Rule::all`],

@@ -9,8 +9,8 @@ pub struct Line {
     /// Mean height of the colour step of its contour, in units of lightness with the chroma axes of CIELAB counted
     /// twice: 0 and up. Black against white is 100; saturated colours beside one another have more.
     pub strength: f32,
-    /// Of strokes, pieces in order; each begins where the one before it ends. Of dots, first the row along the line, then
-    /// what stands beside it: its second row, and dots of its points, ticks and arrowheads.
+    /// Of strokes, pieces in order; each begins where the one before it ends. Of dots, first the row along the line,
+    /// then what stands beside it: its second row, and dots of its points, ticks and arrowheads.
     pub runs: Vec<Run>,
 }
 

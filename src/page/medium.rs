@@ -1,6 +1,5 @@
 //! What a page is made for: ink on paper, or dots that a device raises. Decided once, when the page is laid out.
 
-use super::parts::Page;
 use crate::Error;
 use crate::devices::{Device, DotArea, Grid};
 use crate::units::MmRect;
@@ -61,7 +60,7 @@ impl Medium {
 
     /// What a page for it on a sheet of this width and length, mm, says of it, as entries of its origin: by them it is
     /// read again.
-    fn to_origin(&self, sheet: [f32; 2]) -> Vec<(&'static str, String)> {
+    pub(super) fn to_origin(&self, sheet: [f32; 2]) -> Vec<(&'static str, String)> {
         let number = |value: f32| value.to_string();
         match self {
             Self::Print(print) => {
@@ -82,16 +81,6 @@ impl Medium {
             Self::Print(_) => false,
             Self::Dots(dots) => dots.device.has_heights(),
         }
-    }
-}
-
-impl Page {
-    /// How it was made, with what it is made for: a page that a program made of its parts need not say so itself.
-    pub(crate) fn whole_origin(&self) -> Vec<(String, String)> {
-        let said = |name: &str| self.origin.iter().any(|(known, _)| known == name);
-        let of_medium = self.medium.to_origin(self.sheet).into_iter().filter(|(name, _)| !said(name));
-        let of_medium = of_medium.map(|(name, value)| (name.to_owned(), value));
-        self.origin.iter().cloned().chain(of_medium).collect()
     }
 }
 

@@ -5,6 +5,16 @@ use super::parts::{Class, Page, TextRole};
 use crate::geom::ninths::most_of;
 use crate::units::Size;
 
+impl Page {
+    /// How it was made, with what it is made for: a page that a program made of its parts need not say so itself.
+    pub(crate) fn whole_origin(&self) -> Vec<(String, String)> {
+        let said = |name: &str| self.origin.iter().any(|(known, _)| known == name);
+        let of_medium = self.medium.to_origin(self.sheet).into_iter().filter(|(name, _)| !said(name));
+        let of_medium = of_medium.map(|(name, value)| (name.to_owned(), value));
+        self.origin.iter().cloned().chain(of_medium).collect()
+    }
+}
+
 const CONTOURS: &str = "contours left out in mm";
 const PLACES: &str = "contours left out in mm by ninths";
 const SHAPES: &str = "closed shapes not in the overview";
