@@ -51,7 +51,7 @@ pub fn mark(points: &[MmPoint], area: &DotArea, params: &Params) -> Run {
     let line = PolylineRef { vertices: points, closed: false };
     let points = match area {
         DotArea::Grid(grid) => {
-            let cells = rasterise::rasterise(line, grid);
+            let cells = rasterise::rasterise(line, grid).cells;
             cells.into_iter().map(|cell| cell::centre(cell, grid)).collect()
         }
         DotArea::Free(_) => spacing::evenly(line, params.pitch),

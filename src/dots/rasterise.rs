@@ -23,8 +23,17 @@ use crate::devices::Grid;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::units::MmPoint;
 
-/// The dots along a line, in its order. The last dot of a closed line is a neighbour of the first.
-pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
+/// The dots of a line.
+#[derive(Debug)]
+pub(super) struct Rasterised {
+    /// In the order of the line. The last dot of a closed one is a neighbour of the first.
+    pub(super) cells: Vec<Cell>,
+    /// Those at its sharp corners.
+    pub(super) sharp: Vec<Cell>,
+}
+
+/// The dots along a line.
+pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Rasterised {
     let closed = line.closed;
     let points: Vec<GridPoint> = line.path().map(|&at| to_grid(at, grid)).collect();
     let sharp = sharp_corners(line, grid);
@@ -44,7 +53,8 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell
         cells.extend(points.first().map(|&at| nearest(at)));
     }
     cells.dedup();
-    smooth(thin(connected(cells, closed), closed, &sharp), closed, &sharp)
+    let cells = smooth(thin(connected(cells, closed), closed, &sharp), closed, &sharp);
+    Rasterised { cells, sharp }
 }
 
 /// The sides of a corner are taken over so many steps of the grid.
@@ -56,7 +66,7 @@ const STRAIGHT: f32 = 0.95;
 const SHARP: RangeInclusive<f32> = 0.17..=0.64;
 
 /// The dots at the sharp corners of a line.
-pub(super) fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
+fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
     let vertices = line.vertices.iter().map(|&at| to_grid(at, grid).into()).collect();
     let line: Polyline<Point2D<f32, UnknownUnit>> = Polyline { vertices, closed: line.closed };
     let side = |i: usize, forwards: bool| {

@@ -283,21 +283,21 @@ impl Room {
     /// How far the lines around a point reach that shut it in on all sides, mm; none if one side is open as far as
     /// `reach`.
     pub(super) fn shut_in(&self, at: MmPoint, reach: f32) -> Option<f32> {
-        let hits = (0..RAYS).map(|ray| {
+        self.rays(at, reach).try_fold(0.0_f32, |most, hit| hit.map(|hit| most.max(hit)))
+    }
+
+    /// How far the first ink lies in directions all around a point, mm; none where there is none within `reach`.
+    fn rays(&self, at: MmPoint, reach: f32) -> impl Iterator<Item = Option<f32>> {
+        (0..RAYS).map(move |ray| {
             let (sin, cos) = (TAU * ray as f32 / RAYS as f32).sin_cos();
             self.first_ink(at, MmVector::new(cos, sin), reach)
-        });
-        hits.into_iter().try_fold(0.0_f32, |most, hit| hit.map(|hit| most.max(hit)))
+        })
     }
 
     /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as
     /// the doors of a room.
-    pub(super) fn is_shut_in(&self, at: MmPoint, reach: f32) -> bool {
-        let is_free = |ray: &u32| {
-            let (sin, cos) = (TAU * *ray as f32 / RAYS as f32).sin_cos();
-            self.first_ink(at, MmVector::new(cos, sin), reach).is_none()
-        };
-        (0..RAYS).filter(is_free).take(OPEN).count() < OPEN
+    pub(super) fn is_in_room(&self, at: MmPoint, reach: f32) -> bool {
+        self.rays(at, reach).filter(Option::is_none).take(OPEN).count() < OPEN
     }
 
     /// Whether a point lies at the lower side of a shape: on a line or at most `above` mm below it, with an inside

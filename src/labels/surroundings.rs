@@ -136,7 +136,7 @@ impl<'a> Surroundings<'a> {
         let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
         let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
         let is_text = !is_point && label.led_from.is_none();
-        let is_shut_in = is_text && room.is_shut_in(at, FURTHEST_OUTLINE);
+        let is_shut_in = is_text && room.is_in_room(at, FURTHEST_OUTLINE);
         // what is written across the lines of a grid stands in none of its squares
         let cell = if is_text { room.cell_around(at) } else { None };
         let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
@@ -206,7 +206,7 @@ impl<'a> Surroundings<'a> {
 
     /// Whether a place is not shut in by lines.
     pub(super) fn is_open(&self, place: MmRect) -> bool {
-        !self.room.is_shut_in(place.center(), FURTHEST_OUTLINE)
+        !self.room.is_in_room(place.center(), FURTHEST_OUTLINE)
     }
 
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text

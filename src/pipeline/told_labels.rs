@@ -66,8 +66,8 @@ pub(super) fn of_nothing(
     let is_there = |label: &Wanted| {
         let at = label.anchor.center();
         // in a larger figure all is farther off, and lines may move a little
-        let larger = before.map_or(0.0, |before| figure.place.width() / before.place.width().max(f32::MIN_POSITIVE));
-        let near = if larger > 0.0 { MOVED * NEAR * larger.max(1.0) } else { NEAR };
+        let larger = |before: &Figure| figure.place.width() / before.place.width().max(f32::MIN_POSITIVE);
+        let near = before.map_or(NEAR, |before| MOVED * NEAR * larger(before).max(1.0));
         is_met_in(figure, at, near) || before.is_some_and(|before| !was_there(before, at))
     };
     let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
@@ -94,8 +94,8 @@ fn surrounds(line: &Line, at: MmPoint) -> bool {
     is_closed && points.len() > 3 && is_inside(points.iter().zip(points.iter().cycle().skip(1)), at)
 }
 
-/// The last dot of a closed row is no farther from its first, mm: the coarsest grids have steps of 2.5 mm, and 3.5
-/// aslant.
+/// The last dot of a closed row is no farther from its first, mm: even grids have steps of 2.5 mm at most, and 3.5
+/// aslant. Between cells of text dots are farther apart, so that a ring across them may seem open.
 const NEXT: f32 = 4.0;
 
 /// Whether a line of these points passes through a box: looked at every 2 mm.

@@ -12,7 +12,8 @@ use crate::devices::Grid;
 use crate::dots::cell::{Cell, CellBox, centre, distance, nearest, to_grid};
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
-use crate::dots::{rasterise, second_row};
+use crate::dots::rasterise::{self, Rasterised};
+use crate::dots::second_row;
 use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -70,7 +71,7 @@ pub(in crate::dots) fn on_grid(
 /// The dots of a line within a part of the grid, one dot wide, and whether it is closed.
 fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     let line = polyline_of(line);
-    let (mut cells, sharp) = (rasterise::rasterise(line.view(), grid), rasterise::sharp_corners(line.view(), grid));
+    let Rasterised { mut cells, sharp } = rasterise::rasterise(line.view(), grid);
     cells.iter_mut().for_each(|cell| *cell = within.nearest(*cell));
     cells.dedup();
     let closed = line.closed || ends_touch(&cells);

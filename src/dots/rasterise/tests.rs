@@ -33,7 +33,7 @@ fn straight_lines_at_any_angle_are_one_dot_wide_and_near_the_line() {
         let (sin, cos) = (degrees as f32).to_radians().sin_cos();
         for (x, y) in [(30.0, 30.0), (30.3, 29.6), (30.5, 30.5)] {
             let end = [x + 20.0 * cos, y + 20.0 * sin];
-            let cells = rasterise(Polyline::open(vec![at(x, y), at(end[0], end[1])]).view(), &grid());
+            let cells = rasterise(Polyline::open(vec![at(x, y), at(end[0], end[1])]).view(), &grid()).cells;
             assert!(is_one_dot_wide(&cells, false), "{degrees}: {cells:?}");
             assert!(cells.len() >= 14 && cells.len() <= 22, "{degrees}: {}", cells.len());
             for cell in cells {
@@ -49,7 +49,7 @@ fn rings_close_and_are_one_dot_wide() {
     for tenth in 25..200 {
         for (x, y) in [(30.0, 30.0), (29.7, 30.2), (30.5, 30.5)] {
             let radius = tenth as f32 / 10.0;
-            let cells = rasterise(Polyline::from_path(ring(radius, x, y)).view(), &grid());
+            let cells = rasterise(Polyline::from_path(ring(radius, x, y)).view(), &grid()).cells;
             assert!(is_one_dot_wide(&cells, true), "radius {radius}: {cells:?}");
             for cell in &cells {
                 let off = (cell[0] as f32 - x).hypot(cell[1] as f32 - y) - radius;
@@ -62,7 +62,7 @@ fn rings_close_and_are_one_dot_wide() {
 #[test]
 fn a_rectangle_keeps_its_corners() {
     let points = [at(10.0, 10.0), at(20.2, 10.0), at(20.2, 16.4), at(10.0, 16.4), at(10.0, 10.0)];
-    let cells = rasterise(Polyline::from_path(points.to_vec()).view(), &grid());
+    let cells = rasterise(Polyline::from_path(points.to_vec()).view(), &grid()).cells;
     for corner in [[20, 10], [20, 16], [10, 16]] {
         assert!(cells.contains(&corner), "{corner:?} is not in {cells:?}");
     }
@@ -70,7 +70,7 @@ fn a_rectangle_keeps_its_corners() {
 }
 
 #[test]
-fn a_sharp_corner_keeps_its_tip() {
+fn a_sharp_corner_keeps_its_dot() {
     // 65 degrees, as where a coast meets a border, in all directions and begun at any of its corners
     for degrees in (0..360).step_by(7) {
         let side = |degrees: f32| MmPoint::new(40.0 * degrees.to_radians().cos(), 40.0 * degrees.to_radians().sin());
@@ -80,12 +80,12 @@ fn a_sharp_corner_keeps_its_tip() {
         for start in 0..3 {
             let vertices = (0..3).map(|k| triangle[(start + k) % 3]).collect();
             let line = Polyline { vertices, closed: true };
-            let cells = rasterise(line.view(), &grid());
+            let Rasterised { cells, sharp } = rasterise(line.view(), &grid());
             for corner in triangle {
                 let corner = nearest(to_grid(corner, &grid()));
                 assert!(cells.iter().any(|cell| distance(*cell, corner) == 0), "{degrees} {start}: {cells:?}");
             }
-            let again = thin(cells.clone(), true, &sharp_corners(line.view(), &grid()));
+            let again = thin(cells.clone(), true, &sharp);
             assert_eq!(again, cells, "{degrees} {start}");
         }
     }
@@ -96,7 +96,7 @@ fn a_spike_of_a_wavering_line_is_no_corner() {
     let line = Polyline::open(
         [(10.0, 20.4), (14.0, 20.4), (14.3, 21.1), (14.6, 20.4), (20.0, 20.4)].map(|(x, y)| at(x, y)).to_vec(),
     );
-    assert!(sharp_corners(line.view(), &grid()).is_empty());
-    let cells = rasterise(line.view(), &grid());
+    let Rasterised { cells, sharp } = rasterise(line.view(), &grid());
+    assert!(sharp.is_empty());
     assert!(cells.iter().all(|cell| cell[1] == 20), "{cells:?}");
 }

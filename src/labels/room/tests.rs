@@ -36,9 +36,9 @@ fn a_room_with_a_door_shuts_in_and_a_bay_does_not() {
         room(&[&from[..], &[(50.0 + 0.5 * gap, 80.0)]].concat(), false)
     };
     let (middle, reach) = (MmPoint::new(50.0, 50.0), 90.0);
-    assert!(walls(0.0).is_shut_in(middle, reach) && walls(14.0).is_shut_in(middle, reach));
-    assert!(!walls(50.0).is_shut_in(middle, reach) && !walls(14.0).is_shut_in(MmPoint::new(90.0, 50.0), reach));
-    assert!(!walls(0.0).is_shut_in(middle, 20.0), "too far away");
+    assert!(walls(0.0).is_in_room(middle, reach) && walls(14.0).is_in_room(middle, reach));
+    assert!(!walls(50.0).is_in_room(middle, reach) && !walls(14.0).is_in_room(MmPoint::new(90.0, 50.0), reach));
+    assert!(!walls(0.0).is_in_room(middle, 20.0), "too far away");
 }
 
 #[test]
