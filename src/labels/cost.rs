@@ -19,7 +19,6 @@
 
 use super::forms::ABBREVIATED;
 use super::placed::{Attachment, Wanted};
-use super::room::Room;
 use super::surroundings::{Named, Surroundings};
 use crate::geom::polygon::distance_to_box;
 use crate::units::MmRect;
@@ -102,14 +101,10 @@ pub(super) fn cost(
     let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };
     // on the side where its text stood
     let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
-    let beside = if is_read_alone(label, place, room, params.more_aside) { 0.0 } else { LIKE_A_CELL };
+    // the end of the line that leads to it is no letter
+    let is_read_alone = label.leader.is_some() || room.is_free_aside(place, params.more_aside);
+    let beside = if is_read_alone { 0.0 } else { LIKE_A_CELL };
     of_form + distance + aside + elsewhere + GLYPH * glyphs + grid + leader + beside
-}
-
-/// Whether no line beside a label is read as a letter, with so much more blank than the clearance, mm. The end of the
-/// line that leads to it is none.
-pub(super) fn is_read_alone(label: &Wanted, place: MmRect, room: &Room, more: f32) -> bool {
-    label.leader.is_some() || room.is_free_aside(place, more)
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.

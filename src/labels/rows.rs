@@ -5,7 +5,7 @@
 use super::candidates::{BEFORE_LEADER, Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
-use super::cost::{LIKE_A_CELL, is_read_alone};
+use super::cost::LIKE_A_CELL;
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
@@ -274,9 +274,11 @@ impl<'a> RowOfLabels<'a> {
         })
     }
 
-    /// Each offset with the blank beside labels with which it is tried, in the order of what both cost.
+    /// Each offset with the blank beside labels with which it is tried, in the order of what both cost: that of numbers
+    /// keeps the dots of their axis from being read as a digit.
     fn with_blanks(&self, offsets: impl Iterator<Item = f32>) -> Vec<Offset> {
-        let more = self.context.params.more_aside;
+        // words stand beside the ends of lines that lead to them
+        let more = if self.group.steps.is_some() { self.context.params.more_aside } else { 0.0 };
         let blanks: &[(f32, f32)] = if more > 0.0 { &[(more, 0.0), (0.0, LIKE_A_CELL)] } else { &[(0.0, 0.0)] };
         let with_each = |mm: f32| blanks.iter().map(move |&(aside, cost)| (mm.abs() + cost, Offset { mm, aside }));
         let mut all: Vec<(f32, Offset)> = offsets.flat_map(with_each).collect();
@@ -300,8 +302,7 @@ impl<'a> RowOfLabels<'a> {
                 let candidate = self.candidate(number, start, offset, moved as f32 * step);
                 let mut others = found.iter().chain(self.others.iter().flatten());
                 let label = self.group.members[number];
-                let wanted = &self.context.wanted[label];
-                let is_free = is_read_alone(wanted, candidate.place, self.context.room, aside)
+                let is_free = self.context.room.is_free_aside(candidate.place, aside)
                     && is_free(label, &candidate, self.context)
                     && others.all(|other| {
                         !candidate.is_too_near(other, MIN_SPACING_ROUNDED, self.context.params.leader_off)

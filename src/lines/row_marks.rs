@@ -62,7 +62,10 @@ impl Line {
             let is_filled = dots.any(|dot| (*dot - at).length() < MIDDLE * step);
             // the second row around a ring has that inside
             let is_hollow = first.points.iter().all(|dot| (*dot - at).length() > radius - INSIDE * step);
-            (is_point && (is_filled || is_hollow)).then_some(PointMark { at, radius, is_filled, series: None })
+            // and that inside of one has it around
+            let is_in_row = || widest_angle(at, &first.points) <= OPEN;
+            let is_mark = is_point && (is_filled || is_hollow) && !is_in_row();
+            is_mark.then_some(PointMark { at, radius, is_filled, series: None })
         })
     }
 }

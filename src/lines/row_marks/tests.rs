@@ -37,6 +37,10 @@ fn the_second_row_of_a_ring_is_no_point() {
     assert_eq!((line.row_points().count(), line.row_ticks().count()), (0, 0));
     let outside = Line { strength: 100.0, runs: vec![run(&ring(4.0)), run(&ring(5.0))] };
     assert_eq!(outside.row_points().count(), 0);
+    // of an oval one the middle is nearer to the row above and below than the second row is on the whole
+    let oval = |radius: f32| ring(radius).into_iter().map(|(x, y)| (10.0 + 1.2 * (x - 10.0), y)).collect::<Vec<_>>();
+    let oval = Line { strength: 100.0, runs: vec![run(&oval(10.0)), run(&oval(9.2))] };
+    assert_eq!(oval.row_points().count(), 0);
     let stroke = Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![MmPoint::zero(), MmPoint::new(9.0, 0.0)])] };
     assert_eq!((stroke.row_points().count(), stroke.row_ticks().count()), (0, 0));
 }
