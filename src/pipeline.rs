@@ -157,10 +157,10 @@ pub fn redraw(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let page = old.page;
-    let (labels, legend) = (redraw::labels(page), legend::of_page(page));
+    let legend = legend::of_page(page);
     // a sheet of a key stays one, and a page with a key that was asked for has one
     let key = if key == KeySheets::Auto && read_key::has_own_key(page) { KeySheets::Always } else { key };
-    let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels, &legend) };
+    let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &legend) };
     let mut written = WrittenWords::new(&words, request.plan);
     if matches!(InSet::of(page), Some(InSet::One(..))) {
         written = written.beside_label(request.plan);
@@ -172,9 +172,10 @@ pub fn redraw(
             return Ok(Drawing { page, overview: None, key: sheets.collect(), texts: Vec::new(), notes });
         }
     }
-    let mut moved = labels.clone();
-    let marks = redraw::marks(old, &mut moved, layout, request, watch)?;
-    compose(marks, &Words { labels: &moved, ..words }, &written, request, watch)
+    let marks = redraw::marks(old, layout, request, watch)?;
+    let drawing = compose(marks, &words, &written, request, watch)?;
+    // its labels are no texts of a picture
+    Ok(Drawing { texts: Vec::new(), ..drawing })
 }
 
 /// The page of these marks, with its words.
@@ -188,7 +189,6 @@ fn compose(
     let plan = request.plan;
     let DrawnMarks { mut figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, mut notes } =
         marks;
-    // of a page that is drawn anew, what it says itself
     let legend = if words.own_texts { legend } else { words.legend.to_vec() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let words = &Words { legend: &legend, lost_points: &lost_points, ..*words };

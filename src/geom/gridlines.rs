@@ -1,9 +1,11 @@
 //! Which lines are those of a grid, as behind the bars of a chart or on squared paper: level or upright ones at even
 //! distances that end together.
 
-use lyon::geom::euclid::Point2D;
+use lyon::geom::euclid::{Box2D, Point2D};
 
+use super::nearest_on_segment;
 use super::polyline::{Located, PolylineRef};
+use crate::units::{MmPoint, MmVector};
 
 /// So many lines of one direction are a grid.
 const LEAST: usize = 3;
@@ -77,10 +79,87 @@ fn is_grid(mut pieces: Vec<Piece>) -> bool {
             || end_together(lines.iter().map(|line| line.to).collect()))
 }
 
+/// Treads end on rails that are so near, mm: on a grid of dots lines end a step or so before one another.
+const AT_RAIL: f32 = 3.0;
+/// What is no larger lies on stairs as the head of an arrow does, mm.
+const SMALL: f32 = 12.0;
+/// Step in which lines between rails are looked for, mm.
+const STEP: f32 = 1.0;
+
+/// Takes those out of the gridlines among some lines that are treads of stairs, rungs of a ladder or boards of a fence:
+/// both ends of each lie on other lines, and nothing lies on them that a grid would be behind, but one line across all,
+/// such as the arrow that says which way is up. `lines` are the points of all lines, of as many as there are `found`.
+pub fn without_treads(found: &mut [bool], ends: &[Option<[MmPoint; 2]>], lines: &[impl AsRef<[MmPoint]>]) {
+    for is_level in [true, false] {
+        let turned = |at: MmPoint| if is_level { at } else { MmPoint::new(at.y, at.x) };
+        let is_member = |number: &usize| {
+            let is_along = |[a, b]: [MmPoint; 2]| (turned(a).y - turned(b).y).abs() <= STRAIGHT;
+            found[*number] && ends[*number].is_some_and(is_along)
+        };
+        let members: Vec<usize> = (0..found.len()).filter(is_member).collect();
+        let treads: Vec<[MmPoint; 2]> = members.iter().filter_map(|&number| ends[number]).collect();
+        if treads.is_empty() {
+            continue;
+        }
+        let others: Vec<&[MmPoint]> =
+            (0..lines.len()).filter(|number| !members.contains(number)).map(|number| lines[number].as_ref()).collect();
+        let sides = || others.iter().flat_map(|line| line.windows(2));
+        let is_on_rail = |end: &MmPoint| sides().any(|side| nearest_on_segment(*end, side[0], side[1]).0 <= AT_RAIL);
+        if !treads.iter().flatten().all(is_on_rail) {
+            continue;
+        }
+        let all = Box2D::from_points(treads.iter().flatten().map(|end| turned(*end)));
+        // short of the rails
+        let between =
+            Box2D::new(all.min + MmVector::new(2.0 * AT_RAIL, 0.0), all.max - MmVector::new(2.0 * AT_RAIL, 0.0));
+        let lies_on = |line: &&&[MmPoint]| {
+            line.windows(2).any(|side| {
+                let steps = ((side[1] - side[0]).length() / STEP).ceil().max(1.0);
+                (0..=steps as u32).any(|step| {
+                    let at = turned(side[0].lerp(side[1], step as f32 / steps));
+                    (between.min.x..=between.max.x).contains(&at.x)
+                        && at.y > all.min.y + STRAIGHT
+                        && at.y < all.max.y - STRAIGHT
+                })
+            })
+        };
+        let on_them = others.iter().filter(lies_on).map(|line| Box2D::from_points(line.iter().map(|at| turned(*at))));
+        let large: Vec<Box2D<f32, _>> = on_them.filter(|of| of.width().max(of.height()) > SMALL).collect();
+        // across, and straight
+        let is_arrow = |of: &Box2D<f32, _>| of.width() <= STRAIGHT;
+        if large.len() <= 1 && large.iter().all(is_arrow) {
+            members.into_iter().for_each(|number| found[number] = false);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::MmPoint;
+
+    #[test]
+    fn treads_between_rails_are_no_grid_and_lines_behind_a_curve_are() {
+        let at = |x: f32, y: f32| MmPoint::new(x, y);
+        let line = |a: (f32, f32), b: (f32, f32)| vec![at(a.0, a.1), at(b.0, b.1)];
+        let treads = || (1..6).map(|step| line((10.0, 8.0 * step as f32), (50.0, 8.0 * step as f32)));
+        let rails = [line((9.0, 0.0), (9.0, 60.0)), line((51.0, 0.0), (51.0, 60.0))];
+        let gridlines = |lines: &[Vec<MmPoint>], rails: usize| {
+            let ends: Vec<_> = lines.iter().map(|of| Some([of[0], of[of.len() - 1]])).collect();
+            let ends = [&ends[..5], &vec![None; lines.len() - 5]].concat();
+            let mut found = which_are_gridlines(&ends);
+            without_treads(&mut found, &ends, &lines[..5 + rails]);
+            found[..5].iter().filter(|is| **is).count()
+        };
+        let all = |on: &[Vec<MmPoint>]| treads().chain(rails.clone()).chain(on.iter().cloned()).collect::<Vec<_>>();
+        assert_eq!(gridlines(&all(&[]), 2), 0);
+        assert_eq!(gridlines(&all(&[]), 1), 5, "they end on one line only, as on the axis of a chart");
+        let arrow = [line((30.0, 2.0), (30.0, 50.0)), line((27.0, 44.0), (30.0, 50.0))];
+        assert_eq!(gridlines(&all(&arrow), 4), 0, "stairs with an arrow");
+        let curve = [vec![at(12.0, 38.0), at(25.0, 20.0), at(48.0, 12.0)]];
+        assert_eq!(gridlines(&all(&curve), 3), 5);
+        let squared = [line((20.0, 0.0), (20.0, 60.0)), line((30.0, 0.0), (30.0, 60.0))];
+        assert_eq!(gridlines(&all(&squared), 4), 5);
+    }
 
     #[test]
     fn even_lines_that_end_together_are_a_grid_and_walls_are_none() {

@@ -4,7 +4,7 @@ use super::cost::cost;
 use super::forms::Form;
 use super::placed::{Attachment, PlacedAs, Wanted};
 use super::room::Room;
-use super::surroundings::{AT_END, NEAR, Surroundings};
+use super::surroundings::{AT_END, NEAR, Surroundings, TO_LEADER};
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
@@ -35,8 +35,6 @@ pub(super) const BEFORE_LEADER: f32 = 3.0;
 const LEAVES_LABEL: f32 = 0.7;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
 const BESIDE: f32 = 2.0;
-/// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
-const TO_LEADER: f32 = 3.5;
 /// The beginning of a leader line is so much nearer to its own label than to another, mm: a dot of braille or two.
 const CLEARLY_NEARER: f32 = 2.0;
 /// What rounding may add to a distance, mm.
@@ -265,7 +263,8 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     }
     let segment = leader_from(nearest, around.tip)?;
     // as the drawing leads to it, it may cross lines, and still names nothing else
-    let is_clear = label.led_from.is_none() || around.leads_to_own(place, segment);
+    let is_clear =
+        around.is_clear_of_blocked(segment) && (label.led_from.is_none() || around.leads_to_own(place, segment));
     // across the lines of a table it would come into other cells first
     (is_clear && around.cell.is_none()).then_some(Attachment::LeaderAcross(segment))
 }

@@ -3,7 +3,7 @@
 
 use super::placed::{Params, Placed};
 use crate::geom::polygon::distance_to_box;
-use crate::page::{Line, Pen, Run, which_are_gridlines, which_are_weak};
+use crate::page::{Line, Pen, Run, which_are_gridlines, which_are_weak, without_treads};
 use crate::units::{MmPoint, MmRect};
 
 /// Least straightness of a gridline, chord to length: one of 100 mm bends by half a mm.
@@ -24,7 +24,11 @@ pub(super) fn giving_way(lines: &[Line], least_strength: f32) -> Vec<bool> {
         }
         _ => None,
     };
-    which_are_gridlines(&lines.iter().zip(which_are_weak(lines, least_strength)).map(ends).collect::<Vec<_>>())
+    let ends: Vec<_> = lines.iter().zip(which_are_weak(lines, least_strength)).map(ends).collect();
+    let mut found = which_are_gridlines(&ends);
+    let points: Vec<Vec<MmPoint>> = lines.iter().map(|line| line.runs.iter().flat_map(Run::path).collect()).collect();
+    without_treads(&mut found, &ends, &points);
+    found
 }
 
 /// Interrupts the gridlines at the labels that stand on them. Gives for each line that is left which one it was.

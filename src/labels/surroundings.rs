@@ -4,8 +4,8 @@ use super::angles::{self, Angle};
 use super::groups::GroupDirection;
 use super::placed::{Params, Wanted};
 use super::room::Room;
-use crate::geom::nearest_on_segment;
-use crate::geom::polygon::distance_to_box;
+use crate::geom::polygon::{corners, distance_to_box};
+use crate::geom::{nearest_on_segment, segment_distance};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
@@ -15,6 +15,8 @@ pub const NEAR: f32 = 12.0;
 pub(super) const AT_END: f32 = 4.0;
 /// Blank between a leader line and what another label names, mm: nearer it would lead there.
 const TO_OTHERS: f32 = 4.0;
+/// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
+pub(super) const TO_LEADER: f32 = 3.5;
 /// A text that stands so near to a line is led to that, mm: a leader line that ends in the blank where print stood
 /// names nothing. Further away it names the area that it stands in.
 const BESIDE_LINE: f32 = 6.0;
@@ -235,7 +237,19 @@ impl<'a> Surroundings<'a> {
             distance_to_box(other, place) >= TO_OTHERS
                 && (to_leader(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
         };
-        self.others.iter().all(is_clear)
+        self.others.iter().all(is_clear) && self.is_clear_of_blocked([from, to])
+    }
+
+    /// Whether a leader line keeps clear of the boxes of what is on the page already: through the blank around braille
+    /// it would be felt as a part of that.
+    pub(super) fn is_clear_of_blocked(&self, [from, to]: [MmPoint; 2]) -> bool {
+        let far = TO_LEADER + self.params.leader_off;
+        let reach = MmRect::from_points([from, to]).inflate(far, far);
+        self.params.blocked.iter().filter(|place| reach.intersects(place)).all(|place| {
+            let corners = corners(*place);
+            let to_side = |i: usize| segment_distance((from, to), (corners[i], corners[(i + 1) % 4]));
+            !place.contains(from) && (0..4).all(|side| to_side(side) >= far)
+        })
     }
 
     /// How far the marks of a leader line lie off its straight segment, mm.

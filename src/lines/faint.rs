@@ -5,7 +5,7 @@ use super::line::Line;
 use super::outlines::Rank;
 use super::params::{Params, RING_FARTHEST};
 use super::vertex::{FoundIn, Vertex};
-use crate::geom::gridlines::{straight_ends, which_are_gridlines};
+use crate::geom::gridlines::{straight_ends, which_are_gridlines, without_treads};
 use crate::geom::polyline::Polyline;
 use crate::units::MmPoint;
 
@@ -45,7 +45,11 @@ pub(super) fn is_faint(line: &Polyline<Vertex>) -> bool {
 /// them from the shapes before them, as its lines are of one width.
 pub(super) fn take_gridlines(lines: &mut Vec<Polyline<Vertex>>) -> usize {
     let ends = |line: &Polyline<Vertex>| straight_ends(line.view()).filter(|_| is_faint(line));
-    let mut are_gridlines = which_are_gridlines(&lines.iter().map(ends).collect::<Vec<_>>()).into_iter();
+    let ends: Vec<_> = lines.iter().map(ends).collect();
+    let mut found = which_are_gridlines(&ends);
+    let points: Vec<Vec<MmPoint>> = lines.iter().map(|line| line.path().map(|vertex| vertex.at).collect()).collect();
+    without_treads(&mut found, &ends, &points);
+    let mut are_gridlines = found.into_iter();
     let before = lines.len();
     lines.retain(|_| !are_gridlines.next().unwrap_or(false));
     before - lines.len()

@@ -42,7 +42,7 @@ use points::{DrawnPoints, Point};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use vertex::Vertex;
 
-pub use arrowheads::{Arrow, arrows, is_triangle};
+pub use arrowheads::{Arrow, arrowhead, arrows, is_triangle};
 pub(crate) use clearance::{BEND, BEND_LEAST};
 pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
@@ -56,7 +56,7 @@ pub(crate) use params::APPROACH_OF_DRAWINGS;
 pub use params::{PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
 
-use crate::edges::Edges;
+use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmRect, PageTransform};
 
@@ -71,6 +71,12 @@ pub struct Lines {
     pub lost: Lost,
     /// What is not drawn as it is beyond the most that were asked for.
     pub beyond: Beyond,
+}
+
+/// Which contours of a drawing are shafts of arrows.
+pub(crate) fn are_shafts(edges: &Edges, transform: &PageTransform, area: MmRect) -> Vec<bool> {
+    let polyline = |range: &ChainRange| Polyline::of_chain(edges.chain(range), range.kind, transform);
+    arrowheads::are_shafts(&edges.chains.iter().map(polyline).collect::<Vec<_>>(), area)
 }
 
 /// Draws the contours in `area`, the part of the sheet where `transform` puts the picture.

@@ -24,5 +24,5 @@ pub use names::{Names, area_name, line_name, overview_line_name, text_name};
 pub use origin::{InSet, LeftOut, PartShown, ToldInKey};
 pub use parts::*;
 
-pub(crate) use crate::geom::gridlines::which_are_gridlines;
+pub(crate) use crate::geom::gridlines::{which_are_gridlines, without_treads};
 pub(crate) use crate::lines::which_are_weak;

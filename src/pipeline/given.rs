@@ -57,6 +57,20 @@ pub struct GivenNotes {
     pub of_areas: Vec<Note>,
 }
 
+/// A note as that of a file beside the picture: places are those in it.
+fn of_file(note: &Note, file: &str) -> Note {
+    let said = |what: &str| {
+        let places = if what.contains(" mm") { ", in its own mm" } else { "" };
+        format!("{what} (said of the file of {file}{places})")
+    };
+    match note {
+        Note::NotOnPage(about, what) => Note::NotOnPage(*about, said(what)),
+        Note::TakenAs(about, what) => Note::TakenAs(*about, said(what)),
+        Note::Faulty(about, what) => Note::Faulty(*about, said(what)),
+        other => other.clone(),
+    }
+}
+
 /// Lines in place of those that would be found.
 #[derive(Debug, Clone)]
 pub enum GivenLines {
@@ -110,13 +124,14 @@ impl Given {
     /// What is told of the files that are given; of one that is given as two things, once.
     pub(super) fn told(&self) -> Vec<Note> {
         let GivenNotes { of_lines, of_added, of_areas } = &self.notes;
-        let mut told: Vec<Note> = Vec::new();
-        for note in of_lines.iter().chain(of_added).chain(of_areas) {
-            if !told.contains(note) {
-                told.push(note.clone());
+        let files = [("lines", of_lines), ("added lines", of_added), ("areas", of_areas)];
+        let mut told: Vec<(&Note, &str)> = Vec::new();
+        for (note, file) in files.into_iter().flat_map(|(file, notes)| notes.iter().map(move |note| (note, file))) {
+            if !told.iter().any(|(other, _)| *other == note) {
+                told.push((note, file));
             }
         }
-        told
+        told.into_iter().map(|(note, file)| of_file(note, file)).collect()
     }
 
     /// What is told of areas that somebody drew beside lines of which only these are taken.

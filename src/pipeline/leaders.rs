@@ -8,7 +8,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::{Line, Pen};
+use crate::lines::{self, Line, Pen};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
@@ -24,6 +24,8 @@ const SHORTEST: f32 = 8.0;
 const LONGEST: f32 = 0.4;
 /// A leader line is straight: its chord is at least this share of it.
 const STRAIGHT: f32 = 0.98;
+/// Led on backwards, it comes so near to its text, as a share of the farthest that it may end beside that.
+const ASIDE: f32 = 0.5;
 /// Nothing else is so near to its end beside the text, mm: there sides of shapes meet.
 const FREE: f32 = 1.5;
 /// What it leads to is so near to its other end, mm.
@@ -192,11 +194,14 @@ fn find(
         index.insert_line(line, PolylineRef { vertices: points, closed: chain.closed }, 0.0);
     }
     let longest = LONGEST * figure.width().max(figure.height());
+    let are_shafts = lines::are_shafts(edges, transform, figure);
     let is_leader = |number: usize| -> Option<Leader> {
         let (points, chain) = (&chains[number], &edges.chains[number]);
         let length = PolylineRef { vertices: points, closed: false }.length();
         let (first, last) = (*points.first()?, *points.last()?);
-        let is_line = !chain.closed && !chain.kind.added && (SHORTEST..longest).contains(&length);
+        // an arrow says which way something goes, whatever words stand at its ends
+        let is_line = !chain.closed && !chain.kind.added && !are_shafts[number];
+        let is_line = is_line && (SHORTEST..longest).contains(&length);
         if !is_line || (last - first).length() < STRAIGHT * length {
             return None;
         }
@@ -211,12 +216,25 @@ fn find(
             _ => return None,
         };
         let place = texts[text].place;
-        let leads = is_free_end(path[0], place, number as u32, &index)
+        let leads = points_away(&path, place, beside)
+            && is_free_end(path[0], place, number as u32, &index)
             && leads_to_something(&path, number as u32, &index)
             && ticks_on(number, &chains, edges) < TICKS;
         leads.then_some(Leader { chain: number, text, path })
     };
     (0..chains.len()).filter_map(is_leader).collect()
+}
+
+/// Whether a line leads away from a text, and not past it: led on backwards, it comes to the text, or beside it by half
+/// of what may lie between the two.
+fn points_away(path: &[MmPoint], text: MmRect, beside: f32) -> bool {
+    let (from, tip) = (path[0], path[path.len() - 1]);
+    let Some(back) = (from - tip).try_normalize() else { return false };
+    let around = text.inflate(ASIDE * beside, ASIDE * beside);
+    let reach = distance_to_box(from, text) + text.width().hypot(text.height());
+    let steps = (reach / STEP).ceil() as u32;
+    (0..=steps).any(|step| around.contains(from + back * (STEP * step as f32)))
+        && (text.center() - from).dot(back) > 0.0
 }
 
 /// Whether nothing but the text is at an end of a line, and nothing lies between the two.

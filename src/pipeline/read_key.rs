@@ -58,9 +58,8 @@ pub fn key_of_page(
         KeySheets::Auto if !wanted.abbreviates => KeySheets::Never,
         key => key,
     };
-    let labels = redraw::labels(page);
     let legend = if when == KeySheets::Never { Vec::new() } else { legend::of_page(page) };
-    let words = Words { key: when, translate, ..redraw::words(page, &labels, &legend) };
+    let words = Words { key: when, translate, ..redraw::words(page, &legend) };
     let written = WrittenWords::new(&words, request.plan);
     let layout = Layout {
         sheet: page.sheet,

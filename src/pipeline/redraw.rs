@@ -6,9 +6,8 @@ use super::draw::{DrawnMarks, FigureLines, draw_lines};
 use super::finish::PageSays;
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
-use super::label::{Label, Position};
 use super::leaders;
-use super::legend::LegendEntry;
+use super::legend::{self, LegendEntry};
 use super::overview::{draw_overview, told_by_hand, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
@@ -40,12 +39,12 @@ pub(super) fn shape(page: &Page) -> Size {
 }
 
 /// The words of a page as they would be given.
-pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label], legend: &'a [LegendEntry]) -> Words<'a> {
+pub(super) fn words<'a>(page: &'a Page, legend: &'a [LegendEntry]) -> Words<'a> {
     let title = page.braille.iter().find(|text| text.role == TextRole::Title);
     Words {
         title: title.map(|text| text.text.as_str()),
         language: Some(page.language.as_str()),
-        labels,
+        own_texts: labels_of(page).next().is_some(),
         legend,
         number: page.braille.iter().find(|text| text.role == TextRole::Number).and_then(|text| text.text.parse().ok()),
         ..Words::default()
@@ -64,14 +63,13 @@ pub struct OldPage<'a> {
 }
 
 /// The marks of a page in another layout: lines and areas keep their places in the figure, and lines that a person drew
-/// come first. `labels` whose leader line is a line of the figure that is not drawn as a whole name the place where its
-/// tip was.
+/// come first. Its labels are texts where they stood: each is placed in that place again, or at the line of the figure
+/// that leads to it; one whose leader line is not drawn as a whole is led to where the tip of that was.
 ///
 /// # Errors
 /// If the figure has no area, or the page is no longer wanted.
 pub(super) fn marks(
     old: OldPage<'_>,
-    labels: &mut [Label],
     layout: Layout,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
@@ -85,7 +83,7 @@ pub(super) fn marks(
     let mut edges = hand_lines.edges_under_own(size, blank, params.full_strength)?;
     without_second_rows(&mut edges, plan);
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
-    let of_leaders = whole_leaders(&mut edges, labels, page, &layout, plan);
+    let (texts, of_leaders) = labels_led(&mut edges, page, &layout, plan);
     request.go_on()?;
     // the lines of a page stay lines of their own
     let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
@@ -122,8 +120,8 @@ pub(super) fn marks(
         all_erased: false,
         said,
         lost_signs: drawn.lost.signs,
-        legend: Vec::new(),
-        texts: Vec::new(),
+        legend: legend::of_page(page),
+        texts,
         notes,
     })
 }
@@ -172,18 +170,17 @@ fn sheet_of_set(said: PageSays, page: &Page, layout: &Layout, plan: &Plan) -> (P
     (PageSays { in_set, label, ..said }, told)
 }
 
-/// Takes the leader lines among the lines of a page out that are not drawn as a whole: their labels are led to what
-/// they name, in the new layout.
-fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &Layout, plan: &Plan) -> Vec<Note> {
+/// The labels of a page as texts in another layout. Takes the leader lines among the lines of the page out that are not
+/// drawn as a whole: their labels are led to what they name, as those are whose leader line came with them.
+fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (Vec<Text>, Vec<Note>) {
     let transform = PageTransform::new(edges.size, layout.figure);
     let before = PageTransform::new(edges.size, page.figure.place);
     let there = |at: MmPoint| transform.to_mm(before.to_px(at));
-    let text = |text: &BrailleText| {
-        let place = text.dots.bounds().filter(|_| text.leader.is_none()).unwrap_or_else(MmRect::zero);
-        let place = MmRect::new(there(place.min), there(place.max));
+    let of_page = |text: &BrailleText| {
+        let place = text.dots.bounds().unwrap_or_else(MmRect::zero);
         Text {
             string: text.text.clone(),
-            place,
+            place: MmRect::new(there(place.min), there(place.max)),
             angle: 0.0,
             size: place.height(),
             hidden: false,
@@ -192,16 +189,23 @@ fn whole_leaders(edges: &mut Edges, labels: &mut [Label], page: &Page, layout: &
             in_key: false,
         }
     };
-    let mut texts: Vec<Text> = labels_of(page).map(text).collect();
+    let mut texts: Vec<Text> = labels_of(page).map(of_page).collect();
+    // no line of the figure leads to one that has a leader line of its own
+    let own: Vec<Option<[MmPoint; 2]>> = labels_of(page).map(own_leader).collect();
+    let numbers: Vec<usize> = (0..texts.len()).filter(|&text| own[text].is_none()).collect();
+    let mut led: Vec<Text> = numbers.iter().map(|&text| texts[text].clone()).collect();
     let is_label = |text: &Text| text.place.area() > 0.0;
     let draw = |edges: &Edges| draw_lines(edges, LinesOf::Person, layout, plan, &mut |_| ()).lines.lines;
-    let told = leaders::whole_or_none(edges, &mut texts, leaders::BESIDE_BRAILLE, is_label, layout, draw);
-    for (label, text) in labels.iter_mut().zip(&texts) {
-        if let Some((_, tip)) = text.led_over {
-            [label.x, label.y] = Position::in_figure(tip, layout.figure);
+    let told = leaders::whole_or_none(edges, &mut led, leaders::BESIDE_BRAILLE, is_label, layout, draw);
+    numbers.into_iter().zip(led).for_each(|(number, text)| texts[number] = text);
+    for ((text, label), own) in texts.iter_mut().zip(labels_of(page)).zip(own) {
+        text.led_over = own.map(|[from, tip]| (there(from), there(tip))).or(text.led_over);
+        // braille is not larger in a larger figure: it keeps its distance from the line that leads to it
+        if let (Some(from), Some(place)) = (text.leader, label.dots.bounds()) {
+            text.place = place.translate(from - before.to_mm(transform.to_px(from)));
         }
     }
-    told
+    (texts, told)
 }
 
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
@@ -255,18 +259,10 @@ fn labels_of(page: &Page) -> impl Iterator<Item = &BrailleText> {
     page.braille.iter().filter(|text| text.role == TextRole::Label)
 }
 
-/// The labels of a page as they would be given, each at what it names.
-pub(super) fn labels(page: &Page) -> Vec<Label> {
-    let label = |text: &BrailleText| {
-        let middle = MmRect::from_points(&text.dots.at).center();
-        let ends = text.leader.as_ref().map(|leader| (leader.points.first(), leader.points.last()));
-        let at: MmPoint = match ends {
-            Some((Some(&a), Some(&b))) if (a - middle).length() > (b - middle).length() => a,
-            Some((Some(_), Some(&b))) => b,
-            _ => middle,
-        };
-        let [x, y] = Position::in_figure(at, page.figure.place);
-        Label { x, y, text: text.text.clone() }
-    };
-    labels_of(page).map(label).collect()
+/// The leader line of a label that came with it, from the label to its tip.
+fn own_leader(text: &BrailleText) -> Option<[MmPoint; 2]> {
+    let middle = MmRect::from_points(&text.dots.at).center();
+    let points = &text.leader.as_ref()?.points;
+    let (&a, &b) = points.first().zip(points.last())?;
+    Some(if (a - middle).length() > (b - middle).length() { [b, a] } else { [a, b] })
 }

@@ -147,8 +147,19 @@ fn elsewhere(exact: &[Text], braille: &[BrailleText]) -> Option<Note> {
 /// How far from the figure a text may be typed without being told, mm.
 const SLACK: f32 = 5.0;
 
-/// Boxes around braille that is on the page.
+/// Boxes around braille that is on the page, and along the leader lines of its labels.
 fn blocked(parts: &Parts) -> Vec<MmRect> {
     let dots = parts.braille.iter().map(|text| &text.dots).chain(&parts.labels);
-    dots.filter_map(Dots::bounds).collect()
+    let leaders = parts.braille.iter().filter_map(|text| text.leader.as_ref());
+    let points: Vec<Vec<MmPoint>> = leaders.map(|leader| leader.path().collect()).collect();
+    let pieces = points.iter().flat_map(|points| points.windows(2)).flat_map(|pair| {
+        let (from, to) = (pair[0], pair[1]);
+        let count = ((to - from).length() / PIECE).ceil().max(1.0);
+        let at = move |step: u32| from.lerp(to, step as f32 / count);
+        (0..count as u32).map(move |step| MmRect::from_points([at(step), at(step + 1)]))
+    });
+    dots.filter_map(Dots::bounds).chain(pieces).collect()
 }
+
+/// Length of the pieces of a leader line around which boxes lie, mm: the box of a slanted one is much wider than it.
+const PIECE: f32 = 2.0;

@@ -386,7 +386,9 @@ pub(super) fn own_texts<'t>(texts: &'t [Text], words: &Words<'_>) -> impl Iterat
 
 /// Whether a text of a drawing becomes a label.
 pub(super) fn become_labels(words: &Words<'_>) -> impl Fn(&Text) -> bool + use<> {
-    let (are_wanted, title) = (words.own_texts, words.title.map(|title| title.trim().to_owned()));
+    // on a page that is drawn anew both may say the same
+    let title = words.title.filter(|_| words.before.is_none());
+    let (are_wanted, title) = (words.own_texts, title.map(|title| title.trim().to_owned()));
     let is_title = move |text: &Text| title.as_deref().is_some_and(|title| title == text.string.trim());
     move |text| are_wanted && text.is_read() && !text.in_key && !is_title(text)
 }

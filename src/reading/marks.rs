@@ -7,8 +7,10 @@ use usvg::roxmltree::Node;
 use usvg::{Group, Paint, Tree};
 
 use super::document::{Elements, PLACE_OF, is_object, layer_of};
+use super::markers;
 use super::subpath::{Subpath, clean, subpaths};
 use crate::Error;
+use crate::lines::arrowhead;
 use crate::output::layer::Layer;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
@@ -95,6 +97,8 @@ struct Inherited<'a> {
     cloned: Option<Node<'a, 'a>>,
     /// That clone; of clones of clones the one that is shown.
     clone: Option<Node<'a, 'a>>,
+    /// The line of which it is a marker: usvg leaves the parts of markers no ids either.
+    marked: Option<Node<'a, 'a>>,
     opacity: f32,
 }
 
@@ -114,7 +118,7 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<PaintedShap
     };
     marks.add_group(
         tree.root(),
-        Inherited { layer: None, object: None, cloned: None, clone: None, opacity: 1.0 },
+        Inherited { layer: None, object: None, cloned: None, clone: None, marked: None, opacity: 1.0 },
         elements,
     )?;
     Ok(marks)
@@ -140,13 +144,65 @@ impl<'a> PaintedShapes<'a> {
                 around.object = Some((self.next_object(), element));
             }
         }
+        // the markers of a line follow it
+        let mut line = None;
         for node in group.children() {
             match node {
-                usvg::Node::Group(group) => self.add_group(group, around, elements)?,
-                usvg::Node::Path(path) => self.add_path(path, around, elements)?,
+                usvg::Node::Group(group) => match line.filter(|_| group.id().is_empty()) {
+                    Some(line) => self.add_markers(group, line, around, elements)?,
+                    None => self.add_group(group, around, elements)?,
+                },
+                usvg::Node::Path(path) => {
+                    let before = self.marks.len();
+                    self.add_path(path, around, elements)?;
+                    line = elements.get(path.id()).filter(|_| self.marks.len() > before).map(|own| (before, own));
+                }
                 // without fonts there are no letters, and pictures are not read: the document tells of them
                 usvg::Node::Image(_) | usvg::Node::Text(_) => {}
             }
+        }
+        Ok(())
+    }
+
+    /// Adds the markers of a line, which is the mark of this number. The head of an arrow becomes one as it is drawn on
+    /// pages, with its tip at the end of the line; any other is what it shows.
+    fn add_markers(
+        &mut self,
+        group: &Group,
+        (line, own): (usize, Node<'a, 'a>),
+        around: Inherited<'a>,
+        elements: &Elements<'a>,
+    ) -> Result<(), Error> {
+        let around =
+            Inherited { object: None, marked: Some(own), opacity: around.opacity * group.opacity().get(), ..around };
+        for marker in group.children() {
+            let usvg::Node::Group(marker) = marker else { continue };
+            let before = self.marks.len();
+            self.add_group(marker, around, elements)?;
+            let points = self.marks[before..].iter().flat_map(|mark| &mark.subpaths).flat_map(|of| of.points.clone());
+            let points: Vec<MmPoint> = points.collect();
+            let Some((end, tip, toward)) = markers::head(&points, &self.marks[line].subpaths) else { continue };
+            let Some(PaintedStroke { width, shade, .. }) = self.marks[line].stroke else { continue };
+            self.marks.truncate(before);
+            let object = self.next_object();
+            let shaft = &mut self.marks[line];
+            end.put(&mut shaft.subpaths, tip);
+            let points = arrowhead(tip, toward).to_vec();
+            let strokes = Subpath { named: points.clone(), points, closed: false, curved: false };
+            let head = PaintedShape {
+                // told with its line, if that lies in no layer
+                layer: shaft.layer.or(Some(Layer::Figure)),
+                object,
+                element: own,
+                clone: None,
+                is_direct: true,
+                subpaths: vec![strokes],
+                fill: None,
+                colour: [0; 3],
+                stroke: Some(PaintedStroke { width, shade, is_dashed: false }),
+                area_scale: 1.0,
+            };
+            self.marks.push(head);
         }
         Ok(())
     }
@@ -182,8 +238,8 @@ impl<'a> PaintedShapes<'a> {
             let why = format!("its paths have more than {MOST_POINTS} points");
             return Err(Error::too_complex(super::document::FORMAT, why));
         }
-        // a marker at the end of a line has no id, and no element
         let own = elements.get(path.id()).or(around.cloned).or(around.object.map(|(_, element)| element));
+        let own = own.or(around.marked);
         let Some(own) = own else {
             return Ok(());
         };

@@ -19,6 +19,7 @@ mod cuts;
 mod document;
 mod entities;
 mod leaders;
+mod markers;
 mod marks;
 mod names;
 mod print;

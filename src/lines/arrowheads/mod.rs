@@ -21,7 +21,7 @@ use super::marks::HeadMark;
 use super::params::Params;
 use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect, MmVector};
 
 pub use finished::{Arrow, arrows};
 pub(super) use place::{DrawnHeads, draw};
@@ -31,6 +31,18 @@ pub use shapes::is_triangle;
 const CRUMB: f32 = 0.6;
 /// A shaft that ends before the tip by less than this is not led on, mm.
 const AT_TIP: f32 = 0.05;
+
+/// The head of an arrow with its tip at a place: its two strokes, from one end to the other.
+pub fn arrowhead(at: MmPoint, toward: MmVector) -> [MmPoint; 3] {
+    place::strokes(at, toward, shapes::LENGTHS[0])
+}
+
+/// Which contours of a drawing are shafts of arrows, by the heads at their ends.
+pub(super) fn are_shafts(polylines: &[Polyline<Vertex>], area: MmRect) -> Vec<bool> {
+    let mut are_shafts = vec![false; polylines.len()];
+    Contours::of(polylines, area).heads().iter().for_each(|head| are_shafts[head.shaft.line] = true);
+    are_shafts
+}
 
 /// Takes the heads of arrows out of the contours of a drawing. Their shafts lead to their tips, or end so far before
 /// what these point at that there is room for the heads.

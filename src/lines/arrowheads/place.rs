@@ -195,7 +195,7 @@ fn longer(line: &Polyline<Vertex>, which: Tip, by: f32) -> Polyline<Vertex> {
 }
 
 /// The strokes of a head with its tip at a place: their ends, and that between them.
-fn strokes(apex: MmPoint, toward: MmVector, length: f32) -> [MmPoint; 3] {
+pub(super) fn strokes(apex: MmPoint, toward: MmVector, length: f32) -> [MmPoint; 3] {
     let turned = |degrees: f32| {
         let (sin, cos) = degrees.to_radians().sin_cos();
         apex - MmVector::new(toward.x * cos - toward.y * sin, toward.x * sin + toward.y * cos) * length
