@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::placed::WrittenLabel;
 use crate::braille::{Braille, Lacking, Translator};
 
 /// An abbreviation.
@@ -17,9 +18,10 @@ const MOST_CELLS: usize = 3;
 
 /// An abbreviation for each text; none for texts without two letters, which are short or numbers, and where all
 /// are taken. The same text has the same one. Letters are spelled, also where texts are contracted, and those that
-/// the code lacks are passed over. `known` has the texts in braille.
+/// the code lacks are passed over. `known` has the texts in braille, and `written` are on the page already.
 pub(super) fn all(
     texts: &[&str],
+    written: &[WrittenLabel],
     known: &BTreeMap<&str, Result<Braille, String>>,
     translator: &Translator<'_>,
 ) -> Vec<Option<Short>> {
@@ -29,8 +31,13 @@ pub(super) fn all(
         let spelled = is_short.then(|| translator.spell(&text.to_lowercase()).ok()).flatten();
         [braille.as_ref().ok().map(|braille| braille.cells.clone()), spelled.map(|braille| braille.cells)]
     });
-    let mut taken: BTreeSet<Vec<u8>> = whole.flatten().collect();
-    let mut of_text: BTreeMap<&str, Option<Short>> = BTreeMap::new();
+    let on_page = written.iter().map(|label| label.cells.clone());
+    let mut taken: BTreeSet<Vec<u8>> = whole.flatten().chain(on_page).collect();
+    let as_written = |label: &WrittenLabel| {
+        label.abbreviation.clone().map(|letters| Some(Short { letters, cells: label.cells.clone() }))
+    };
+    let mut of_text: BTreeMap<&str, Option<Short>> =
+        written.iter().filter_map(|label| Some((label.text.as_str(), as_written(label)?))).collect();
     for &text in texts {
         if !of_text.contains_key(text) {
             // what cannot be written cannot be abbreviated either

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::abbreviate;
-use super::placed::Unplaced;
+use super::placed::{Unplaced, WrittenLabel};
 use crate::braille::{Braille, Divide, Lacking, Translator, in_two};
 use crate::page::cells::CellGrid;
 use crate::units::MmVector;
@@ -101,14 +101,19 @@ const BARE: f32 = 5.0;
 /// What a letter costs: more than an abbreviation.
 const LETTER: f32 = 1500.0;
 
-/// The forms of each text, or why it has none. A text in several labels is translated once.
-pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Forms, Unplaced>> {
+/// The forms of each text, or why it has none. A text in several labels is translated once. `written` labels are on the
+/// page already.
+pub(super) fn of(
+    texts: &[&str],
+    written: &[WrittenLabel],
+    translator: &Translator<'_>,
+) -> Vec<Result<Forms, Unplaced>> {
     let mut known: BTreeMap<&str, Result<Braille, String>> = BTreeMap::new();
     let is_too_long = |text: &str| text.chars().nth(LONGEST).is_some();
     for &text in texts.iter().filter(|text| !is_too_long(text)) {
         known.entry(text).or_insert_with(|| translator.translate(text));
     }
-    let short = abbreviate::all(texts, &known, translator);
+    let short = abbreviate::all(texts, written, &known, translator);
     let of_text = |(&text, short): (&&str, Option<abbreviate::Short>)| {
         let braille = match known.get(text) {
             None => return Err(Unplaced::TooLong),

@@ -35,7 +35,7 @@ mod titles;
 
 pub use choose::{Choice, choose};
 pub use forms::LONGEST;
-pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted};
+pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted, WrittenLabel};
 pub use predicted::{RowPrediction, row_overhang};
 pub use scale::EVERY;
 pub use surroundings::NEAR;
@@ -134,7 +134,7 @@ fn place_rows_first<'a>(
     params: &'a Params,
 ) -> RowsPlaced<'a> {
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let mut forms = forms::of(&texts, translator);
+    let mut forms = forms::of(&texts, &params.written, translator);
     let mut around = around(wanted, &forms, room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
     // numbers at an axis stand in squares of its grid, and are of its lines
@@ -161,7 +161,7 @@ fn longer_ticks(
     least: f32,
 ) -> Vec<MmPoint> {
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let mut forms = forms::of(&texts, translator);
+    let mut forms = forms::of(&texts, &params.written, translator);
     let around = around(wanted, &forms, room, cells, params);
     ticks::longer(&groups_of(wanted, &mut forms, &around, translator), wanted, room, least)
 }
@@ -333,6 +333,31 @@ fn is_near(glyph: &Glyph, placed: &[&Placed]) -> bool {
     placed.iter().any(|label| label.distance(glyph.at) < NEAR_LABEL)
 }
 
+/// How far around a sign others are of its part of a texture, in steps of that; and the share of a whole circle of them
+/// that a part of three rows has, and one of two has not.
+const STEPS_AROUND: f32 = 2.5;
+const BROAD: f32 = 0.6;
+
+/// Leaves out what labels leave of a texture in strips of one or two rows beside them, as between a label and a line:
+/// signs in a row are felt as a line. `before` are all signs of the texture, each for `area` mm2.
+fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: &[&Placed]) {
+    let reach = STEPS_AROUND * area.sqrt();
+    let far = |glyph: &Glyph| placed.iter().map(|label| label.distance(glyph.at)).fold(f32::INFINITY, f32::min);
+    let near = |all: &[Glyph]| -> Vec<MmPoint> {
+        all.iter().filter(|glyph| far(glyph) < NEAR_LABEL + 2.0 * reach).map(|glyph| glyph.at).collect()
+    };
+    let least = BROAD * std::f32::consts::PI * STEPS_AROUND * STEPS_AROUND;
+    // whether a sign is within reach of one with so many around it
+    let broad = |all: &[MmPoint]| -> Vec<MmPoint> {
+        let around =
+            |at: &&MmPoint| all.iter().filter(|other| (**other - **at).length() <= reach).count() as f32 >= least;
+        all.iter().filter(around).copied().collect()
+    };
+    let (of_left, of_before) = (broad(&near(left)), broad(&near(before)));
+    let is_in = |of: &[MmPoint], at: MmPoint| of.iter().any(|other| (*other - at).length() <= reach);
+    left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
+}
+
 /// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
 fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
     let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
@@ -358,9 +383,12 @@ pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Ma
     let mut gone = Vec::new();
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
-        let whole = texture.glyphs.len();
+        let (before, whole) = (texture.glyphs.clone(), texture.glyphs.len());
         texture.glyphs.retain(|glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius()));
         let mut glyphs = std::mem::take(&mut texture.glyphs);
+        if glyphs.len() < whole {
+            leave_out_strips(&mut glyphs, &before, texture.area / whole as f32, placed);
+        }
         if glyphs.len() < whole && params.least_texture > 0.0 {
             leave_out_few_rows(&mut glyphs, placed, params.least_texture);
         }

@@ -16,6 +16,8 @@ pub struct Params {
     pub blocked: Vec<MmRect>,
     /// Where small shapes are that texts may name and the page lacks.
     pub points: Vec<MmPoint>,
+    /// What is written on the page already.
+    pub written: Vec<WrittenLabel>,
     /// Blank to lines.
     pub clearance: f32,
     /// How much more there should be on the left and on the right where there is room, as on a grid the dots of a line
@@ -45,6 +47,7 @@ impl Params {
             tiles: Vec::new(),
             blocked: Vec::new(),
             points: Vec::new(),
+            written: Vec::new(),
             least_texture: 0.0,
             clearance: 3.0,
             more_aside: 0.0,
@@ -61,6 +64,17 @@ impl Params {
     pub(super) fn holds(&self, place: &MmRect) -> bool {
         self.tiles.is_empty() || self.tiles.iter().any(|tile| tile.contains_box(place))
     }
+}
+
+/// A label that is on a page already: others are not abbreviated to its cells, and those of its text are as it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrittenLabel {
+    /// What it says.
+    pub text: String,
+    /// What it says in place of its text, if it is abbreviated.
+    pub abbreviation: Option<String>,
+    /// Its cells, where it is one line.
+    pub cells: Vec<u8>,
 }
 
 /// A label that is wanted.

@@ -182,6 +182,7 @@ fn found<E>(
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     go_on()?;
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
+    found.extend(overview::lacks_much(&felt, names, &paths, limits));
     found.extend(words::findings(&felt, names, limits));
     go_on()?;
     found.extend(leaders::findings(&felt, names, &paths, &index));

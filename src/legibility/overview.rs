@@ -7,6 +7,7 @@ use super::paths::{Paths, point_at};
 use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::ninths;
+use crate::listing::first_few;
 use crate::page::{LeftOut, Names, Overview, Page, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -98,6 +99,48 @@ fn lacking(
         Some(FoundBreach::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what).of(name))
     };
     (0..paths.paths.len()).filter_map(of_path).collect()
+}
+
+/// An overview of a drawing that lacks this share of its lines is told, as it is where the page is made.
+const LACKS: f32 = 0.15;
+/// So many of them are named.
+const MOST_NAMED: usize = 3;
+
+/// That the overview lacks much of what the figure of a drawing shows: open lines and shapes too small to be told one
+/// by one.
+pub(super) fn lacks_much(page: &Page, names: &Names, paths: &Paths, limits: &RuleLimits) -> Option<FoundBreach> {
+    let overview = page.overview.as_ref().filter(|overview| !overview.lines.is_empty())?;
+    if LeftOut::of(page).of_photograph {
+        return None;
+    }
+    let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
+    let of_overview = Paths::of(&overview.lines, f32::INFINITY);
+    let index = of_overview.index(5.0);
+    let weak = which_are_weak(&page.figure.lines, limits.least_strength);
+    let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
+    let counts = |path: &&usize| !weak[paths.paths[**path].line];
+    let all: Vec<usize> = (0..paths.paths.len()).collect();
+    let whole: f32 = all.iter().filter(counts).map(|&path| paths.paths[path].length).sum();
+    let gone = |&path: &usize| {
+        let like = Like { index: &index, reach: limits.spacing(), missing: MISSING };
+        let segments = paths.segments_of(path);
+        let missing = missing(segments.iter(), scale * STEP, in_overview, like)?;
+        Some((missing.length, path, *missing.places.first()?))
+    };
+    let mut gone: Vec<(f32, usize, MmPoint)> = all.iter().filter(counts).filter_map(gone).collect();
+    gone.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let share = gone.iter().map(|(length, ..)| length).sum::<f32>() / whole.max(f32::MIN_POSITIVE);
+    let &(_, longest, at) = gone.first().filter(|_| share >= LACKS)?;
+    let mut lacking: Vec<&str> =
+        gone.iter().map(|(_, path, _)| name_in(&names.lines, paths.paths[*path].line)).collect();
+    lacking.dedup();
+    let extent = around(paths.segments_of(longest).iter().map(|segment| segment.a))?;
+    let what = format!(
+        "the overview lacks {:.0} % of the lines of the figure: {}",
+        100.0 * share,
+        first_few(&lacking, MOST_NAMED, |name| (*name).to_owned())
+    );
+    Some(FoundBreach::at(OVERVIEW_LACKS, at, extent, share, what).unmeasured())
 }
 
 /// What is like a line in another picture.

@@ -244,7 +244,7 @@ pub(super) const OVERVIEW: Rule = Rule {
 pub(super) const OVERVIEW_LACKS: Rule = Rule {
     id: "overview-lacks",
     asks: "Every closed line of the figure that would be at least this wide and high in the overview is there, but for \
-           faint ones.",
+           faint ones; and most of all lines of a drawing.",
     severity: Severity::Warning,
     source: "chosen by us: about the width of a fingertip, the least that is felt as a shape at once",
     remedy: "copy the line into the overview, or leave it if it matters little",

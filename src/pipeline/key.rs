@@ -136,10 +136,24 @@ impl Item {
     }
 }
 
+/// Texts are in one row if the tops of their dots are no further apart than this, mm: less than a row of braille.
+const ROW: f32 = 5.0;
+
+/// Texts in the order in which hands come to them: row by row from the top, and from the left.
+fn as_read(braille: &[BrailleText]) -> Vec<&BrailleText> {
+    let corner = |text: &BrailleText| text.dots.bounds().map_or_else(MmPoint::zero, |place| place.min);
+    let mut all: Vec<(MmPoint, &BrailleText)> = braille.iter().map(|text| (corner(text), text)).collect();
+    all.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y));
+    for row in all.chunk_by_mut(|(a, _), (b, _)| b.y - a.y < ROW) {
+        row.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
+    }
+    all.into_iter().map(|(_, text)| text).collect()
+}
+
 /// Abbreviations and what they stand for, each once, in the order of the page.
 pub(super) fn abbreviations(braille: &[BrailleText]) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
-    for text in braille {
+    for text in as_read(braille) {
         if let Some(short) = &text.abbreviation {
             let pair = (short.clone(), text.text.clone());
             if !all.contains(&pair) {

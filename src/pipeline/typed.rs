@@ -5,6 +5,7 @@ use super::label::{Label, Position};
 use super::texts::Text;
 use super::words::{OnPage, Words, WrittenWords};
 use crate::braille::Translate;
+use crate::labels::WrittenLabel;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Parts, TextRole};
@@ -55,7 +56,9 @@ pub(super) fn write(
     let language = parts.language.clone();
     let own_texts = !exact.is_empty();
     let blocked = blocked(parts);
+    let written = written_labels(parts);
     let words = Words {
+        written: &written,
         language: Some(&language),
         labels: &labels,
         own_texts,
@@ -146,6 +149,18 @@ fn elsewhere(exact: &[Text], braille: &[BrailleText]) -> Option<Note> {
 
 /// How far from the figure a text may be typed without being told, mm.
 const SLACK: f32 = 5.0;
+
+/// The labels that are on the page.
+fn written_labels(parts: &Parts) -> Vec<WrittenLabel> {
+    let labels = parts.braille.iter().filter(|text| text.role == TextRole::Label && text.lines.len() == 1);
+    let cell = |sign: char| u32::from(sign).checked_sub(u32::from('\u{2800}')).and_then(|cell| u8::try_from(cell).ok());
+    labels
+        .filter_map(|label| {
+            let cells = label.lines[0].chars().map(cell).collect::<Option<Vec<u8>>>()?;
+            Some(WrittenLabel { text: label.text.clone(), abbreviation: label.abbreviation.clone(), cells })
+        })
+        .collect()
+}
 
 /// Boxes around braille that is on the page, and along the leader lines of its labels.
 fn blocked(parts: &Parts) -> Vec<MmRect> {

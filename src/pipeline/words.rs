@@ -15,7 +15,7 @@ use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
 use crate::devices::Family;
 use crate::dots;
-use crate::labels::{self, MadeRoom, Params, Placed, Wanted};
+use crate::labels::{self, MadeRoom, Params, Placed, Wanted, WrittenLabel};
 use crate::page::cells::CellGrid;
 use crate::page::heading::{Align, HeadingParams};
 use crate::page::layout::Layout;
@@ -50,6 +50,8 @@ pub struct Words<'a> {
     pub before: Option<&'a Figure>,
     /// Boxes that labels keep clear of as of lines.
     pub blocked: &'a [MmRect],
+    /// Labels that are on the page already.
+    pub written: &'a [WrittenLabel],
     /// Which of the labels, and then of the texts that are labels too, name nothing.
     pub nameless: &'a [usize],
 }
@@ -237,7 +239,7 @@ impl<'a> WrittenWords<'a> {
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
-        let params = Params { points, blocked, ..params(layout, tiles, plan) };
+        let params = Params { points, blocked, written: words.written.to_vec(), ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
@@ -434,6 +436,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         area,
         tiles,
         points: Vec::new(),
+        written: Vec::new(),
         blocked: Vec::new(),
         clearance: CLEARANCE,
         more_aside: more_aside(layout, plan),

@@ -6,7 +6,7 @@ use crate::braille::Code;
 fn short(texts: &[&str], language: &str) -> Vec<String> {
     let translator = Translator::new(Code::of_language(language).and_then(Code::table), None).expect("a table");
     let known = texts.iter().map(|&text| (text, translator.translate(text))).collect();
-    let all = all(texts, &known, &translator);
+    let all = all(texts, &[], &known, &translator);
     all.into_iter().map(|short| short.map_or_else(|| "-".to_owned(), |short| short.letters)).collect()
 }
 
@@ -15,6 +15,18 @@ fn abbreviations_are_short_readable_and_unique() {
     let texts = ["Apple", "Apricot", "North Hill", "apple tree", "Apple", "1995", "ap", "X", "Aps"];
     // "ap" is a label of its own
     assert_eq!(short(&texts, "en"), ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
+}
+
+#[test]
+fn what_is_on_the_page_keeps_its_abbreviations() {
+    let translator = Translator::new(Code::of_language("en").and_then(Code::table), None).expect("a table");
+    let texts = ["kiosk", "kitchen"];
+    let known = texts.iter().map(|&text| (text, translator.translate(text))).collect();
+    let cells = translator.spell("ki").expect("two letters").cells;
+    let written = WrittenLabel { text: "kitchen".to_owned(), abbreviation: Some("ki".to_owned()), cells };
+    let all = all(&texts, &[written], &known, &translator);
+    let letters: Vec<&str> = all.iter().flatten().map(|short| short.letters.as_str()).collect();
+    assert_eq!(letters, ["ko", "ki"]);
 }
 
 #[test]
