@@ -211,3 +211,14 @@ fn a_page_of_a_picture_of_another_size_is_told_as_it_may_be_another_picture() {
     let both = options().lines(&own).and_then(|options| options.areas(&own)).expect("a page of the program");
     assert_eq!(told(&larger, both), 1, "once");
 }
+
+#[test]
+fn places_in_a_file_of_added_lines_are_told_as_those_of_that_file() {
+    let own = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200' width='300' height='200'>\
+               <path d='M150 20V500' fill='none' stroke='#000' stroke-width='3'/></svg>";
+    let drawing =
+        tactograph::convert(PICTURE.as_bytes(), &options().add_lines(own).expect("a drawing")).expect("a page");
+    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    let of_file = "(said of the file of added lines, in its own mm)";
+    assert!(told.iter().any(|note| note.contains("beyond the sheet") && note.contains(of_file)), "{told:?}");
+}

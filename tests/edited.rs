@@ -331,3 +331,22 @@ fn lines_outside_of_the_figure_are_told_once_and_by_name() {
     assert!(told.contains("40 mm of lines outside of the figure (line \"off\")"), "{told}");
     assert!(!told.contains("too short for this page"), "{told}");
 }
+
+#[test]
+fn markers_of_an_editor_are_drawn_as_heads_of_arrows() {
+    let page = page(&options());
+    let begin = page.figure.place.min + (page.figure.place.max - page.figure.place.min) * 0.5;
+    let added = format!(
+        "<defs><marker id='Triangle' style='overflow:visible' refX='0' refY='0' orient='auto-start-reverse' \
+         markerWidth='1' markerHeight='1'><path transform='scale(0.5)' style='fill:context-stroke' \
+         d='m 5.77,0 -8.65,5 V -5 Z'/></marker></defs><path id='mine' d='M{} {}h-22' \
+         style='fill:none;stroke:#000;stroke-width:1;marker-end:url(#Triangle)'/>",
+        begin.x, begin.y
+    );
+    let arrows = |page: &Page| tactograph::internals::lines::arrows(&page.figure.lines).len();
+    assert_eq!(arrows(&page), 0);
+    let svg = with(&page.to_svg(), &added);
+    assert_eq!(arrows(&render(&svg).page), 1, "{}", told(&render(&svg).notes));
+    let dots = render_for(&svg, "index-basic-d");
+    assert_eq!(arrows(&dots.page), 1, "{}", told(&dots.notes));
+}

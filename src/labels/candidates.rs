@@ -296,10 +296,10 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
 fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> bool {
     let chord = around.anchor - nearest;
     let is_straight = chord.x == 0.0 || chord.y == 0.0;
-    let outline = || around.room.only_line(nearest, around.anchor, WIDEST_OUTLINE);
+    let outline = || around.room.only_line(nearest, around.anchor, around.params.widest_outline);
     let leads_into_one = |blank: f32| is_outline_of_one(nearest + chord.normalize() * blank, chord.normalize(), around);
     // one of which the middle lies beside the next shape is taken for the name of that
-    let has_middle = || around.room.only_line(place.center(), around.anchor, WIDEST_OUTLINE).is_some();
+    let has_middle = || around.room.only_line(place.center(), around.anchor, around.params.widest_outline).is_some();
     is_straight
         && outline().is_some_and(|blank| blank < SHORTEST_LEADER && leads_into_one(blank))
         && has_middle()
@@ -312,7 +312,8 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
     let &Surroundings { room, anchor, .. } = around;
     let chord = anchor - nearest;
     let direction = (chord.length() > 0.0).then(|| chord.normalize())?;
-    let blank = room.only_line(nearest, anchor, WIDEST_OUTLINE).filter(|blank| *blank >= SHORTEST_LEADER)?;
+    let blank =
+        room.only_line(nearest, anchor, around.params.widest_outline).filter(|blank| *blank >= SHORTEST_LEADER)?;
     let (from, outline) = (nearest + direction * BEFORE_LEADER, nearest + direction * blank);
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
@@ -332,8 +333,6 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
     [aside, -aside].into_iter().all(|to_side| !around.room.is_parted(inside, inside + to_side, 0.0))
 }
 
-/// Breadth of the line of an outline across it, at most, mm: twice the widest line, for a slanted leader.
-const WIDEST_OUTLINE: f32 = 3.0;
 /// So far inside of the outline at which a leader line ends there is no other line for so much on either side, mm: a
 /// finger that crosses the outline there is in the shape that is named, and not at the border to the next.
 const INSIDE_OUTLINE: f32 = 4.5;

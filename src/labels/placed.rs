@@ -37,6 +37,8 @@ pub struct Params {
     pub step: f32,
     /// How far the marks of a leader line lie off its straight segment, at most, mm: on a grid they stand on its dots.
     pub leader_off: f32,
+    /// Breadth of the line of an outline across it, at most, mm, along a slanted way.
+    pub widest_outline: f32,
 }
 
 impl Params {
@@ -57,6 +59,7 @@ impl Params {
             may_cross: true,
             step: 0.5,
             leader_off: 0.0,
+            widest_outline: 3.0,
         }
     }
 

@@ -1,7 +1,8 @@
 //! Texts of a picture that are not drawn, on the sheet.
 
 use crate::Note;
-use crate::geom::ninths;
+use crate::geom::{nearest_on_segment, ninths};
+use crate::lines::Line;
 use crate::raster::vector::DrawnText;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 
@@ -41,18 +42,68 @@ impl Text {
         if let Some((_, tip)) = self.led_over {
             return MmRect::new(tip, tip);
         }
-        // between 0 and 180 degrees: a text upside down has its upper end where it would have it otherwise
-        let angle = self.angle.rem_euclid(180.0);
-        let is_slanted = SLANTED.contains(&angle) || SLANTED.contains(&(180.0 - angle));
-        if !is_slanted {
+        if !self.is_slanted() {
             return self.place;
         }
-        let side = self.size.min(self.place.width()).min(self.place.height());
-        let left = if angle < 90.0 { self.place.max.x - side } else { self.place.min.x };
+        let side = self.side();
+        let left = if self.upright_angle() < 90.0 { self.place.max.x - side } else { self.place.min.x };
         let corner = MmPoint::new(left, self.place.min.y);
         MmRect::new(corner, corner + MmVector::new(side, side))
     }
 }
+
+impl Text {
+    /// The same where these lines are drawn: a slanted text that runs along one, such as the name of a river, is of
+    /// that, and stands at its middle.
+    pub(super) fn anchor_among(&self, lines: &[Line]) -> MmRect {
+        if self.led_over.is_some() || !self.is_slanted() || !self.runs_along(lines) {
+            return self.anchor();
+        }
+        let (middle, half) = (self.place.center(), 0.5 * self.side());
+        MmRect::new(middle, middle).inflate(half, half)
+    }
+
+    /// Between 0 and 180 degrees: a text upside down has its upper end where it would have it otherwise.
+    fn upright_angle(&self) -> f32 {
+        self.angle.rem_euclid(180.0)
+    }
+
+    fn is_slanted(&self) -> bool {
+        let angle = self.upright_angle();
+        SLANTED.contains(&angle) || SLANTED.contains(&(180.0 - angle))
+    }
+
+    /// The height of its letters, about.
+    fn side(&self) -> f32 {
+        self.size.min(self.place.width()).min(self.place.height())
+    }
+
+    /// Whether a line runs along it, beside its middle.
+    fn runs_along(&self, lines: &[Line]) -> bool {
+        let (middle, reach) = (self.place.center(), self.side() + BESIDE_LINE);
+        let (sin, cos) = self.angle.to_radians().sin_cos();
+        let way = MmVector::new(cos, -sin);
+        lines.iter().flat_map(|line| &line.runs).any(|run| {
+            let points: Vec<MmPoint> = run.path().collect();
+            let mut from = 0;
+            (0..points.len()).any(|to| {
+                let (a, b) = (points[from], points[to]);
+                if (b - a).length() < PIECE {
+                    return false;
+                }
+                from = to;
+                nearest_on_segment(middle, a, b).0 <= reach && (b - a).normalize().dot(way).abs() >= ALONG
+            })
+        })
+    }
+}
+
+/// Print stands so far beside the line that it names, mm, besides the height of its letters.
+const BESIDE_LINE: f32 = 4.0;
+/// The direction of a line is that of pieces of this length, mm: on a grid of dots they have steps of 45 degrees.
+const PIECE: f32 = 6.0;
+/// A line runs along a text if its direction differs by no more than 25 degrees: the cosine.
+const ALONG: f32 = 0.906;
 
 /// Degrees off the horizontal between which a text is slanted.
 const SLANTED: std::ops::RangeInclusive<f32> = 15.0..=75.0;

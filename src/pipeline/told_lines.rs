@@ -2,15 +2,18 @@
 
 use super::hand_lines::HandLines;
 use super::lost_signs::is_small;
+use super::texts::Text;
+use super::unwritten::named;
 use crate::devices::Family;
 use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::lines::{Beyond, Line, Lines, Lost};
+use crate::geom::nearest_on_segment;
+use crate::lines::{Beyond, Line, Lines, Lost, LostLine};
 use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};
 
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
@@ -62,12 +65,30 @@ fn is_larger_turned(layout: &Layout) -> bool {
 const WIDE: f32 = 1.2;
 
 /// What the maker is told of lines of a drawing that are not on the page as a whole.
-pub(super) fn told_whole(lost: &Lost) -> impl Iterator<Item = Note> {
-    told_gone(lost).into_iter().chain(told_gaps(lost)).chain(told_gridlines(lost))
+pub(super) fn told_whole(lost: &Lost, drawn: &[Line], texts: &[Text]) -> impl Iterator<Item = Note> {
+    told_gone(lost, drawn, texts).into_iter().chain(told_gaps(lost)).chain(told_gridlines(lost))
+}
+
+/// A text stands beside a line no farther from it than this, mm.
+const BESIDE: f32 = 6.0;
+
+/// The texts that stand beside a line that is gone, and beside none that is drawn.
+fn beside_gone<'t>(gone: &[&LostLine], drawn: &[Line], texts: &'t [Text]) -> Vec<&'t str> {
+    let has_line = |place: MmRect| {
+        let mut sides = drawn.iter().flat_map(|line| &line.runs).flat_map(|run| run.path().zip(run.path().skip(1)));
+        let middle = place.center();
+        sides.any(|(a, b)| nearest_on_segment(middle, a, b).0 <= BESIDE + 0.5 * place.height().min(place.width()))
+    };
+    let is_beside = |text: &&Text| {
+        let near = text.place.inflate(BESIDE, BESIDE);
+        let is_near = |line: &&LostLine| near.contains(line.extent.center()) || line.extent.intersects(&text.place);
+        text.is_read() && gone.iter().any(is_near) && !has_line(text.place)
+    };
+    texts.iter().filter(is_beside).map(|text| text.string.as_str()).collect()
 }
 
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
-fn told_gone(lost: &Lost) -> Option<Note> {
+fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
     let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
     let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
@@ -75,8 +96,14 @@ fn told_gone(lost: &Lost) -> Option<Note> {
         1 => ("1 line as a whole".to_owned(), "", "it"),
         count => (format!("{count} lines as a whole"), "the longest ", "them"),
     };
+    let beside = beside_gone(&gone().collect::<Vec<_>>(), drawn, texts);
+    let named = match beside.len() {
+        0 => String::new(),
+        1 => format!("; the text {} beside it names nothing on the page", named(&beside)),
+        _ => format!("; the texts {} beside them name nothing on the page", named(&beside)),
+    };
     let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
-    let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm): {why}", at.x, at.y);
+    let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm){named}: {why}", at.x, at.y);
     Some(Note::NotOnPage(About::Lines, told))
 }
 

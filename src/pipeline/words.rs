@@ -1,6 +1,6 @@
 //! What is written on a page in braille.
 
-use std::f32::consts::FRAC_1_SQRT_2;
+use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 use super::key::{self, Entries, Key, KeySheets};
 use super::label::{CLEARANCE, Label};
@@ -367,7 +367,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
     }
     wanted.extend(own_texts(texts, words).map(|text| Wanted {
         text: text.string.clone(),
-        anchor: text.anchor(),
+        anchor: text.anchor_among(&figure.lines),
         led_from: text.led_over.map(|(from, _)| from),
         leader: text.leader,
         is_nameless: false,
@@ -403,6 +403,10 @@ pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
     }
 }
 
+/// Twice the widest line of most profiles, mm.
+const WIDEST: f32 = 3.0;
+/// What the squares in which lines are looked at may add to the breadth of one, mm.
+const SQUARES: f32 = 1.0;
 /// From dot to dot of braille, mm, about.
 const BRAILLE_DOTS: f32 = 2.5;
 
@@ -431,6 +435,11 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 3.0 * dots.pitch.max(BRAILLE_DOTS),
     };
+    // the second row of a heavy line lies a step beside the first; twice as broad for a slanted way across it
+    let widest_outline = match &layout.medium {
+        Medium::Print(_) => (2.0 * plan.lines().width_max).max(WIDEST),
+        Medium::Dots(dots) => SQRT_2 * (dots.pitch + dots.diameter()) + SQUARES,
+    };
     let (tiles, lines) = (tiles.to_vec(), plan.lines());
     Params {
         area,
@@ -447,6 +456,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         may_cross,
         step,
         leader_off,
+        widest_outline,
     }
 }
 

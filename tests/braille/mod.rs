@@ -1,5 +1,6 @@
 //! Words in braille: the codes against liblouis, and pages read back dot by dot.
 
+mod anew;
 mod back;
 mod charts;
 mod codes;

@@ -328,6 +328,28 @@ fn a_large_shape_that_the_overview_lacks_is_told() {
     );
 }
 
+#[test]
+fn an_overview_that_lacks_much_of_a_drawing_is_told() {
+    let lacks = |svg: String| {
+        let bare = |svg: &str| {
+            let (before, overview) = svg.split_once("id=\"overview\"").expect("it has an overview");
+            format!("{before}id=\"overview\"{}", overview.replacen("<path ", "<path display=\"none\" ", 2))
+        };
+        let checked = |svg: String| check(svg, &PageOptions::new()).expect("it can be read");
+        (
+            has(&checked(svg.clone()), "overview-lacks", "% of the lines"),
+            has(&checked(bare(&svg)), "overview-lacks", "% of the lines"),
+        )
+    };
+    // an open line and a box
+    let picture = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 300'>\
+        <rect width='300' height='300' fill='#fff'/><g fill='none' stroke='#000' stroke-width='4'>\
+        <path d='M150 20V280'/><path d='M30 40L60 260'/><path d='M240 40V260'/></g></svg>";
+    let options = tactograph::Options::new(tactograph::Profile::named("swell-a4").expect("it is built in"));
+    let page = tactograph::convert(picture.as_bytes(), &options).expect("a page").page;
+    assert_eq!(lacks(page.to_svg()), (false, true));
+}
+
 /// Copies of a line on itself are one finding, however many there are: each pair of them would be one otherwise.
 #[test]
 fn lines_on_one_another_are_told_once() {

@@ -30,7 +30,7 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     };
     let told = |gone: Vec<LostLine>| {
         let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
-        told_gone(&lost).map(|note| note.to_string())
+        told_gone(&lost, &[], &[]).map(|note| note.to_string())
     };
     assert_eq!(told(vec![]), None);
     assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
