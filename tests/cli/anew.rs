@@ -102,7 +102,7 @@ fn leader_lines_of_a_drawing_are_whole_on_another_device_or_not_there() {
     let args = ["render", "page.svg", "--profile", "index-basic-d", "--set", "overview=false", "-o", "dots.svg"];
     let told = done(&place, &args);
     assert!(told.contains("the leader lines of \"mitochondrion\", ") && told.contains("\"vacuole\""), "{told}");
-    let page = read(&place, "dots-1.svg");
+    let page = read(&place, "dots.svg");
     assert_eq!(page.figure.lines.len(), 6, "that of the membrane is whole: {told}");
     // the vacuole lies right of the middle, below it
     let at = |text: &str| {
@@ -113,7 +113,7 @@ fn leader_lines_of_a_drawing_are_whole_on_another_device_or_not_there() {
     let (figure, vacuole) = (page.figure.place, at("vacuole"));
     let share = (vacuole - figure.min).component_div(figure.size().to_vector());
     assert!((0.4..0.6).contains(&share.x) && (0.55..0.85).contains(&share.y), "{share:?}");
-    let checked = place.run(&["check", "dots-1.svg"]);
+    let checked = place.run(&["check", "dots.svg"]);
     assert!(checked.code == 0 && !checked.out.contains("label-line"), "{}", checked.out);
     // so they are where the lines of the page are drawn of the picture
     let args = ["convert", "cell.svg", "--lines", "page.svg", "--labels", "texts", "--profile", "index-basic-d"];
