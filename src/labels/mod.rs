@@ -33,6 +33,8 @@ mod surroundings;
 mod ticks;
 mod titles;
 
+use std::collections::BTreeSet;
+
 pub use choose::{Choice, choose};
 pub use forms::LONGEST;
 pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted, WrittenLabel};
@@ -86,8 +88,15 @@ pub fn place(
         (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells),
         (None, Err(_)) => Vec::new(),
     };
-    let candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
-    let (chosen, spacing) = chosen(&candidates, &forms, cells, params.leader_off);
+    let mut candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
+    let (mut chosen, mut spacing) = chosen_of(&candidates, &forms, cells, params.leader_off);
+    if let Some(alike) = alike(&chosen, &candidates, &forms, wanted) {
+        let with = chosen_of(&alike, &forms, cells, params.leader_off);
+        let count = |chosen: &[Option<usize>]| chosen.iter().flatten().count();
+        if count(&with.0) >= count(&chosen) {
+            ((chosen, spacing), candidates) = (with, alike);
+        }
+    }
     let chosen = chosen.into_iter().zip(candidates);
     let mut chosen: Vec<Option<Candidate>> =
         chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
@@ -208,9 +217,42 @@ fn groups_of(
     groups
 }
 
+/// The candidates where some labels of one text are abbreviated and others are not, with those abbreviated too: two
+/// words for one thing would be two things. None where there are no such labels, or one of them has no such place.
+fn alike(
+    chosen: &[Option<usize>],
+    candidates: &[Vec<Candidate>],
+    forms: &[Result<Forms, Unplaced>],
+    wanted: &[Wanted],
+) -> Option<Vec<Vec<Candidate>>> {
+    let is_short = |label: usize, candidate: &Candidate| {
+        forms[label].as_ref().is_ok_and(|of| of.forms[candidate.form].abbreviation.is_some())
+    };
+    let texts = |short: bool| -> BTreeSet<&str> {
+        let of = (0..wanted.len())
+            .filter(|&label| chosen[label].is_some_and(|number| is_short(label, &candidates[label][number]) == short));
+        of.map(|label| wanted[label].text.as_str()).collect()
+    };
+    let (short, whole) = (texts(true), texts(false));
+    let mixed: Vec<&&str> = short.intersection(&whole).collect();
+    if mixed.is_empty() {
+        return None;
+    }
+    let mut alike = candidates.to_vec();
+    for (label, of) in alike.iter_mut().enumerate() {
+        if mixed.iter().any(|text| ***text == wanted[label].text) && !of.is_empty() {
+            of.retain(|candidate| is_short(label, candidate));
+            if of.is_empty() {
+                return None;
+            }
+        }
+    }
+    Some(alike)
+}
+
 /// Which candidate each label takes, if any, and how much blank is kept between them: less where labels would be lost
 /// otherwise, or lie much further away.
-fn chosen(
+fn chosen_of(
     candidates: &[Vec<Candidate>],
     forms: &[Result<Forms, Unplaced>],
     cells: &CellGrid<'_>,
@@ -317,14 +359,15 @@ const NEAR_LABEL: f32 = 12.0;
 /// Signs no further apart than this are of one part of a texture, mm: the widest steps of its rows, across.
 const SIDE_BY_SIDE: f32 = 5.7;
 
-/// The glyphs of a texture without those that are left alone beside labels.
-fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
-    let is_near = |glyph: &Glyph| is_near(glyph, placed);
-    let company = |glyph: &Glyph| {
-        let near = glyphs.iter().filter(|other| (other.at - glyph.at).length() <= AROUND);
+/// The glyphs of a texture without those that are left alone beside labels, or farther off by what labels took of those
+/// that were there `before`.
+fn without_stray(glyphs: Vec<Glyph>, before: &[Glyph], placed: &[&Placed]) -> Vec<Glyph> {
+    let company = |glyph: &Glyph, all: &[Glyph]| {
+        let near = all.iter().filter(|other| (other.at - glyph.at).length() <= AROUND);
         near.take(COMPANY + 1).count() > COMPANY
     };
-    let kept: Vec<bool> = glyphs.iter().map(|glyph| !is_near(glyph) || company(glyph)).collect();
+    let is_stray = |glyph: &Glyph| is_near(glyph, placed) || company(glyph, before);
+    let kept: Vec<bool> = glyphs.iter().map(|glyph| company(glyph, &glyphs) || !is_stray(glyph)).collect();
     let mut kept = kept.into_iter();
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
@@ -392,7 +435,7 @@ pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Ma
         if glyphs.len() < whole && params.least_texture > 0.0 {
             leave_out_few_rows(&mut glyphs, placed, params.least_texture);
         }
-        texture.glyphs = without_stray(glyphs, placed);
+        texture.glyphs = without_stray(glyphs, &before, placed);
         if texture.glyphs.is_empty() {
             let far = |label: &usize| placed[*label].distance(extent.center());
             gone.extend((0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b))));

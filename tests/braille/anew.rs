@@ -152,3 +152,18 @@ fn treads_of_stairs_are_no_gridlines() {
     let drawing = page_with_words(&svg, "swell-a4");
     assert!(!told(&drawing).contains("gridlines"), "{}", told(&drawing));
 }
+
+/// Two of one text, of which only one has room for it.
+#[test]
+fn labels_of_one_text_are_all_abbreviated_or_none_is() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 500'><rect width='800' height='500' fill='#fff'/>\
+        <g fill='none' stroke='#000' stroke-width='4'><path d='M20 20H780V480H20ZM130 20V480M20 250H130'/></g></svg>";
+    let list = "x,y,text\n9%,25%,Chloroplast\n9%,75%,Mitochondrion\n60%,50%,Chloroplast\n";
+    let labels = tactograph::Label::from_csv(list).expect("a list");
+    let drawing = convert(svg.as_bytes(), &options("swell-a4").labels(labels)).expect("a page");
+    let of = |text: &str| -> Vec<bool> {
+        let all = labels_of(&drawing).into_iter().filter(|label| label.text == text);
+        all.map(|label| label.abbreviation.is_some()).collect()
+    };
+    assert_eq!((of("Chloroplast"), of("Mitochondrion")), (vec![true, true], vec![true]), "{}", told(&drawing));
+}
