@@ -88,7 +88,7 @@ pub(super) fn cost(
     let &Surroundings { room, params, end, anchor, .. } = around;
     let distance = distance(place, around);
     let elsewhere = if around.is_at_lower_side() && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
-    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
+    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance));
     let leader = match attachment {
         Attachment::Beside => 0.0,
         Attachment::Leader(_) => LEADER,

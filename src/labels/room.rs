@@ -38,6 +38,11 @@ const SIDE_BY_SIDE: f32 = 3.6;
 /// Blank between a leader line and other lines, mm.
 const LEADER_CLEARANCE: f32 = 1.5;
 
+/// A whole glyph in the shares in which they are counted.
+const WHOLE: u32 = 64;
+/// Area that a glyph of a dense printed texture stands for, mm2: that of `swell-a4`.
+const GLYPH_AREA: f32 = 11.2;
+
 /// The figure in squares.
 #[derive(Debug, Clone, Copy)]
 struct Squares {
@@ -60,7 +65,7 @@ pub(super) struct Room {
     ink: Vec<u32>,
     /// Those that lines lie in which are not weak, where there are weak ones; no sums.
     strong: Option<Vec<u32>>,
-    /// Glyphs.
+    /// Glyphs, in shares of one.
     glyphs: Vec<u32>,
     /// Width of the widest line, mm.
     widest: f32,
@@ -78,7 +83,10 @@ impl Room {
     /// The sides of blocked boxes are kept clear of as lines are.
     pub(super) fn new(lines: &[Line], textures: &[Texture], params: &Params) -> Self {
         let &Params { area, ref blocked, clearance, least_strength, .. } = params;
-        let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
+        let glyphs = textures.iter().flat_map(|texture| {
+            let share = share_of_glyph(texture);
+            texture.glyphs.iter().map(move |glyph| (glyph.at, share))
+        });
         let sides = || blocked.iter().flat_map(|place| sides_of(*place)).map(|side| (side, 0.0));
         let room = Self::of_segments(area, segments(lines.iter()).chain(sides()), glyphs, clearance);
         let (of_grid, others): (Vec<_>, Vec<_>) =
@@ -110,7 +118,7 @@ impl Room {
     fn of_segments(
         area: MmRect,
         segments: impl Iterator<Item = ([MmPoint; 2], f32)>,
-        glyphs: impl Iterator<Item = MmPoint>,
+        glyphs: impl Iterator<Item = (MmPoint, u32)>,
         clearance: f32,
     ) -> Self {
         let squares = Squares::of(area);
@@ -126,8 +134,8 @@ impl Room {
             let own = MmRect::new(a.min(b), a.max(b)).inflate(0.5 * width, 0.5 * width);
             bounds = Some(bounds.map_or(own, |all| MmRect::new(all.min.min(own.min), all.max.max(own.max))));
         }
-        for index in glyphs.filter_map(|at| squares.index(at)) {
-            of_glyphs[index] += 1;
+        for (index, share) in glyphs.filter_map(|(at, share)| Some((squares.index(at)?, share))) {
+            of_glyphs[index] += share;
         }
         let (taken, glyphs) = (squares.sums(&taken), squares.sums(&of_glyphs));
         let grid = squares.sums(&none());
@@ -227,9 +235,9 @@ impl Room {
         points.filter(|at| far(at) <= reach && is_ink(*at)).min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
-    /// How many glyphs lie in a box.
-    pub(super) fn glyphs(&self, place: MmRect) -> u32 {
-        self.squares.sum(&self.glyphs, place)
+    /// How many glyphs lie in a box; the dots of a device count by what is printed in their place.
+    pub(super) fn glyphs(&self, place: MmRect) -> f32 {
+        self.squares.sum(&self.glyphs, place) as f32 / WHOLE as f32
     }
 
     /// Whether a straight leader line would keep clear of other lines; `end` mm before its end it need not, as there is
@@ -374,6 +382,13 @@ impl Room {
             (1.0 - along) * length > end && is_there()
         })
     }
+}
+
+/// What a glyph of a texture counts, in shares of a whole one: those of a dense row of dots stand for little each.
+fn share_of_glyph(texture: &Texture) -> u32 {
+    let own = texture.area / texture.glyphs.len().max(1) as f32;
+    let share = if own > 0.0 { (own / GLYPH_AREA).min(1.0) } else { 1.0 };
+    (share * WHOLE as f32).round() as u32
 }
 
 fn sides_of(place: MmRect) -> [[MmPoint; 2]; 4] {
