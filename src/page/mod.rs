@@ -25,4 +25,4 @@ pub use origin::{InSet, LeftOut, PartShown, ToldInKey};
 pub use parts::*;
 
 pub(crate) use crate::geom::gridlines::{which_are_gridlines, without_treads};
-pub(crate) use crate::lines::which_are_weak;
+pub(crate) use crate::lines::{arrowhead, which_are_weak};

@@ -173,11 +173,7 @@ pub(super) fn draw(
     };
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
-    notes.extend(told_left_out(&drawn, &edges, &layout).into_iter().chain(told_whole(
-        &drawn.lost,
-        &drawn.lines,
-        &texts,
-    )));
+    notes.extend(told_left_out(&drawn, &edges, &layout).into_iter().chain(told_whole(&drawn, &texts)));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
     if let Some(of_colours) = &mut areas_of_colours {

@@ -65,8 +65,9 @@ fn is_larger_turned(layout: &Layout) -> bool {
 const WIDE: f32 = 1.2;
 
 /// What the maker is told of lines of a drawing that are not on the page as a whole.
-pub(super) fn told_whole(lost: &Lost, drawn: &[Line], texts: &[Text]) -> impl Iterator<Item = Note> {
-    told_gone(lost, drawn, texts).into_iter().chain(told_gaps(lost)).chain(told_gridlines(lost))
+pub(super) fn told_whole(drawn: &Lines, texts: &[Text]) -> impl Iterator<Item = Note> {
+    let lost = &drawn.lost;
+    told_gone(lost, &drawn.lines, texts).into_iter().chain(told_gaps(lost)).chain(told_gridlines(lost))
 }
 
 /// A text stands beside a line no farther from it than this, mm.

@@ -17,6 +17,8 @@ const SMALLEST: f32 = 0.3;
 /// Share of a head's length in which it narrows to its tip, and of its width that it has there at most.
 const AT_TIP: f32 = 0.1;
 const TIP: f32 = 0.3;
+/// Its ends aside are those within this share of its width.
+const WIDEST: f32 = 0.01;
 /// It is broadest in this share of its length, from its base.
 const AT_BASE: f32 = 0.5;
 /// By how much of its width its two sides may differ.
@@ -69,7 +71,7 @@ pub(super) fn head(points: &[MmPoint], line: &[Subpath]) -> Option<(LineEnd, MmP
     let is_even = (left + right).abs() <= UNEVEN * width;
     let narrows =
         points.iter().filter(|at| along(at) >= front - AT_TIP * length).all(|at| aside(at).abs() <= TIP * width);
-    let widest = points.iter().filter(|at| aside(at) == left || aside(at) == right);
+    let widest = points.iter().filter(|at| (aside(at) - left).min(right - aside(at)) <= WIDEST * width);
     let has_base = widest.into_iter().all(|at| along(at) <= back + AT_BASE * length);
     let is_head = length.min(width) >= SMALLEST && is_at_line && is_even && narrows && has_base;
     // a line is not cut shorter by its head

@@ -10,8 +10,8 @@ use super::document::{Elements, PLACE_OF, is_object, layer_of};
 use super::markers;
 use super::subpath::{Subpath, clean, subpaths};
 use crate::Error;
-use crate::lines::arrowhead;
 use crate::output::layer::Layer;
+use crate::page::arrowhead;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// Scales of transforms are off by less.
