@@ -38,6 +38,8 @@ const SIDE_BY_SIDE: f32 = 3.6;
 /// Blank between a leader line and other lines, mm.
 const LEADER_CLEARANCE: f32 = 1.5;
 
+/// Rows of dots of a texture are so far apart, mm, or more.
+const BETWEEN_ROWS: f32 = 4.0;
 /// A whole glyph in the shares in which they are counted.
 const WHOLE: u32 = 64;
 /// Area that a glyph of a dense printed texture stands for, mm2: that of `swell-a4`.
@@ -83,10 +85,8 @@ impl Room {
     /// The sides of blocked boxes are kept clear of as lines are.
     pub(super) fn new(lines: &[Line], textures: &[Texture], params: &Params) -> Self {
         let &Params { area, ref blocked, clearance, least_strength, .. } = params;
-        let glyphs = textures.iter().flat_map(|texture| {
-            let share = share_of_glyph(texture);
-            texture.glyphs.iter().map(move |glyph| (glyph.at, share))
-        });
+        let share = share_of_glyph(params);
+        let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| (glyph.at, share));
         let sides = || blocked.iter().flat_map(|place| sides_of(*place)).map(|side| (side, 0.0));
         let room = Self::of_segments(area, segments(lines.iter()).chain(sides()), glyphs, clearance);
         let (of_grid, others): (Vec<_>, Vec<_>) =
@@ -384,10 +384,10 @@ impl Room {
     }
 }
 
-/// What a glyph of a texture counts, in shares of a whole one: those of a dense row of dots stand for little each.
-fn share_of_glyph(texture: &Texture) -> u32 {
-    let own = texture.area / texture.glyphs.len().max(1) as f32;
-    let share = if own > 0.0 { (own / GLYPH_AREA).min(1.0) } else { 1.0 };
+/// What a glyph of a texture counts, in shares of a whole one: the dots of a row stand for little each.
+fn share_of_glyph(params: &Params) -> u32 {
+    let is_dots = params.least_texture > 0.0;
+    let share = if is_dots { (params.step * BETWEEN_ROWS / GLYPH_AREA).min(1.0) } else { 1.0 };
     (share * WHOLE as f32).round() as u32
 }
 
