@@ -3,6 +3,7 @@
 mod anywhere;
 mod on_grid;
 mod order;
+mod second_rows;
 
 pub(super) use anywhere::anywhere;
 pub(super) use on_grid::on_grid;
