@@ -40,8 +40,8 @@ const _: () = assert!(
         && legibility::STEPS == dots::STEPS
 );
 
-/// Whether the check lets lines of dots cross, meet and come back wherever they are drawn so, with gaps of up to so many
-/// dots.
+/// Whether the check lets lines of dots cross, meet and come back wherever they are drawn so, with gaps of up to so
+/// many dots.
 const fn allows_all_gaps(most: u32) -> bool {
     most == 0
         || legibility::longest_cut(most) >= dots::longest_cut(most)

@@ -298,6 +298,12 @@ impl OccupiedDots {
             // a ring that only touches another line is one
             return vec![RowPiece { is_link: !closed, closed: whole.closed || closed, ..whole }];
         }
+        self.stretches(&cells, &distances)
+    }
+
+    /// The pieces of an open line between the dots that are too near to others, with these distances from them: where
+    /// it only crosses another, or another ends on it, up to that.
+    fn stretches(&self, cells: &[Cell], distances: &[Option<i32>]) -> Vec<RowPiece> {
         let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
             let from = *at;
             *at += stretch.len() + 1;
