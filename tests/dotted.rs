@@ -141,34 +141,45 @@ fn lines_are_one_dot_wide_and_hold_together() {
     assert!(lines > 1000, "only {lines} lines");
 }
 
-/// Between two lines there are empty dots, but where one ends on the other.
+/// Between two lines there are empty dots, but beside an end of one of them that meets the other; and so there are
+/// between two parts of a line that comes back to itself.
 #[test]
 fn empty_dots_lie_between_lines() {
+    let mut ends_met = 0;
     for (name, profile, page) in pages() {
         let Some(grid) = grid(page) else { continue };
         let gap = profile.dots.line_gap as i32;
         let lines: Vec<Vec<Cell>> = page.figure.lines.iter().map(|line| cells(&line.runs[0], grid, name)).collect();
         let all: Vec<Vec<Cell>> = page.figure.lines.iter().map(|line| cells_of(line, grid, name)).collect();
+        let (way_out, bend) = (2 * gap + 4, (4 * gap + 4) as usize);
         for (i, line) in lines.iter().enumerate() {
-            for other in &all[..i] {
-                for (k, &cell) in line.iter().enumerate() {
-                    let nearest = other.iter().map(|&at| apart(cell, at)).min().unwrap_or(i32::MAX);
-                    if nearest > gap {
-                        continue;
-                    }
-                    let from_end = k.min(line.len() - 1 - k) as i32;
-                    let their_end = [other.first(), other.last()].into_iter().flatten();
-                    let from_their_end = their_end.map(|&end| apart(end, cell)).min().unwrap_or(i32::MAX);
-                    let way_out = 2 * gap + 4;
-                    assert!(
-                        from_end <= way_out || from_their_end <= way_out,
-                        "{name}: {} empty dots between two lines at {cell:?}",
-                        nearest - 1
-                    );
+            for (number, other) in all[..i].iter().enumerate() {
+                let nearest = |at: Cell| other.iter().map(|&dot| apart(at, dot)).min().unwrap_or(i32::MAX);
+                for &cell in line.iter().filter(|cell| nearest(**cell) <= gap) {
+                    let meets = |row: &[Cell], other: &[Cell]| {
+                        let tips = [row.first(), row.last()].into_iter().flatten();
+                        let met = |tip: Cell| other.iter().any(|&dot| apart(tip, dot) <= gap);
+                        tips.copied().any(|tip| apart(tip, cell) <= way_out && met(tip))
+                    };
+                    let is_junction = meets(line, other) || meets(&lines[number], &all[i]);
+                    assert!(is_junction, "{name}: {} empty dots between two lines at {cell:?}", nearest(cell) - 1);
+                    ends_met += 1;
                 }
+            }
+            let n = line.len();
+            let is_ring = apart(line[0], line[n - 1]) <= 2;
+            let arc = |i: usize, j: usize| if is_ring { (i - j).min(n - (i - j)) } else { i - j };
+            let ends_near = |at: Cell| {
+                let met = |tip: usize, at: usize| tip.abs_diff(at) > bend && apart(line[tip], line[at]) <= gap;
+                [0, n - 1].into_iter().any(|tip| apart(line[tip], at) <= way_out && (0..n).any(|at| met(tip, at)))
+            };
+            for (i, &cell) in line.iter().enumerate() {
+                let back = (0..i).find(|&j| arc(i, j) > bend && apart(cell, line[j]) <= gap);
+                assert!(back.is_none() || ends_near(cell), "{name}: a line comes back to itself at {cell:?}: {line:?}");
             }
         }
     }
+    assert!(ends_met > 1000, "only {ends_met} dots beside junctions");
 }
 
 #[test]
@@ -252,6 +263,101 @@ fn a_mirrored_page_is_on_the_same_grid() {
         let reversed: Vec<u8> = row(&front).into_iter().rev().collect();
         assert_eq!(row(&back), reversed, "row {y}");
     }
+}
+
+/// The figure of a drawing of these elements, 400 by 300, in black.
+fn drawn(elements: &str, name: &str) -> Page {
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 400 300'><rect width='400' height='300' fill='#fff'/>\
+         <g stroke='#000' stroke-width='2' fill='none'>{elements}</g></svg>"
+    );
+    let options = tactograph::Options::new(Profile::named(name).expect("it is built in"));
+    let page = tactograph::convert(svg.as_bytes(), &options).expect("a page").page;
+    let found = tactograph::check(page.to_svg(), &tactograph::PageOptions::new()).expect("a page").findings;
+    assert!(found.is_empty(), "{name}: {found:?}");
+    page
+}
+
+/// How far the nearest dot of a line is from a place of the drawing, in pitches.
+fn to_dot(page: &Page, (x, y): (f32, f32), name: &str) -> f32 {
+    let place = page.figure.place;
+    let at = place.min + MmPoint::new(x, y).to_vector() * (place.width() / 400.0);
+    let dots = page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+    let nearest = dots.map(|dot| (*dot - at).length()).fold(f32::MAX, f32::min);
+    nearest / Profile::named(name).expect("it is built in").dots.pitch
+}
+
+/// Each place of a path has a dot near to it.
+fn is_dotted_along(page: &Page, from: (f32, f32), to: (f32, f32), name: &str) {
+    for step in 0..=80 {
+        let share = step as f32 / 80.0;
+        let at = (from.0 + (to.0 - from.0) * share, from.1 + (to.1 - from.1) * share);
+        let off = to_dot(page, at, name);
+        assert!(off < 1.2, "{name}: no dot within {off} steps of {at:?}");
+    }
+}
+
+const GRIDS: [&str; 4] = ["index-basic-d", "viewplus-columbia", "dot-pad", "monarch"];
+
+/// Two lines that cross steeply keep all their dots.
+#[test]
+fn a_crossing_has_no_gap() {
+    for name in GRIDS {
+        for [from, to] in [[(200.0, 60.0), (200.0, 250.0)], [(120.0, 60.0), (300.0, 250.0)]] {
+            let path = format!("M60 150H340M{} {}L{} {}", from.0, from.1, to.0, to.1);
+            let page = drawn(&format!("<path d='{path}'/>"), name);
+            is_dotted_along(&page, (70.0, 150.0), (330.0, 150.0), name);
+            is_dotted_along(&page, from, to, name);
+        }
+    }
+}
+
+/// A stem runs through between two leaves whose tips touch it.
+#[test]
+fn a_stem_runs_through_between_its_leaves() {
+    let plant = "<path d='M200 20V280'/><path d='M200 200C170 140 110 140 80 150C100 190 150 220 200 200Z'/>\
+                 <path d='M200 130C240 70 290 70 320 80C300 120 250 150 200 130Z'/>";
+    for name in GRIDS {
+        let page = drawn(plant, name);
+        is_dotted_along(&page, (200.0, 25.0), (200.0, 275.0), name);
+        let stem = page.figure.lines.iter().any(|line| line.runs[0].length() > 0.55 * page.figure.place.height());
+        assert!(stem, "{name}: the stem is cut");
+    }
+}
+
+/// Radii meet in the centre of their circle.
+#[test]
+fn radii_meet_in_the_centre() {
+    for (count, from) in [(3, 0.4), (5, 0.6)] {
+        let tips = (0..count).map(|k| (k as f32 * std::f32::consts::TAU / count as f32).sin_cos());
+        let tips: Vec<(f32, f32)> = tips.map(|(sin, cos)| (200.0 + 120.0 * sin, 150.0 - 120.0 * cos)).collect();
+        let radii: String = tips.iter().map(|(x, y)| format!("M200 150L{x:.2} {y:.2}")).collect();
+        let page = drawn(&format!("<circle cx='200' cy='150' r='120'/><path d='{radii}'/>"), "index-basic-d");
+        for (x, y) in tips {
+            let inner = (200.0 + 0.06 * from * (x - 200.0), 150.0 + 0.06 * from * (y - 150.0));
+            is_dotted_along(&page, inner, (0.5 * (200.0 + x), 0.5 * (150.0 + y)), "index-basic-d");
+        }
+    }
+}
+
+/// How many rows a line has is decided by the width of its stroke, for all of it.
+#[test]
+fn broad_strokes_have_two_rows_and_thin_ones_one() {
+    let rows_near = |page: &Page, y: f32| {
+        let place = page.figure.place;
+        let height = place.min.y + y * place.width() / 400.0;
+        let near = |line: &&Line| line.runs[0].points.iter().all(|at| (at.y - height).abs() < 12.0);
+        let lines: Vec<&Line> = page.figure.lines.iter().filter(near).collect();
+        assert!(!lines.is_empty(), "no line at {y}");
+        lines.iter().map(|line| line.runs.len()).collect::<BTreeSet<usize>>()
+    };
+    let wave = |y: f32, width: f32, colour: &str| {
+        format!("<path d='M20 {y}q45 -20 90 0t90 0t90 0t90 0' stroke-width='{width}' stroke='{colour}'/>")
+    };
+    let waves = [wave(60.0, 2.0, "#000"), wave(150.0, 8.0, "#555"), wave(240.0, 2.0, "#555")].concat();
+    let ground = "<rect width='200' height='300' fill='#9cf' stroke='none'/>";
+    let page = drawn(&format!("{ground}{waves}"), "index-basic-d");
+    assert_eq!([60.0, 150.0, 240.0].map(|y| rows_near(&page, y)), [[1].into(), [2].into(), [1].into()]);
 }
 
 #[test]

@@ -60,22 +60,16 @@ struct LineShape {
 
 impl LineShape {
     fn of(line: &Line) -> Option<Self> {
-        // the second row of dots of a heavy line is no length of its own
-        let is_dotted = line.runs.first().is_some_and(|run| run.pen != Default::default());
-        let runs = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
-        let path: Vec<MmPoint> = runs.iter().flat_map(|run| run.path()).map(written).collect();
+        let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).map(written).collect();
         let (first, last) = (*path.first()?, *path.last()?);
         let length = path.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
-        // a ring of dots ends a step before its beginning
-        let step =
-            line.runs.iter().filter(|run| run.points.len() > 1).map(|run| run.length() / run.points.len() as f32);
-        let gap =
-            if line.runs.iter().any(|run| run.pen != Default::default()) { step.fold(0.0, f32::max) } else { 0.0 };
-        let closed = path.len() > 3 && (first - last).length() <= CLOSED.max(1.6 * gap);
+        let steps = line.row().map_or(0.0, |row| row.points.len().max(2) as f32 - 1.0);
+        let step = if steps > 0.0 { length / steps } else { 0.0 };
+        let closed = path.len() > 3 && ((first - last).length() <= CLOSED || line.is_ring_of_dots());
         let extent = path
             .iter()
             .fold(MmRect::new(first, first), |extent, &at| MmRect::new(extent.min.min(at), extent.max.max(at)));
-        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * gap), stands: false, ways: Vec::new() })
+        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * step), stands: false, ways: Vec::new() })
     }
 
     fn area(&self) -> f32 {

@@ -17,7 +17,7 @@ mod second_row;
 mod spacing;
 pub mod textures;
 
-pub use clearance::{GOES_ON, STEPS, longest_cut};
+pub use clearance::{GOES_ON, STEPS, least_arc, longest_approach, longest_cut};
 pub use marks::{Shown, ShownScale};
 pub use params::Params;
 

@@ -197,6 +197,15 @@ impl<U: Copy> Nearby<U> {
         });
     }
 
+    /// Calls `visit` with the number of the line of each segment within `reach` of a point.
+    pub fn each_line_at(&self, at: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(usize)) {
+        self.around(at, at, reach, |segment| {
+            if nearest_on_segment(at, segment.a, segment.b).0 <= reach {
+                visit(segment.line as usize);
+            }
+        });
+    }
+
     /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point,
     /// segment.
     pub fn nearest(

@@ -7,8 +7,20 @@ use crate::geom::nearby::Index;
 use crate::page::{DotMedium, Line};
 use crate::units::{Mm, MmPoint, MmRect};
 
-/// A line that meets another may be near it on so many dots beside its end, in gaps and dots.
-const APPROACH: (u32, u32) = (2, 4);
+/// Most dots beside its end on which a line that meets another may be near it, with a gap of so many dots
+/// (`profile/plan` ties it to how lines are drawn).
+pub(crate) const fn longest_approach(gap: u32) -> u32 {
+    2 * gap + 4
+}
+
+/// From how many dots along a row on it comes back to itself: at a right angle both arms are near each other for so
+/// long (`profile/plan` ties it, too).
+pub(crate) const fn least_arc(gap: u32) -> u32 {
+    4 * gap + 4
+}
+
+/// What is looked at beyond a gap, in dots.
+const REACH: f32 = 0.5;
 
 /// Where dots can be anywhere, one that falls on a dot of another line is left out: a line that ends on another ends so
 /// much before it, in pitches.
@@ -23,6 +35,13 @@ struct Dot {
     cell: MmPoint,
     at: MmPoint,
     line: u32,
+    /// Its place in the first row of its line; none beside that.
+    along: Option<u32>,
+}
+
+/// Steps from dot to dot, diagonal ones included.
+fn steps(a: MmPoint, b: MmPoint) -> u32 {
+    (a.x - b.x).abs().max((a.y - b.y).abs()).round() as u32
 }
 
 /// Empty dots between two dots: on a grid those of a row, column or diagonal, elsewhere as many as there is room for.
@@ -59,61 +78,124 @@ pub(super) fn too_near(lines: &[Line], gap: u32, medium: &DotMedium) -> (Vec<Nea
 }
 
 fn on_grid(lines: &[Line], gap: u32, grid: &Grid, pitch: f32) -> Vec<Near> {
-    let dot = |at: MmPoint, line: u32| Dot { cell: cell(grid, at), at, line };
-    let dots: Vec<Dot> = (0..)
-        .zip(lines)
-        .flat_map(|(line, of)| of.runs.iter().flat_map(move |run| run.points.iter().map(move |&at| dot(at, line))))
-        .collect();
-    let area = around(dots.iter().map(|dot| dot.cell)).unwrap_or_else(MmRect::zero);
-    let reach = gap as f32 + 0.5;
-    let mut index: Index<Dot, Mm> = Index::new(area, reach);
-    dots.iter().for_each(|dot| index.put_at(dot.cell, *dot));
-    let steps = |a: MmPoint, b: MmPoint| (a.x - b.x).abs().max((a.y - b.y).abs()).round() as u32;
-    let tips = |line: u32| {
-        let run = lines[line as usize].runs.first();
-        run.into_iter().flat_map(|run| [run.points.first(), run.points.last()]).flatten().map(|&at| cell(grid, at))
-    };
-    // an end of `line` that meets `other`, near to a place
-    let arrives = |line: u32, other: u32, at: MmPoint| {
-        let meets = |tip: MmPoint| {
-            let mut meets = false;
-            index.around(tip, tip, reach, |dot| meets |= dot.line == other && steps(tip, dot.cell) <= gap);
-            meets
-        };
-        tips(line).any(|tip| steps(tip, at) <= APPROACH.0 * gap + APPROACH.1 && meets(tip))
-    };
+    let rows = Rows::of(lines, gap, grid);
     let mut found: Vec<Near> = Vec::new();
-    for dot in &dots {
-        let mut nearest: Option<(u32, Dot)> = None;
-        index.around(dot.cell, dot.cell, reach, |other| {
-            let apart = steps(dot.cell, other.cell);
-            let nearer = nearest.is_none_or(|(least, of)| (apart, of.line) < (least, other.line));
-            if other.line < dot.line && apart <= gap && nearer {
-                nearest = Some((apart, *other));
-            }
-        });
-        let Some((apart, other)) = nearest else { continue };
-        if arrives(dot.line, other.line, dot.cell) || arrives(other.line, dot.line, dot.cell) {
+    for dot in &rows.dots {
+        let Some((apart, other)) = rows.nearest_before(dot) else { continue };
+        if rows.arrives(dot, &other) || rows.arrives(&other, dot) {
             continue;
         }
-        let lines = (dot.line as usize, other.line as usize);
         let near = Near {
-            lines,
+            lines: (dot.line as usize, other.line as usize),
             gap: apart.saturating_sub(1) as f32,
             at: dot.at,
             length: pitch,
             extent: around([dot.at, other.at]).unwrap_or_else(MmRect::zero),
         };
-        match found.iter_mut().rev().find(|of| of.lines == lines) {
-            Some(of) => {
-                of.length += pitch;
-                of.extent = of.extent.union(&near.extent);
-                if near.gap < of.gap {
-                    (of.gap, of.at) = (near.gap, near.at);
-                }
-            }
-            None => found.push(near),
-        }
+        add(&mut found, near, ONE + pitch);
     }
     found
+}
+
+/// Two stretches of one pair of lines with less than this between them are one, mm.
+const ONE: f32 = 2.0;
+
+/// Adds a place where two lines are near, to the stretch that is no farther than `reach` from it if there is one.
+fn add(found: &mut Vec<Near>, near: Near, reach: f32) {
+    let is_on_it =
+        |of: &&mut Near| of.lines == near.lines && of.extent.inflate(reach, reach).contains_inclusive(near.at);
+    match found.iter_mut().rev().find(is_on_it) {
+        Some(of) => {
+            of.length += near.length;
+            of.extent = of.extent.union(&near.extent);
+            if near.gap < of.gap {
+                (of.gap, of.at) = (near.gap, near.at);
+            }
+        }
+        None => found.push(near),
+    }
+}
+
+/// The first row of a line.
+struct Row {
+    /// How many dots it has.
+    count: u32,
+    is_ring: bool,
+    ends: Vec<Dot>,
+}
+
+/// The dots of lines on a grid, by their places.
+struct Rows {
+    gap: u32,
+    dots: Vec<Dot>,
+    index: Index<Dot, Mm>,
+    rows: Vec<Row>,
+}
+
+impl Rows {
+    fn of(lines: &[Line], gap: u32, grid: &Grid) -> Self {
+        let dots_of = |(line, of): (u32, &Line)| {
+            let runs =
+                of.runs.iter().enumerate().flat_map(|(run, of)| of.points.iter().enumerate().map(move |at| (run, at)));
+            let dot = |(run, (i, &at)): (usize, (usize, &MmPoint))| Dot {
+                cell: cell(grid, at),
+                at,
+                line,
+                along: (run == 0).then_some(i as u32),
+            };
+            runs.map(dot).collect::<Vec<Dot>>()
+        };
+        let dots: Vec<Dot> = (0..).zip(lines).flat_map(dots_of).collect();
+        let area = around(dots.iter().map(|dot| dot.cell)).unwrap_or_else(MmRect::zero);
+        let mut index: Index<Dot, Mm> = Index::new(area, gap as f32 + REACH);
+        dots.iter().for_each(|dot| index.put_at(dot.cell, *dot));
+        let mut rows: Vec<Row> =
+            lines.iter().map(|line| Row { count: 0, is_ring: line.is_ring_of_dots(), ends: Vec::new() }).collect();
+        for dot in dots.iter().filter(|dot| dot.along.is_some()) {
+            let Row { count, ends, .. } = &mut rows[dot.line as usize];
+            *count += 1;
+            ends.truncate(1);
+            ends.push(*dot);
+        }
+        Self { gap, dots, index, rows }
+    }
+
+    /// The nearest dot that is too near to a dot, and comes before it: one of a line before its own, or of its own row
+    /// where that comes back to itself.
+    fn nearest_before(&self, dot: &Dot) -> Option<(u32, Dot)> {
+        let mut nearest: Option<(u32, Dot)> = None;
+        self.index.around(dot.cell, dot.cell, self.gap as f32 + REACH, |other| {
+            let apart = steps(dot.cell, other.cell);
+            let nearer = nearest.is_none_or(|(least, of)| (apart, of.line) < (least, other.line));
+            if apart <= self.gap && nearer && (other.line < dot.line || self.comes_back(other, dot)) {
+                nearest = Some((apart, *other));
+            }
+        });
+        nearest
+    }
+
+    /// Whether the second of two dots lies far beyond the first along the row of one line, both ways round if it is a
+    /// ring.
+    fn comes_back(&self, first: &Dot, second: &Dot) -> bool {
+        let (Some(from), Some(to), true) = (first.along, second.along, first.line == second.line) else { return false };
+        let Row { count, is_ring, .. } = self.rows[first.line as usize];
+        let least = least_arc(self.gap);
+        to > from + least && (!is_ring || count - (to - from) > least)
+    }
+
+    /// Whether an end of the line of a dot is near to it and meets the line of the other: of its own line, a part far
+    /// along it.
+    fn arrives(&self, dot: &Dot, other: &Dot) -> bool {
+        let meets = |tip: &Dot| {
+            let is_met = |near: &Dot| {
+                let is_far = near.line != tip.line || self.comes_back(near, tip) || self.comes_back(tip, near);
+                near.line == other.line && steps(tip.cell, near.cell) <= self.gap && is_far
+            };
+            let mut meets = false;
+            self.index.around(tip.cell, tip.cell, self.gap as f32 + REACH, |near| meets |= is_met(near));
+            meets
+        };
+        let mut ends = self.rows[dot.line as usize].ends.iter();
+        ends.any(|tip| steps(tip.cell, dot.cell) <= longest_approach(self.gap) && meets(tip))
+    }
 }

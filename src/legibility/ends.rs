@@ -33,7 +33,11 @@ struct Tip {
 pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &RuleLimits) -> Vec<FoundBreach> {
     let most = limits.missed_gap();
     // the second row of a heavy line of dots ends where it does because of the first
-    let first_rows = (0..paths.paths.len()).filter(|path| paths.paths[*path].kind != PathKind::BesideRow);
+    let has_ends = |path: &usize| {
+        let path = &paths.paths[*path];
+        path.kind != PathKind::BesideRow && !path.is_ring_of_dots
+    };
+    let first_rows = (0..paths.paths.len()).filter(has_ends);
     let tips: Vec<Tip> = first_rows.flat_map(|path| tips(paths, path)).collect();
     let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
     let mut near: Index<usize, Mm> = Index::new(area, most);

@@ -31,6 +31,7 @@ mod twins;
 mod verdict;
 mod words;
 
+pub(crate) use dotted::{least_arc, longest_approach};
 pub use finding::{Finding, Render};
 pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};

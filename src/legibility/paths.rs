@@ -17,6 +17,8 @@ pub(super) struct Path {
     pub(super) length: f32,
     /// Whether its end is its beginning.
     pub(super) closed: bool,
+    /// Whether it is a row of dots that comes back to where it began.
+    pub(super) is_ring_of_dots: bool,
     /// The line it is a part of.
     pub(super) line: usize,
     /// What it consists of.
@@ -49,6 +51,7 @@ impl Paths {
         for (line, of) in lines.iter().enumerate() {
             let mut last: Option<MmPoint> = None;
             for (number, run) in of.runs.iter().enumerate().filter(|(_, run)| !run.points.is_empty()) {
+                let before = all.paths.len();
                 let kind = match run.pen {
                     Pen::Stroke => PathKind::Stroke,
                     Pen::Dots(_) if number == 0 => PathKind::Row,
@@ -62,6 +65,9 @@ impl Paths {
                 match kind {
                     PathKind::Stroke => all.add(run),
                     PathKind::Row | PathKind::BesideRow => all.add_row(run, (line, kind), step),
+                }
+                if let [only] = &mut all.paths[before..] {
+                    only.is_ring_of_dots = kind == PathKind::Row && of.is_ring_of_dots();
                 }
                 last = run.path().last();
             }
@@ -78,7 +84,7 @@ impl Paths {
 
     fn begin(&mut self, line: usize, kind: PathKind) {
         let from = self.segments.len();
-        self.paths.push(Path { segments: from..from, length: 0.0, closed: false, line, kind });
+        self.paths.push(Path { segments: from..from, length: 0.0, closed: false, is_ring_of_dots: false, line, kind });
     }
 
     fn add_row(&mut self, run: &Run, (line, kind): (usize, PathKind), step: f32) {

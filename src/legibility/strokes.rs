@@ -104,7 +104,7 @@ fn goes_on(line: &Line, window: MmRect, limits: &RuleLimits) -> bool {
 /// short.
 fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, .. } = limits.medium else { return false };
-    let Some([first, .., last]) = lines[number].runs.first().map(|run| &run.points[..]) else { return false };
+    let Some([first, .., last]) = lines[number].row().map(|row| &row.points[..]) else { return false };
     let others = || lines.iter().enumerate().filter(|(other, _)| *other != number).flat_map(|(_, line)| points(line));
     [first, last].into_iter().all(|end| others().any(|dot| (dot - *end).length() <= BESIDE * pitch))
 }
@@ -127,7 +127,7 @@ pub(crate) const fn longest_cut(gap: u32) -> u32 {
 /// that, and both arms together are long enough.
 fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
-    let row = |line: &Line| line.runs.first().map_or_else(Vec::new, |run| run.points.clone());
+    let row = |line: &Line| line.row().map_or_else(Vec::new, |row| row.points.clone());
     let own = row(&lines[number]);
     let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
     let back = STEPS.min(own.len() - 1);

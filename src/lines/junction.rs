@@ -149,6 +149,7 @@ mod tests {
             strength: 60.0,
             contrast: [60.0, 0.0, 0.0],
             width: 1.5,
+            stroke: 0.0,
             source: FoundIn::Pixels,
             displaced: MmVector::zero(),
         };

@@ -14,6 +14,33 @@ pub struct Line {
     pub runs: Vec<Run>,
 }
 
+/// Which strokes of drawings become heavy lines where lines become dots: the broad ones, each as a whole. Of a line
+/// that is no stroke its strength says whether it is heavy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeavyStrokes {
+    /// From this strength on a line is heavy.
+    pub from: f32,
+    /// From this width on a stroke is broad, mm on the page.
+    pub width: f32,
+}
+
+/// Strength of black beside white.
+const BLACK: f32 = 100.0;
+/// A line of this share of the strength of heavy ones is none, whatever rounding does.
+const LIGHT: f32 = 0.99;
+
+impl HeavyStrokes {
+    /// The strength that a stroke of this width counts with, of so much by itself: a broad one as black beside white
+    /// would.
+    pub fn strength(&self, width: f32, own: f32) -> f32 {
+        match width < self.width {
+            true => own.min(LIGHT * self.from),
+            false if self.from <= BLACK => own.max(self.from),
+            false => own,
+        }
+    }
+}
+
 /// A piece of a line of one width.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
@@ -93,14 +120,32 @@ impl Run {
     }
 }
 
+/// The smallest ring of dots around an empty one has eight, and one of them may be missing.
+const SMALLEST_RING: usize = 7;
+/// Where a dot is missing two are no farther apart than so many steps.
+const MISSING: f32 = 2.1;
+
 /// A filled point is at least this many times as broad as its line: it is drawn three times as broad.
 const BROADER: f32 = 1.6;
 
 impl Line {
+    /// The row of dots along it; none of strokes.
+    pub(crate) fn row(&self) -> Option<&Run> {
+        self.runs.first().filter(|run| run.pen != Pen::Stroke)
+    }
+
+    /// Whether it is a row of dots that comes back to where it began; a single dot may be missing there, where it
+    /// touches another line.
+    pub(crate) fn is_ring_of_dots(&self) -> bool {
+        let points = self.row().map_or(&[][..], |row| &row.points[..]);
+        let steps = points.windows(2).map(|pair| (pair[1] - pair[0]).length());
+        let (longest, ends) = (steps.fold(0.0, f32::max), points.first().zip(points.last()));
+        points.len() >= SMALLEST_RING && ends.is_some_and(|(a, b)| (*b - *a).length() <= MISSING * longest)
+    }
+
     /// The pieces along which it runs: of a heavy line of dots not the second row, which is a part of the first.
     pub(crate) fn own_runs(&self) -> &[Run] {
-        let is_stroke = self.runs.first().is_none_or(|run| run.pen == Pen::Stroke);
-        if is_stroke { &self.runs } else { &self.runs[..1] }
+        self.row().map_or(&self.runs[..], std::slice::from_ref)
     }
 
     /// Length, mm.

@@ -47,7 +47,7 @@ pub(crate) use clearance::{BEND, BEND_LEAST};
 pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
 pub use few::Beyond;
-pub use line::{Height, Line, Pen, Run};
+pub use line::{HeavyStrokes, Height, Line, Pen, Run};
 pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;

@@ -69,6 +69,7 @@ impl Outlines {
                 strength: point.strength.max(params.least_strength),
                 contrast: [0.0; 3],
                 width: 0.0,
+                stroke: 0.0,
                 source: FoundIn::Pixels,
                 displaced: MmVector::zero(),
             };

@@ -1,5 +1,7 @@
 //! How lines are drawn, and the distances that follow from it. They are computed here and nowhere else.
 
+use super::line::HeavyStrokes;
+
 /// A ring is displaced by at most this, mm, and other lines by half of it: that a ring closes says more than where
 /// exactly its side runs. The two sides of a narrow bar can so become farther apart by as much, with room to spare.
 pub(super) const RING_FARTHEST: f32 = 1.6;
@@ -53,6 +55,8 @@ pub struct Params {
     /// Whether points and ticks on lines are handed on as [`LineMarks`](super::LineMarks), and not drawn: where lines
     /// become dots, so do they.
     pub hands_marks_on: bool,
+    /// Which strokes are heavy where lines become dots; none on paper, where the width of a line says it.
+    pub heavy_strokes: Option<HeavyStrokes>,
     /// Whether small round shapes on lines are points; otherwise they are shapes as all others.
     pub takes_points: bool,
 }
@@ -93,6 +97,7 @@ impl Params {
         of_drawing: false,
         widen_bars: false,
         hands_marks_on: false,
+        heavy_strokes: None,
         takes_points: true,
     };
 

@@ -1,7 +1,7 @@
 //! Ticks and points on a line of dots, which are dots beside its first row, as its second row is: told apart by where
 //! they lie.
 
-use super::line::{Line, Pen, Run};
+use super::line::{Line, Run};
 use super::marks::PointMark;
 use crate::geom::nearest_on_segment;
 use crate::units::{MmPoint, MmRect};
@@ -25,7 +25,7 @@ const MIDDLE: f32 = 0.4;
 impl Line {
     /// The first row of a line of dots, and the step from dot to dot, mm.
     fn first_row(&self) -> Option<(&Run, f32)> {
-        let first = self.runs.first().filter(|run| run.pen != Pen::Stroke)?;
+        let first = self.row()?;
         let steps = first.points.windows(2).map(|pair| (pair[1] - pair[0]).length());
         Some((first, steps.fold(f32::INFINITY, f32::min)))
     }

@@ -42,6 +42,7 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
                 strength,
                 contrast: [strength, 0.0, 0.0],
                 width: 0.0,
+                stroke: 0.0,
                 source: FoundIn::Pixels,
                 displaced: MmVector::zero(),
             }
@@ -139,6 +140,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
             strength: 50.0,
             contrast: [50.0, 0.0, 0.0],
             width: 0.0,
+            stroke: 0.0,
             source: FoundIn::Pixels,
             displaced: MmVector::zero(),
         };

@@ -2,9 +2,9 @@
 
 use super::params::Params;
 use crate::edges::{ChainKind, Edgel};
+use crate::geom::mix;
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
-use crate::geom::{mix, nearest_on_segment};
 use crate::units::{Mm, MmPoint, MmRect, MmVector, PageTransform};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
@@ -25,6 +25,8 @@ pub(super) struct Vertex {
     pub(super) contrast: [f32; 3],
     /// Width of the line here, mm; 0 until `weight` has been there.
     pub(super) width: f32,
+    /// Width of the stroke in whose middle it is, mm; 0 on an edge.
+    pub(super) stroke: f32,
     /// Where it was found.
     pub(super) source: FoundIn,
     /// How far being displaced by itself (`clearance/displace`) has moved it in all rounds.
@@ -69,6 +71,7 @@ impl Blend for Vertex {
             strength: mix(self.strength, other.strength, share),
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i], share)),
             width: mix(self.width, other.width, share),
+            stroke: mix(self.stroke, other.stroke, share),
             source: if self.source == other.source { self.source } else { FoundIn::Pixels },
             displaced: self.displaced.lerp(other.displaced, share),
         }
@@ -125,13 +128,7 @@ impl Polyline<Vertex> {
     /// once for each such segment. A ring has no ends.
     pub(super) fn each_that_it_ends_on(&self, segments: &Nearby, reach: f32, mut visit: impl FnMut(usize)) {
         if let (Some(first), Some(last), false) = (self.vertices.first(), self.vertices.last(), self.closed) {
-            for at in [first.at, last.at] {
-                segments.around(at, at, reach, |segment| {
-                    if nearest_on_segment(at, segment.a, segment.b).0 <= reach {
-                        visit(segment.line as usize);
-                    }
-                });
-            }
+            [first.at, last.at].into_iter().for_each(|at| segments.each_line_at(at, reach, &mut visit));
         }
     }
 
@@ -148,6 +145,7 @@ impl Polyline<Vertex> {
             strength: p.strength,
             contrast: p.contrast,
             width: 0.0,
+            stroke: kind.stroke.unwrap_or(0.0) * transform.mm_per_px(),
             source,
             displaced: MmVector::zero(),
         };
@@ -162,6 +160,13 @@ impl Polyline<Vertex> {
     /// Mean strength along the path; of a ring the first vertex counts at both its ends.
     pub(super) fn mean_strength(&self) -> f32 {
         self.mean(|vertex| vertex.strength)
+    }
+
+    /// Mean width of the stroke whose middle the line is, mm; none of an edge.
+    pub(super) fn stroke(&self) -> Option<f32> {
+        let widths = || self.vertices.iter().map(|vertex| vertex.stroke).filter(|width| *width > 0.0);
+        let count = widths().count();
+        (2 * count > self.vertices.len()).then(|| widths().sum::<f32>() / count as f32)
     }
 
     fn mean(&self, of: impl Fn(&Vertex) -> f32) -> f32 {
@@ -197,7 +202,7 @@ impl Polyline<Vertex> {
 
     /// [`Self::smoothed`] and [`Self::evened`] between its corners, which stay where they are.
     pub(super) fn smoothed_between_corners(self, sigma: f32) -> Self {
-        let mut corners = self.corners();
+        let mut corners = self.view().corners();
         let strength = |i: &usize| self.vertices[*i].strength;
         let strongest = (0..corners.len()).max_by(|&a, &b| strength(&corners[a]).total_cmp(&strength(&corners[b])));
         let Some(strongest) = strongest else { return self.smoothed(sigma).evened() };
@@ -223,12 +228,29 @@ impl Polyline<Vertex> {
         Self { vertices, closed }
     }
 
+    /// Positions, strengths and steps smoothed along the line; widths are not yet known.
+    pub(super) fn smoothed(self, sigma: f32) -> Self {
+        let smooth = smooth(&self.arc_lengths(), self.closed, sigma, |i| {
+            let v = &self.vertices[i];
+            [v.at.x, v.at.y, v.strength, v.contrast[0], v.contrast[1], v.contrast[2]]
+        });
+        let vertex = |(vertex, [x, y, strength, l, a, b]): (&Vertex, [f32; 6])| Vertex {
+            at: MmPoint::new(x, y),
+            strength,
+            contrast: [l, a, b],
+            ..*vertex
+        };
+        Self { vertices: self.vertices.iter().zip(smooth).map(vertex).collect(), closed: self.closed }
+    }
+}
+
+impl PolylineRef<'_, Vertex> {
     /// The vertices at which the line turns at once. Those near the ends of an open line are none.
-    fn corners(&self) -> Vec<usize> {
+    fn corners(self) -> Vec<usize> {
         let count = self.vertices.len();
         let direction = |i: usize, step: isize, length: f32| {
             let at = self.vertices[i].at;
-            let ahead = (1..count as isize).map_while(|k| self.view().next(i, k * step));
+            let ahead = (1..count as isize).map_while(|k| self.next(i, k * step));
             let to = ahead.map(|k| self.vertices[k].at).find(|to| (*to - at).length() >= length)?;
             (to - at).try_normalize()
         };
@@ -244,19 +266,32 @@ impl Polyline<Vertex> {
         corners
     }
 
-    /// Positions, strengths and steps smoothed along the line; widths are not yet known.
-    pub(super) fn smoothed(self, sigma: f32) -> Self {
-        let smooth = smooth(&self.arc_lengths(), self.closed, sigma, |i| {
-            let v = &self.vertices[i];
-            [v.at.x, v.at.y, v.strength, v.contrast[0], v.contrast[1], v.contrast[2]]
-        });
-        let vertex = |(vertex, [x, y, strength, l, a, b]): (&Vertex, [f32; 6])| Vertex {
-            at: MmPoint::new(x, y),
-            strength,
-            contrast: [l, a, b],
-            ..*vertex
+    /// Whether it goes round: it is closed, or its ends lie in one place, and so it will be drawn closed.
+    pub(super) fn goes_round(self) -> bool {
+        let at = |vertex: Option<&Vertex>| vertex.map(|vertex| vertex.at);
+        self.closed || at(self.vertices.first()) == at(self.vertices.last())
+    }
+
+    /// The corners of a line that goes round, which may stand on another line as the ends of an open one do: a leaf on
+    /// its stem.
+    pub(super) fn corners_of_ring(self) -> Vec<usize> {
+        let ring = match (self.goes_round(), self.vertices) {
+            (false, _) => return Vec::new(),
+            (true, [ring @ .., _]) if !self.closed => PolylineRef { vertices: ring, closed: true },
+            (true, _) => self,
         };
-        Self { vertices: self.vertices.iter().zip(smooth).map(vertex).collect(), closed: self.closed }
+        ring.corners().into_iter().map(|corner| ring.tip_near(corner)).collect()
+    }
+
+    /// Of the vertices at a corner the one that is farthest out.
+    fn tip_near(self, corner: usize) -> usize {
+        let at = |i: usize| self.vertices[i].at;
+        let along = |step: isize| (0..self.vertices.len() as isize).map_while(move |k| self.next(corner, k * step));
+        let side = |step: isize| along(step).find(|&i| (at(i) - at(corner)).length() >= CORNER_ARMS[1]);
+        let Some((on, back)) = side(1).zip(side(-1)) else { return corner };
+        let out = |i: usize| (at(i) - at(back)).cross(at(on) - at(back)).abs();
+        let near = |step: isize| along(step).take_while(move |&i| (at(i) - at(corner)).length() < CORNER_ARMS[0]);
+        near(-1).chain(near(1)).max_by(|&a, &b| out(a).total_cmp(&out(b))).unwrap_or(corner)
     }
 }
 
@@ -284,6 +319,7 @@ mod tests {
             strength: 30.0,
             contrast: [0.0; 3],
             width: 0.0,
+            stroke: 0.0,
             source: FoundIn::Pixels,
             displaced: MmVector::zero(),
         };
@@ -313,7 +349,7 @@ mod tests {
         let on = |k: u32| (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
         let circle: Vec<(f32, f32)> = (0..60).map(on).map(|(y, x)| (20.0 + 5.0 * x, 20.0 + 5.0 * y)).collect();
         let circle = line(&circle, true);
-        assert!(circle.corners().is_empty());
+        assert!(circle.view().corners().is_empty());
         assert_eq!(circle.clone().smoothed_between_corners(0.6), circle.smoothed(0.6).evened());
     }
 }

@@ -1,5 +1,6 @@
 //! Width by strength, in runs of equal width, with as few points as the tolerance allows.
 
+use super::faint::is_faint;
 use super::line::{Line, Run};
 use super::params::Params;
 use super::vertex::Vertex;
@@ -104,7 +105,10 @@ pub(super) fn finish(polyline: &Polyline<Vertex>, anchored: &[bool], params: &Pa
         tolerance *= 0.25;
         runs = drawn(polyline, &points, anchored, tolerance);
     }
-    (!runs.is_empty()).then(|| Line { strength: polyline.mean_strength(), runs })
+    let own = polyline.mean_strength();
+    let of_stroke = params.heavy_strokes.zip(polyline.stroke()).filter(|_| !is_faint(polyline));
+    let strength = of_stroke.map_or(own, |(heavy, width)| heavy.strength(width, own));
+    (!runs.is_empty()).then_some(Line { strength, runs })
 }
 
 /// The runs of a line along its path of `points`.

@@ -264,7 +264,7 @@ fn label_at(corner: MmPoint, [row, column]: [usize; 2], medium: &Medium) -> Dots
 /// The pieces of a line whose ink lies in a window. Pieces shorter than their width are left out: they would be blots
 /// at the edge, and the neighbouring sheet shows that part as a line.
 fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
-    if line.runs.first().is_some_and(|run| run.pen != Pen::Stroke) {
+    if line.row().is_some() {
         return cut_rows(line, window);
     }
     let mut found: Vec<Line> = Vec::new();

@@ -137,8 +137,10 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
     let (mut strokes, of_strokes): (Vec<Line>, Vec<LineName>) = strokes.into_iter().unzip();
     let (count, place, params) = (strokes.len(), parts.figure.place, plan.dots(medium));
     // on such a page the width of a stroke says how heavy its line is
-    let thin = |line: &&mut Line| line.runs.iter().all(|run| run.width < params.pitch);
-    strokes.iter_mut().filter(thin).for_each(|line| line.strength = line.strength.min(LIGHT * params.heavy_from));
+    let widest = |line: &Line| line.runs.iter().map(|run| run.width).fold(0.0, f32::max);
+    if let Some(heavy) = plan.heavy_strokes() {
+        strokes.iter_mut().for_each(|line| line.strength = heavy.strength(widest(line), line.strength));
+    }
     let light = strokes.iter().filter(|line| line.strength < params.heavy_from).count();
     let drawn = dots::lines(&strokes, place, &medium.area, &params);
     let (stand_for, shares) = kept_lines::matched(&strokes, place, &drawn, place);
@@ -176,9 +178,6 @@ pub fn with_strokes_as_dots(read: &Reading, plan: &Plan) -> Result<Option<(Readi
     let names = Names { lines: lines.into_iter().map(|line| line.name).collect(), ..read.names.clone() };
     Ok(Some((Reading { page: Page::new(parts)?, names, ..read.clone() }, notes)))
 }
-
-/// A line of this share of the strength of heavy ones is none, whatever rounding does.
-const LIGHT: f32 = 0.99;
 
 /// A mirrored page as it is felt; `own` is the plan that it was made with.
 pub fn as_felt(read: Reading, own: &Plan) -> Reading {

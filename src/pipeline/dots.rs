@@ -23,9 +23,7 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         return drawn;
     };
     // What the grid has no room for counts as crowded out too, by length.
-    let length = |lines: &[Line]| {
-        lines.iter().map(|line| line.runs.first().map_or(0.0, |run| run.polyline().length())).sum::<f32>()
-    };
+    let length = |lines: &[Line]| lines.iter().flat_map(|line| line.own_runs()).map(Run::length).sum::<f32>();
     let params = dots::Params { whole_rows: of_paths, ..plan.dots(medium) };
     let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (mut lines, mut shown) = press(&drawn);

@@ -106,6 +106,9 @@ const NEARER_OF_TOUCHING: f32 = 0.45;
 /// A side that is not drawn is seen by what is nearer to it than to the next line, as a share of their distance.
 const NEARER: f32 = 0.6;
 
+/// Width of a line that stands for the outlines of bars, mm on the page: more than that of any line.
+const BROAD: f32 = 8.0;
+
 /// All lines that have room (`lines.detail`).
 const ALL: f32 = 1.0;
 
@@ -284,8 +287,8 @@ impl Chart {
         let Kept { edges: mut kept, replaced, ground } = self.kept(edges, has_gridlines, &rows, &low);
         let paths = self.paths(&rows, bars == Bars::Touching);
         if let Some((kind, strength)) = replaced {
-            // like the middle of a stroke, which has no other side
-            let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
+            // like the middle of a broad stroke, which has no other side
+            let kind = ChainKind { stroke: kind.stroke.or(Some(BROAD / transform.mm_per_px())), ..kind };
             for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
                 let edgel = |at: PxPoint| Edgel { at, strength, contrast: [0.0; 3] };
                 let mut path = Polyline::open(path.clone());

@@ -136,9 +136,10 @@ fn told_by_themselves(page: &Page, hand_lines: &HandLines) -> impl Iterator<Item
 /// Makes contours too weak for a second row, where a device has one height only: a page tells one strength of a whole
 /// line, and a second row would go all along it.
 fn without_second_rows(edges: &mut Edges, plan: &Plan) {
-    if matches!(plan.medium(), MediumParams::Dots { device, .. } if !device.has_heights()) {
-        let most = 0.99 * plan.profile().dots.heavy_from;
-        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
+    if matches!(plan.medium(), MediumParams::Dots { device, .. } if !device.has_heights())
+        && let Some(heavy) = plan.heavy_strokes()
+    {
+        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = heavy.strength(0.0, edgel.strength));
     }
 }
 

@@ -90,13 +90,14 @@ const MOVED: f32 = 1.25;
 /// Whether a line is closed, of strokes or of dots, and surrounds a place.
 fn surrounds(line: &Line, at: MmPoint) -> bool {
     let points: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
-    let is_closed = points.first().zip(points.last()).is_some_and(|(first, last)| (*first - *last).length() <= NEXT);
-    is_closed && points.len() > 3 && is_inside(points.iter().zip(points.iter().cycle().skip(1)), at)
+    let ends_meet = points.first().zip(points.last()).is_some_and(|(first, last)| (*first - *last).length() <= SAME);
+    (ends_meet || line.is_ring_of_dots())
+        && points.len() > 3
+        && is_inside(points.iter().zip(points.iter().cycle().skip(1)), at)
 }
 
-/// The last dot of a closed row is no farther from its first, mm: even grids have steps of 2.5 mm at most, and 3.5
-/// aslant. Between cells of text dots are farther apart, so that a ring across them may seem open.
-const NEXT: f32 = 4.0;
+/// The ends of a closed line lie in one place, mm: a page has hundredths.
+const SAME: f32 = 0.05;
 
 /// Whether a line of these points passes through a box: looked at every 2 mm.
 fn is_met(mut points: impl Iterator<Item = MmPoint>, place: MmRect) -> bool {

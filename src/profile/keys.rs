@@ -419,7 +419,8 @@ table! {
         texture_gap: f32 = 0.0 to 10.0, "dots";
         /// Rows beside one another that a texture has at least; an area with room for fewer has none.
         texture_rows: f32 = 2.0 to 10.0, "rows";
-        /// Height of a colour step from which a line is two dots wide, or higher where the device has heights.
+        /// Height of a colour step from which a line is two dots wide, or higher where the device has heights; of a
+        /// stroke its width says so.
         heavy_from: f32 = 1.0 to 600.0, "units of lightness";
     }
     /// Words in braille, where the maker of a page gives any.

@@ -35,14 +35,19 @@ const _: () = assert!(
         && legibility::STRAIGHTNESS <= lines::STRAIGHTNESS
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
         && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
-        && allows_all_cuts(10)
+        && allows_all_gaps(10)
         && legibility::GOES_ON <= dots::GOES_ON
         && legibility::STEPS == dots::STEPS
 );
 
-/// Whether the check lets lines of dots cross wherever they are drawn so, with gaps of up to so many dots.
-const fn allows_all_cuts(most: u32) -> bool {
-    most == 0 || legibility::longest_cut(most) >= dots::longest_cut(most) && allows_all_cuts(most - 1)
+/// Whether the check lets lines of dots cross, meet and come back wherever they are drawn so, with gaps of up to so
+/// many dots.
+const fn allows_all_gaps(most: u32) -> bool {
+    most == 0
+        || legibility::longest_cut(most) >= dots::longest_cut(most)
+            && legibility::longest_approach(most) > dots::longest_approach(most)
+            && legibility::least_arc(most) >= dots::least_arc(most)
+            && allows_all_gaps(most - 1)
 }
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
@@ -189,6 +194,7 @@ impl Plan {
             of_drawing: false,
             widen_bars: false,
             hands_marks_on: matches!(self.medium(), MediumParams::Dots { .. }),
+            heavy_strokes: self.heavy_strokes(),
             takes_points: true,
         }
     }
@@ -211,6 +217,16 @@ impl Plan {
     /// How lines become dots, on a page of dots.
     pub fn dots(&self, medium: &DotMedium) -> dots::Params {
         self.dots_of(medium.device, medium.pitch)
+    }
+
+    /// Which strokes become heavy lines, on a page of dots: those at least as broad as two rows are apart.
+    pub fn heavy_strokes(&self) -> Option<lines::HeavyStrokes> {
+        match self.medium() {
+            MediumParams::Print(_) => None,
+            MediumParams::Dots { pitch, .. } => {
+                Some(lines::HeavyStrokes { from: self.profile.dots.heavy_from, width: pitch })
+            }
+        }
     }
 
     pub(super) fn dots_of(&self, device: &Device, pitch: f32) -> dots::Params {

@@ -3,3 +3,4 @@
 mod exact;
 mod faults;
 mod own;
+mod rules;

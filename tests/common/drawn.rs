@@ -19,5 +19,6 @@ pub(crate) const LINES: lines::Params = lines::Params {
     of_drawing: false,
     widen_bars: false,
     hands_marks_on: false,
+    heavy_strokes: None,
     takes_points: true,
 };

@@ -3,7 +3,8 @@
 mod anywhere;
 mod on_grid;
 mod order;
+mod second_rows;
 
 pub(super) use anywhere::anywhere;
 pub(super) use on_grid::on_grid;
-pub use on_grid::{GOES_ON, STEPS, longest_cut};
+pub use on_grid::{GOES_ON, STEPS, least_arc, longest_approach, longest_cut};

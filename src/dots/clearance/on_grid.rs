@@ -4,7 +4,7 @@
 //! Lines come with their distance in millimetres; rounding to a grid can take up to a step off it. Lines that join stay
 //! together: an end that touches another line may come nearer than the gap.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::order::order;
@@ -13,7 +13,6 @@ use crate::dots::cell::{Cell, CellBox, centre, distance, nearest, to_grid};
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::rasterise::{self, Rasterised};
-use crate::dots::second_row;
 use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -30,7 +29,7 @@ pub(in crate::dots) fn on_grid(
     if within.is_empty() {
         return (Vec::new(), Shown::none_of(marks));
     }
-    let mut taken = OccupiedDots { lines: BTreeMap::new(), gap: params.line_gap as i32 };
+    let mut taken = OccupiedDots::new(params.line_gap as i32);
     let mut drawn: Vec<DrawnPiece> = Vec::new();
     for line in order(lines, part, params.centres()) {
         let (cells, closed) = cells_of(&lines[line], grid, within);
@@ -43,6 +42,9 @@ pub(in crate::dots) fn on_grid(
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
             piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
+            if !piece.closed {
+                taken.tips.extend([piece.cells.first(), piece.cells.last()].into_iter().flatten());
+            }
             drawn.push(DrawnPiece { line, piece });
         }
     }
@@ -78,36 +80,6 @@ fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     (rasterise::thin(cells, closed, &sharp), closed)
 }
 
-/// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
-/// would be taken for lines of another kind. The lines come by their strength.
-fn alike(by_strength: &[usize], rows: &mut [Option<Vec<Cell>>], strength: impl Fn(usize) -> f32) {
-    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
-    let is_near = |a: &usize, b: &usize| {
-        let [a, b] = [a, b].map(|number| strength(*number));
-        a.max(b) <= ABOUT_AS_STRONG * a.min(b)
-    };
-    for lines in heavy.chunk_by(is_near) {
-        let has_row = |number: &&usize| rows[**number].as_ref().is_some_and(|row| !row.is_empty());
-        if (lines.iter().filter(has_row).count() as f32) < MOST_OF_THEM * lines.len() as f32 {
-            lines.iter().for_each(|&number| rows[number] = None);
-        }
-    }
-}
-
-/// Lines of which the stronger is so many times as strong as the other, at most, are about as strong: bars of several
-/// colours.
-const ABOUT_AS_STRONG: f32 = 1.25;
-/// Share of lines that are about as strong that have a second row, or none has.
-const MOST_OF_THEM: f32 = 0.9;
-
-/// So many steps of an outline of a bar go aslant at most: at a corner, or where two of its parts lie a step apart.
-const MOST_ASLANT: usize = 4;
-
-/// Share of a line along which a second row is that is to be whole, and the steps between two of its dots: at a corner
-/// one may be missing.
-const WHOLE: f32 = 0.9;
-const AT_CORNER: i32 = 2;
-
 /// A head is that of a line if its tip is so near to one of its ends, mm.
 const AT_TIP: f32 = 2.0;
 
@@ -130,41 +102,52 @@ fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
 }
 
 /// A piece of a line that is far enough from all others.
-struct RowPiece {
-    cells: Vec<Cell>,
-    closed: bool,
+pub(super) struct RowPiece {
+    pub(super) cells: Vec<Cell>,
+    pub(super) closed: bool,
     /// Whether it is a whole line that leads from one line to another: an arrow between two boxes may be short.
-    is_link: bool,
+    pub(super) is_link: bool,
     /// How many dots its line has from end to end where it only crosses others and goes on beyond them: an arm of a
     /// cross may be short.
-    through: usize,
+    pub(super) through: usize,
 }
 
 /// A piece that is drawn, and the number of the line that it is of.
-struct DrawnPiece {
-    line: usize,
-    piece: RowPiece,
+pub(super) struct DrawnPiece {
+    pub(super) line: usize,
+    pub(super) piece: RowPiece,
 }
 
 impl RowPiece {
-    /// Whether it is level and upright all along, as the outline of a bar, an axis or a box is.
-    fn is_of_bar(&self) -> bool {
-        let steps = self.cells.windows(2);
-        let aslant = steps.filter(|pair| pair[0][0] != pair[1][0] && pair[0][1] != pair[1][1]).count();
-        aslant <= MOST_ASLANT
-    }
-
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
-    fn cut_out(cells: Vec<Cell>) -> Self {
+    pub(super) fn cut_out(cells: Vec<Cell>) -> Self {
         let (closed, through) = (ends_touch(&cells), cells.len());
         Self { cells: if closed { rasterise::thin(cells, true, &[]) } else { cells }, closed, is_link: false, through }
     }
+}
+
+/// From how many dots along a line on its distance from itself counts, with a gap of so many dots: at a right angle
+/// both arms are near each other for so long.
+pub const fn least_arc(gap: u32) -> u32 {
+    4 * gap + 4
+}
+
+/// Most dots of a line beside another that it joins that may be too near to it, with a gap of so many dots: two for
+/// each step of the gap.
+pub const fn longest_approach(gap: u32) -> u32 {
+    2 * gap
 }
 
 /// Most dots of a line that are left out where it crosses another one with a gap of so many dots: at no smaller angle
 /// than makes the gap on both sides twice as long as at a right one.
 pub const fn longest_cut(gap: u32) -> u32 {
     4 * gap + 1
+}
+
+/// Most dots of a line that are too near to another which it crosses at more than about 45 degrees: at a right angle
+/// two fewer.
+const fn longest_steep_cut(gap: u32) -> u32 {
+    2 * gap + 3
 }
 
 /// A line goes on beyond another that it crosses if this is the least cosine between the step from piece to piece and
@@ -184,13 +167,41 @@ fn goes_on(one: &[Cell], next: &[Cell]) -> bool {
     back.is_some_and(is_straight) && on.is_some_and(is_straight)
 }
 
+/// Whether the dots of a line between two pieces, of these distances, only cross another: it is met, and soon left.
+fn is_crossing(cut: &[Option<i32>], gap: i32) -> bool {
+    cut.iter().flatten().any(|steps| *steps <= 1) && cut.len() <= longest_cut(gap as u32) as usize
+}
+
+/// Which of the dots of a line that crosses another, of these distances, lie on the other; if none does, an empty range
+/// in the middle of those that touch it.
+fn met(cut: &[Option<i32>]) -> Range<usize> {
+    let all_at = |steps: i32| (0..cut.len()).filter(move |&i| cut[i] == Some(steps));
+    let range = |steps: i32| all_at(steps).next().zip(all_at(steps).next_back());
+    let middle = |(first, last): (usize, usize)| (first + last).div_ceil(2)..(first + last).div_ceil(2);
+    range(0).map_or_else(|| range(1).map_or(0..cut.len(), middle), |(first, last)| first..last + 1)
+}
+
+/// The dot at which a ring begins that has to be cut: where it touches another line, or else where it is too near to
+/// one.
+fn start_of_ring(distances: &[Option<i32>]) -> usize {
+    let touching = (0..distances.len()).filter(|&i| distances[i].is_some_and(|steps| steps <= 1));
+    let nearest = touching.min_by_key(|&i| distances[i]);
+    nearest.or_else(|| distances.iter().position(Option::is_some)).unwrap_or(0)
+}
+
 /// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
-struct OccupiedDots {
-    lines: BTreeMap<Cell, usize>,
-    gap: i32,
+pub(super) struct OccupiedDots {
+    pub(super) lines: BTreeMap<Cell, usize>,
+    /// The ends of pieces.
+    tips: BTreeSet<Cell>,
+    pub(super) gap: i32,
 }
 
 impl OccupiedDots {
+    pub(super) fn new(gap: i32) -> Self {
+        Self { lines: BTreeMap::new(), tips: BTreeSet::new(), gap }
+    }
+
     /// Finds room for the marks of lines, of which these pieces are drawn, within a part of the grid.
     fn place(
         &mut self,
@@ -219,12 +230,12 @@ impl OccupiedDots {
         placed
     }
 
-    fn take(&mut self, cell: Cell, piece: usize) {
+    pub(super) fn take(&mut self, cell: Cell, piece: usize) {
         self.lines.entry(cell).or_insert(piece);
     }
 
     /// The cells that are nearer to `cell` than the gap allows.
-    fn around(&self, cell: Cell) -> impl Iterator<Item = Cell> + use<> {
+    pub(super) fn around(&self, cell: Cell) -> impl Iterator<Item = Cell> + use<> {
         let gap = self.gap;
         (-gap..=gap).flat_map(move |dy| (-gap..=gap).map(move |dx| [cell[0] + dx, cell[1] + dy]))
     }
@@ -234,10 +245,9 @@ impl OccupiedDots {
         self.around(cell).filter(|near| self.lines.contains_key(near)).map(|near| distance(near, cell)).min()
     }
 
-    /// From how many dots along a line on its distance from itself counts: at a right angle both arms are near each
-    /// other for so long.
-    fn least_arc(&self) -> usize {
-        (4 * self.gap + 4) as usize
+    /// From how many dots along a line on its distance from itself counts.
+    pub(super) fn least_arc(&self) -> usize {
+        least_arc(self.gap as u32) as usize
     }
 
     /// Steps from each dot of a line to the nearest dot of other lines and of the parts of its own that came long
@@ -256,111 +266,44 @@ impl OccupiedDots {
         out
     }
 
-    /// The second row of each of these pieces that has one, the strongest first.
-    fn second_rows<'l>(
-        &mut self,
-        numbers: &[usize],
-        drawn: &[DrawnPiece],
-        line_of: impl Fn(usize) -> &'l Line,
-        within: CellBox,
-        params: &Params,
-    ) -> Vec<Option<Vec<Cell>>> {
-        let mut rows: Vec<Option<Vec<Cell>>> = vec![None; drawn.len()];
-        for &number in numbers.iter().filter(|&&number| params.has_second_row(line_of(number))) {
-            let piece = &drawn[number].piece;
-            // a piece too short for a line is felt as texture, unless it is most of the row
-            let least = (params.min_length / params.pitch).ceil() as usize + 1;
-            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
-            let mut second = self.wider_side((number, piece), least, params, |cell| within.holds(cell));
-            // where a tick goes through it, it has a dot already
-            second.retain(|cell| !self.lines.contains_key(cell));
-            second.iter().for_each(|&cell| self.take(cell, number));
-            rows[number] = Some(second);
-        }
-        if params.whole_rows {
-            let of_bars: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_bar()).collect();
-            alike(&of_bars, &mut rows, |number| line_of(number).strength);
-        }
-        rows
-    }
-
-    /// The second row of a piece. Where it is to be whole, it is on the side on which more of it has room, if that is
-    /// nearly all of it: at its ends other lines may be.
-    fn wider_side(
-        &self,
-        (number, piece): (usize, &RowPiece),
-        least: usize,
-        params: &Params,
-        inside: impl Fn(Cell) -> bool,
-    ) -> Vec<Cell> {
-        let own = self.second_row((number, piece), least, &inside);
-        if !params.whole_rows || !piece.is_of_bar() {
-            return own;
-        }
-        let others = || {
-            let cells = piece.cells.iter().rev().copied().collect();
-            let mut row = self.second_row((number, &RowPiece { cells, ..*piece }), least, &inside);
-            row.reverse(); // as the line runs
-            row
-        };
-        let others = if piece.closed { Vec::new() } else { others() };
-        let row = if others.len() > own.len() { others } else { own };
-        let at_ends = 2 * (self.gap + 1) as usize;
-        let is_one = row.windows(2).all(|pair| distance(pair[0], pair[1]) <= AT_CORNER);
-        if is_one && (row.len() + at_ends) as f32 >= WHOLE * piece.cells.len() as f32 { row } else { Vec::new() }
-    }
-
-    /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
-    /// itself, for at least so many dots.
-    fn second_row(
-        &self,
-        (number, piece): (usize, &RowPiece),
-        least: usize,
-        inside: impl Fn(Cell) -> bool,
-    ) -> Vec<Cell> {
-        let (n, least_arc) = (piece.cells.len(), self.least_arc());
-        // the dots of both rows, each with the index in the first row
-        let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
-        let mut row = second_row::on_grid(&piece.cells, piece.closed);
-        row.retain(|&(i, cell)| {
-            let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
-            let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
-                (Some(&j), _) => !is_other_arm(j),
-                (None, other) => other.is_none_or(|&other| other == number),
-            };
-            let is_own = self.lines.get(&cell).is_none_or(|&of| of == number);
-            let is_kept = inside(cell) && is_own && self.around(cell).all(is_free);
-            if is_kept {
-                own.insert(cell, i);
-            }
-            is_kept
-        });
-        second_row::without_short_pieces(row, least)
-    }
-
     /// The pieces of a line that keep the gap.
-    fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<RowPiece> {
-        let mut distances = self.distances(cells, closed);
+    fn pieces(&self, of_line: &[Cell], closed: bool) -> Vec<RowPiece> {
+        let (mut cells, mut distances) = (of_line.to_vec(), self.distances(of_line, closed));
         if distances.iter().all(Option::is_none) {
-            return vec![RowPiece { cells: cells.to_vec(), closed, is_link: false, through: cells.len() }];
+            return vec![RowPiece { through: cells.len(), cells, closed, is_link: false }];
         }
-        let mut cells = cells.to_vec();
+        if let Some(ring) = closed.then(|| self.touching_ring(of_line, &distances)).flatten() {
+            return vec![ring];
+        }
         if closed {
-            // starting where it is too near, it is an open line
-            let start = distances.iter().position(Option::is_some).unwrap_or(0);
+            // starting where it touches another line, or is too near to one, it is an open line
+            let start = start_of_ring(&distances);
             cells.rotate_left(start);
             distances.rotate_left(start);
-        } else {
-            let joins_start = self.allow_junction(&mut cells, &mut distances);
-            cells.reverse();
-            distances.reverse();
-            let joins_end = self.allow_junction(&mut cells, &mut distances);
-            cells.reverse();
-            distances.reverse();
-            if joins_start && joins_end && distances.iter().all(Option::is_none) {
-                return vec![RowPiece { is_link: true, ..RowPiece::cut_out(cells) }];
-            }
+            cells.push(cells[0]);
+            distances.push(distances[0]);
         }
+        let joins_start = self.allow_junction(&mut cells, &mut distances);
+        cells.reverse();
+        distances.reverse();
+        let joins_end = self.allow_junction(&mut cells, &mut distances);
+        cells.reverse();
+        distances.reverse();
+        if closed && cells.len() > 1 && cells.first() == cells.last() {
+            cells.pop();
+            distances.pop();
+        }
+        if joins_start && joins_end && distances.iter().all(Option::is_none) {
+            let whole = RowPiece::cut_out(cells);
+            // a ring that only touches another line is one
+            return vec![RowPiece { is_link: !closed, closed: whole.closed || closed, ..whole }];
+        }
+        self.stretches(&cells, &distances)
+    }
+
+    /// The pieces of an open line between the dots that are too near to others, with these distances from them: where
+    /// it only crosses another, or another ends on it, up to that.
+    fn stretches(&self, cells: &[Cell], distances: &[Option<i32>]) -> Vec<RowPiece> {
         let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
             let from = *at;
             *at += stretch.len() + 1;
@@ -368,37 +311,100 @@ impl OccupiedDots {
         });
         let stretches: Vec<Range<usize>> = stretches.filter(|range| range.len() >= LEAST_DOTS).collect();
         let crosses = |one: &Range<usize>, next: &Range<usize>| {
-            self.is_crossing(&distances[one.end..next.start]) && goes_on(&cells[one.clone()], &cells[next.clone()])
+            is_crossing(&distances[one.end..next.start], self.gap) && goes_on(&cells[one.clone()], &cells[next.clone()])
         };
-        let arms = stretches.chunk_by(crosses).flat_map(|line| {
+        let through = stretches.chunk_by(crosses).flat_map(|line| {
             let through = line.last().map_or(0, |last| last.end) - line.first().map_or(0, |first| first.start);
-            line.iter().map(move |range| (range.clone(), through))
+            line.iter().map(move |_| through)
         });
-        arms.map(|(range, through)| RowPiece { through, ..RowPiece::cut_out(cells[range].to_vec()) }).collect()
+        let through: Vec<usize> = through.collect();
+        let mut pieces: Vec<(Range<usize>, usize)> = Vec::with_capacity(stretches.len());
+        for (number, stretch) in stretches.iter().enumerate() {
+            let before = number.checked_sub(1).map(|before| &stretches[before]);
+            let cut = before.map_or(0..0, |before| before.end..stretch.start);
+            let (dots, steps) = (&cells[cut.clone()], &distances[cut.clone()]);
+            let is_crossed =
+                || before.is_some_and(|before| crosses(before, stretch)) && self.is_on_both_sides(dots, steps);
+            let (meets_end, mut range) = (self.meets_end(dots), stretch.clone());
+            match pieces.last_mut().filter(|_| self.is_steep(dots) && (meets_end || is_crossed())) {
+                // an end beside it parts it not
+                Some((last, _)) if meets_end && !steps.contains(&Some(0)) => {
+                    last.end = range.end;
+                    continue;
+                }
+                Some((last, _)) => {
+                    let met = met(steps);
+                    (last.end, range.start) = (cut.start + met.start, cut.start + met.end);
+                }
+                None => {}
+            }
+            pieces.push((range, through[number]));
+        }
+        let piece =
+            |(range, through): (Range<usize>, usize)| RowPiece { through, ..RowPiece::cut_out(cells[range].to_vec()) };
+        pieces.into_iter().map(piece).collect()
     }
 
-    /// Whether the dots of a line between two pieces, of these distances, only cross another: it is met, and soon left.
-    fn is_crossing(&self, cut: &[Option<i32>]) -> bool {
-        cut.iter().flatten().any(|steps| *steps <= 1) && cut.len() <= longest_cut(self.gap as u32) as usize
+    /// A ring that only touches another line, with these distances from it, without the dots that both share.
+    fn touching_ring(&self, cells: &[Cell], distances: &[Option<i32>]) -> Option<RowPiece> {
+        let free = distances.iter().position(Option::is_none)?;
+        let from_free = || (0..cells.len()).map(|i| (free + i) % cells.len());
+        let near: Vec<usize> = from_free().skip_while(|&i| distances[i].is_none()).collect();
+        let run = near.iter().take_while(|&&i| distances[i].is_some()).count();
+        let (run, rest) = near.split_at(run);
+        let touches = run.iter().any(|&i| distances[i].is_some_and(|steps| steps <= 1));
+        let cut: Vec<Cell> = run.iter().map(|&i| cells[i]).collect();
+        if !touches || rest.iter().any(|&i| distances[i].is_some()) || !self.is_steep(&cut) {
+            return None;
+        }
+        let shared = (0..cells.len()).rfind(|&i| distances[i] == Some(0));
+        let start = shared.map_or(0, |shared| shared + 1);
+        let ring = (0..cells.len()).map(|i| (start + i) % cells.len()).filter(|&i| distances[i] != Some(0));
+        let cells: Vec<Cell> = ring.map(|i| cells[i]).collect();
+        Some(RowPiece { through: cells.len(), cells, closed: true, is_link: false })
+    }
+
+    /// Whether these dots of a line, which are too near to others, are near to a single one, and the line is soon away
+    /// from it: at more than about 45 degrees.
+    fn is_steep(&self, cut: &[Cell]) -> bool {
+        let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.lines.get(&near));
+        let others: BTreeSet<usize> = near.copied().collect();
+        others.len() == 1 && cut.len() <= longest_steep_cut(self.gap as u32) as usize
+    }
+
+    /// Whether the line that these dots are near to, by so many steps, is on both sides of them, or shares one.
+    fn is_on_both_sides(&self, cut: &[Cell], steps: &[Option<i32>]) -> bool {
+        let ([first, .., last], false) = (cut, steps.contains(&Some(0))) else { return true };
+        let side = |dot: Cell| (last[0] - first[0]) * (dot[1] - first[1]) - (last[1] - first[1]) * (dot[0] - first[0]);
+        let others = || cut.iter().flat_map(|&cell| self.around(cell)).filter(|near| self.lines.contains_key(near));
+        others().any(|dot| side(dot) > 0) && others().any(|dot| side(dot) < 0)
+    }
+
+    /// Whether a line ends beside one of these dots, or on it.
+    fn meets_end(&self, cut: &[Cell]) -> bool {
+        let is_met =
+            |cell: &Cell| self.around(*cell).any(|near| distance(near, *cell) <= 1 && self.tips.contains(&near));
+        cut.iter().any(is_met)
     }
 
     /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and
-    /// the dots from the one beside it until the gap is reached are allowed, at most two for each step of the gap. A
+    /// the dots from the one beside it until the gap is reached are allowed, at most [`longest_approach`]. A
     /// line that runs along the other is none. Says whether there is one.
     fn allow_junction(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) -> bool {
         let near = distances.iter().take_while(|distance| distance.is_some()).count();
         let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
         let Some(last) = touches else { return false };
-        if near - last > (2 * self.gap) as usize || last > (2 * self.gap + 2) as usize {
+        let longest = longest_approach(self.gap as u32) as usize;
+        if near - last > longest || last > longest + 2 {
             return false;
         }
         let skipped = if distances[last] == Some(0) { last + 1 } else { last };
-        // beside the line that it touches it may lie, not beside a third one
+        // beside the lines that meet where it does it may lie, as a radius beside others, not beside a third one
         let within = |cell: Cell, steps: i32| {
             let near = self.around(cell).filter(move |near| distance(*near, cell) <= steps);
             near.filter_map(|near| self.lines.get(&near)).copied()
         };
-        let touched: Vec<usize> = within(cells[last], 1).collect();
+        let touched: Vec<usize> = within(cells[last], self.gap).collect();
         if cells[skipped.min(near)..near]
             .iter()
             .any(|&cell| within(cell, self.gap).any(|other| !touched.contains(&other)))
@@ -413,4 +419,4 @@ impl OccupiedDots {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -1,16 +1,19 @@
 //! In which order lines take their dots: the strongest first, but a line on which others end before them, such as an
-//! axis before the bars that stand on it. They end on it whenever it is drawn; were they first, it would have to keep
-//! the gap from their ends, and be interrupted there.
+//! axis before the bars that stand on it, or a stem before leaves whose tips touch it. They end on it whenever it is
+//! drawn; were they first, it would have to keep the gap from their ends, and be interrupted there.
 
 use crate::dots::params::polyline_of;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
 use crate::lines::Line;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect};
 
 /// A line ends on another if it comes this near to its middle, mm: junctions are drawn so, but for the tolerance with
 /// which lines are simplified.
 const TOUCH: f32 = 0.1;
+/// At a corner a line turns by at least 30 degrees: the cosine.
+const CORNER: f32 = 0.866;
 /// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
 const DEPTH: usize = 8;
 
@@ -47,8 +50,8 @@ fn lines_on_bases(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usiz
         }
     }
     let mut on_bases = Vec::new();
-    for (stem, polyline) in polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed) {
-        for at in [polyline.vertices.first(), polyline.vertices.last()].into_iter().flatten().copied() {
+    for (stem, polyline) in polylines.iter().enumerate() {
+        for at in tips(polyline) {
             segments.around(at, at, TOUCH, |segment| {
                 let (base, (distance, touched)) = (segment.line as usize, nearest_on_segment(at, segment.a, segment.b));
                 let arc = segment.arc + (touched - segment.a).length();
@@ -65,6 +68,22 @@ fn lines_on_bases(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usiz
     on_bases.sort_unstable();
     on_bases.dedup();
     on_bases
+}
+
+/// Where a line may stand on others: at its ends, or at the corners of a ring.
+fn tips(line: &Polyline<MmPoint>) -> Vec<MmPoint> {
+    if !line.closed {
+        return [line.vertices.first(), line.vertices.last()].into_iter().flatten().copied().collect();
+    }
+    let turns = |i: &usize| {
+        let [before, at, after] = [-1, 0, 1].map(|step| line.view().next(*i, step).map(|i| line.vertices[i]));
+        let cosine = |before: MmPoint, at: MmPoint, after: MmPoint| {
+            let [to, from] = [at - before, after - at].map(|way| way.try_normalize().unwrap_or_default());
+            to.dot(from)
+        };
+        before.zip(at).zip(after).is_some_and(|((before, at), after)| cosine(before, at, after) <= CORNER)
+    };
+    (0..line.vertices.len()).filter(turns).map(|i| line.vertices[i]).collect()
 }
 
 #[cfg(test)]

@@ -94,7 +94,7 @@ impl Line {
     /// The heads at the ends of a row of dots: where the row ends, which way it leads there, and the outermost dots of
     /// the head.
     pub(crate) fn row_heads(&self) -> impl Iterator<Item = (MmPoint, MmVector, [MmPoint; 2])> {
-        let first = self.runs.first().filter(|run| run.pen != Pen::Stroke && !run.closed);
+        let first = self.row();
         let heads = first.map(|first| {
             let back: Vec<MmPoint> = first.points.iter().rev().copied().collect();
             let ends = [&first.points, &back].map(|path| end_of(path));

@@ -178,6 +178,7 @@ impl Places<'_> {
             strength,
             contrast: [0.0; 3],
             width,
+            stroke: 0.0,
             source: FoundIn::Vector,
             displaced: MmVector::zero(),
         };

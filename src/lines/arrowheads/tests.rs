@@ -14,6 +14,7 @@ fn contour(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
         strength: 60.0,
         contrast: [0.0; 3],
         width: PARAMS.width_max,
+        stroke: 0.0,
         source: FoundIn::Vector,
         displaced: MmVector::zero(),
     };

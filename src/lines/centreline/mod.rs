@@ -50,6 +50,7 @@ mod testing {
             strength: step.abs(),
             contrast: [step, 0.0, 0.0],
             width: 0.0,
+            stroke: 0.0,
             source: FoundIn::Pixels,
             displaced: MmVector::zero(),
         };

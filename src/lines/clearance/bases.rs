@@ -71,11 +71,17 @@ fn lines_on_bases(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Par
     }
     let mut on_bases = Vec::new();
     for (number, (line, _)) in lines.iter().enumerate() {
-        line.each_that_it_ends_on(&segments, TOUCH, |base| {
+        let mut stands_on = |base: usize| {
             if base != number {
                 on_bases.push((number, base));
             }
-        });
+        };
+        line.each_that_it_ends_on(&segments, TOUCH, &mut stands_on);
+        if params.of_drawing {
+            for at in line.view().corners_of_ring().into_iter().map(|corner| line.vertices[corner].at) {
+                segments.each_line_at(at, TOUCH, &mut stands_on);
+            }
+        }
     }
     on_bases.sort_unstable();
     on_bases.dedup();

@@ -107,7 +107,7 @@ pub(super) struct DrawnLines<'a> {
     pub(super) area: MmRect,
     /// All their segments.
     segments: Nearby,
-    /// Their ends, as segments without length; `index` is 1 at the end, 0 at the start.
+    /// Their ends, of drawings also the corners of rings, as segments without length.
     tips: Nearby,
     lines: Vec<DrawnLine>,
     map: NearMap,
@@ -158,15 +158,16 @@ impl<'a> DrawnLines<'a> {
         self.lines[line as usize] = DrawnLine { path, closed: polyline.closed };
     }
 
-    /// A line is complete: others may join its ends.
+    /// A line is complete: others may join its ends, or its corners if it is a ring of a drawing.
     pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32) {
-        let tips = (polyline.vertices.first(), polyline.vertices.last(), goes_round(polyline.view()));
-        let (Some(first), Some(last), false) = tips else {
-            return;
+        let path = &self.lines[line as usize].path;
+        let places: Vec<usize> = match polyline.view().goes_round() {
+            true if self.params.of_drawing => polyline.view().corners_of_ring(),
+            true => Vec::new(),
+            false => [0, path.len().saturating_sub(1)].to_vec(),
         };
-        let length = self.lines[line as usize].length();
-        for (at, index, arc) in [(first.at, 0, 0.0), (last.at, 1, length)] {
-            self.tips.insert(Segment { a: at, b: at, half_width: 0.0, line, index, arc });
+        for &(arc, at) in places.iter().filter_map(|&i| path.get(i)) {
+            self.tips.insert(Segment { a: at, b: at, half_width: 0.0, line, index: 0, arc });
         }
     }
 
@@ -198,10 +199,18 @@ impl<'a> DrawnLines<'a> {
                 self.add_ends_on_lines(at, arc, &is_other, &mut own_ends);
             }
         }
+        if self.params.of_drawing {
+            // of one that will be drawn as a ring the first vertex is at its end as well
+            let again = |i: usize| (i == 0 && !closed).then_some(length);
+            let corners = polyline.corners_of_ring().into_iter().filter(|i| self.may_be_near(vertices[*i].at));
+            for (at, arc) in corners.flat_map(|i| [Some(arcs[i]), again(i)].map(|arc| (vertices[i].at, arc))) {
+                arc.into_iter().for_each(|arc| self.add_ends_on_lines(at, arc, &is_other, &mut ends));
+            }
+        }
         // where one ends on the other beside a crossing they will not be drawn as crossing
         crossings.retain(|crossing| !ends.iter().chain(&own_ends).any(|end| end.is_beside(crossing)));
         // ends in one place join nothing: the line will be drawn as a ring
-        if !goes_round(polyline) {
+        if !polyline.goes_round() {
             ends.append(&mut own_ends);
         }
         let ring_length = closed.then_some(length);
@@ -455,12 +464,6 @@ const FLAT: f32 = 1.0;
 /// The sine of the flattest angle at which a straight line has its clearance after an approach.
 fn approach_sine(approach: f32, clearance: f32) -> f32 {
     (clearance / approach).min(1.0)
-}
-
-/// Whether a line goes round: it is closed, or its ends lie in one place, and so it will be drawn closed.
-pub(super) fn goes_round(polyline: PolylineRef<'_, Vertex>) -> bool {
-    let at = |vertex: Option<&Vertex>| vertex.map(|vertex| vertex.at);
-    polyline.closed || at(polyline.vertices.first()) == at(polyline.vertices.last())
 }
 
 /// The segment of a line between two vertices.

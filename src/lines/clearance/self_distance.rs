@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::drawn::{goes_round, segment};
+use super::drawn::segment;
 use super::passage::TOUCH;
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
@@ -26,7 +26,7 @@ pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &
     if total <= BEND_LEAST {
         return None;
     }
-    let ring = goes_round(polyline.view());
+    let ring = polyline.view().goes_round();
     let apart = |s: f32, t: f32| if ring { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
     // its own ends may lie on it
     let tips: Vec<f32> = if ring { Vec::new() } else { own_junctions(polyline, &arcs, params.max_stub(), own) };
@@ -65,7 +65,7 @@ pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &
 /// Whether two places of a polyline that are too near to one another, at this distance, are not beside a bend or a
 /// corner. Each is given as its arc and its point.
 pub(super) fn is_rival(polyline: &Polyline<Vertex>, arcs: &[f32], places: [(f32, MmPoint); 2], distance: f32) -> bool {
-    let (ring, total) = (goes_round(polyline.view()), arcs.last().copied().unwrap_or(0.0));
+    let (ring, total) = (polyline.view().goes_round(), arcs.last().copied().unwrap_or(0.0));
     let apart = (places[0].0 - places[1].0).abs();
     let apart = if ring { apart.min(total - apart) } else { apart };
     !is_bend(apart, distance) && !is_corner(polyline, arcs, ring, places)

@@ -17,6 +17,7 @@ pub(super) fn polyline(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> 
         strength: 60.0,
         contrast: [60.0, 0.0, 0.0],
         width: Params::TEST.width_max,
+        stroke: 0.0,
         source: FoundIn::Pixels,
         displaced: MmVector::zero(),
     };

@@ -11,6 +11,7 @@ fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
         strength: 30.0,
         contrast: [step, 0.0, 0.0],
         width: 0.0,
+        stroke: 0.0,
         source: FoundIn::Pixels,
         displaced: MmVector::zero(),
     };
@@ -45,6 +46,7 @@ fn an_arc_whose_ends_meet_is_a_ring() {
         strength: 30.0,
         contrast: [20.0, 0.0, 0.0],
         width: 0.0,
+        stroke: 0.0,
         source: FoundIn::Pixels,
         displaced: MmVector::zero(),
     };

@@ -10,6 +10,7 @@ fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
         strength: 20.0,
         contrast: [0.0; 3],
         width: 1.0,
+        stroke: 0.0,
         source: FoundIn::Pixels,
         displaced: MmVector::zero(),
     };

@@ -10,6 +10,7 @@ fn line(places: &[(f32, f32)], closed: bool, contrast: f32) -> Polyline<Vertex> 
         strength: 50.0,
         contrast: [contrast, 0.0, 0.0],
         width: 1.0,
+        stroke: 0.0,
         source: FoundIn::Pixels,
         displaced: MmVector::zero(),
     };

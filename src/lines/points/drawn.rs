@@ -115,6 +115,7 @@ fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Ve
         strength: point.strength.max(params.full_strength),
         contrast: [0.0; 3],
         width: params.width_max,
+        stroke: 0.0,
         source: FoundIn::Vector,
         displaced: MmVector::zero(),
     };

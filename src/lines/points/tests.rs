@@ -13,6 +13,7 @@ fn line(points: &[(f32, f32)], closed: bool, step: f32, source: FoundIn) -> Poly
         strength: 60.0,
         contrast: [step, 0.0, 0.0],
         width: PARAMS.width_max,
+        stroke: 0.0,
         source,
         displaced: MmVector::zero(),
     };

@@ -12,6 +12,7 @@ fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
             strength: 30.0,
             contrast: [30.0, 0.0, 0.0],
             width: 1.0,
+            stroke: 0.0,
             source: FoundIn::Pixels,
             displaced: MmVector::zero(),
         }

@@ -12,6 +12,7 @@ pub(super) fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
         strength: 60.0,
         contrast: [0.0; 3],
         width: 0.0,
+        stroke: 0.0,
         source: FoundIn::Vector,
         displaced: MmVector::zero(),
     };

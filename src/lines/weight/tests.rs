@@ -11,6 +11,7 @@ fn straight(strength: impl Fn(f32) -> f32) -> Line {
             strength: strength(i as f32 * 0.2),
             contrast: [1.0, 0.0, 0.0],
             width: 0.0,
+            stroke: 0.0,
             source: FoundIn::Pixels,
             displaced: MmVector::zero(),
         })

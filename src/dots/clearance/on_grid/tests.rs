@@ -2,12 +2,12 @@
 
 use super::*;
 
-fn row(y: i32, columns: std::ops::Range<i32>) -> Vec<Cell> {
+pub(in super::super) fn row(y: i32, columns: std::ops::Range<i32>) -> Vec<Cell> {
     columns.map(|x| [x, y]).collect()
 }
 
-fn taken(lines: &[Vec<Cell>], gap: i32) -> OccupiedDots {
-    let mut taken = OccupiedDots { lines: BTreeMap::new(), gap };
+pub(in super::super) fn taken(lines: &[Vec<Cell>], gap: i32) -> OccupiedDots {
+    let mut taken = OccupiedDots::new(gap);
     for (number, cells) in lines.iter().enumerate() {
         cells.iter().for_each(|&cell| taken.take(cell, number));
     }
@@ -38,11 +38,14 @@ fn a_ring_that_is_cut_is_an_open_line() {
     let right_and_down = side([0, 0], [1, 0]).chain(side([6, 0], [0, 1]));
     let ring: Vec<Cell> = right_and_down.chain(side([6, 6], [-1, 0])).chain(side([0, 6], [0, -1])).collect();
     assert_eq!(pieces(&taken(&[], 1), &ring, true), [(ring.clone(), true)]);
-    let cut = pieces(&taken(&[vec![[3, -1]]], 1), &ring, true);
+    let cut = pieces(&taken(&[row(-1, 2..6)], 1), &ring, true);
     assert_eq!(cut.len(), 1);
     let (cells, closed) = &cut[0];
-    assert!(!closed && cells.len() == ring.len() - 3, "{cells:?}");
-    assert_eq!((cells.first(), cells.last()), (Some(&[5, 0]), Some(&[1, 0])));
+    assert!(!closed && cells.len() == ring.len() - 6, "{cells:?}");
+    assert_eq!((cells.first(), cells.last()), (Some(&[6, 1]), Some(&[0, 0])));
+    // one that only touches another line stays
+    let touching = pieces(&taken(&[vec![[3, -1]]], 1), &ring, true);
+    assert!(matches!(&touching[..], [(cells, true)] if cells.len() == ring.len()), "{touching:?}");
 }
 
 #[test]
@@ -79,18 +82,6 @@ fn a_line_that_comes_back_keeps_the_gap_from_itself() {
 }
 
 #[test]
-fn a_second_row_keeps_the_gap_from_other_lines() {
-    let first = row(0, 0..12);
-    let piece = RowPiece::cut_out(first.clone());
-    let alone = taken(std::slice::from_ref(&first), 1);
-    assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
-    assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
-    let beside = taken(&[first, vec![[6, 2]]], 1);
-    assert_eq!(beside.second_row((0, &piece), LEAST_DOTS, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
-    assert_eq!(beside.second_row((0, &piece), 5, |_| true), row(1, 0..5), "four dots are too few");
-}
-
-#[test]
 fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
     let ring = [[7, 5], [6, 6], [5, 7], [5, 8], [5, 9], [4, 9], [3, 9], [2, 8], [2, 7], [3, 6], [4, 6], [5, 6], [6, 5]];
     let piece = RowPiece::cut_out(ring.to_vec());
@@ -105,9 +96,9 @@ fn the_arms_of_a_line_that_crosses_another_count_together() {
         taken.pieces(line, false).iter().map(|piece| (piece.cells.len(), piece.through)).collect()
     };
     let upright: Vec<Cell> = (-7..12).map(|y| [3, y]).collect();
-    assert_eq!(through(&upright), [(5, 19), (9, 19)]);
+    assert_eq!(through(&upright), [(7, 19), (11, 19)]);
     let slanted: Vec<Cell> = (-7..12).map(|y| [3 + y, y]).collect();
-    assert_eq!(through(&slanted), [(5, 19), (9, 19)]);
+    assert_eq!(through(&slanted), [(7, 19), (11, 19)]);
     // what comes down, runs along the other and goes on is no cross
     let along: Vec<Cell> =
         (-7..0).map(|y| [0, y]).chain((0..12).map(|x| [x, 0])).chain((1..9).map(|y| [11, y])).collect();
@@ -119,42 +110,47 @@ fn the_arms_of_a_line_that_crosses_another_count_together() {
 }
 
 #[test]
-fn a_second_row_that_is_to_be_whole_is_on_the_side_that_has_room_or_nowhere() {
-    let params = Params {
-        pitch: 2.0,
-        diameter: 1.5,
-        line_gap: 1,
-        heavy_from: 9.0,
-        whole_rows: true,
-        has_heights: false,
-        min_length: 5.0,
-    };
-    let wall = || RowPiece::cut_out(row(0, 0..20));
-    // lines that end beside it above and below
-    let rows = |ends: &[Cell], whole_rows: bool| {
-        let mut taken = taken(&[row(0, 0..20)], 1);
-        ends.iter().for_each(|&end| taken.take(end, 1));
-        let params = Params { whole_rows, ..params };
-        let mut second = taken.wider_side((0, &wall()), 3, &params, |_| true);
-        second.sort_unstable();
-        second
-    };
-    assert_eq!(rows(&[], true), row(1, 0..20));
-    assert_eq!(rows(&[[10, 2]], true), row(-1, 0..20), "below there is a line");
-    assert!(rows(&[[10, 2], [5, -2]], true).is_empty());
-    assert!(!rows(&[[10, 2], [5, -2]], false).is_empty());
+fn a_line_that_crosses_another_steeply_keeps_its_dots() {
+    let taken = taken(&[row(0, -20..20)], 2);
+    let upright: Vec<Cell> = (-9..10).map(|y| [3, y]).collect();
+    let halves = pieces(&taken, &upright, false);
+    assert_eq!(halves, [(upright[..9].to_vec(), false), (upright[10..].to_vec(), false)]);
+    let flat: Vec<Cell> = (-19..20).map(|x| [x, x / 3]).collect();
+    assert!(pieces(&taken, &flat, false).iter().all(|(cells, _)| cells.iter().all(|cell| cell[1].abs() > 2)));
+    // between dots of the other
+    let slanted: Vec<Cell> = (-9..10).map(|y| [y, y]).collect();
+    let other = self::taken(&[(-9..10).map(|y| [y, 1 - y]).collect()], 2);
+    assert_eq!(pieces(&other, &slanted, false).iter().map(|(cells, _)| cells.len()).sum::<usize>(), slanted.len());
 }
 
 #[test]
-fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
-    let strength = |number: usize| [90.0, 80.0, 75.0, 50.0, 45.0][number];
-    let rows = |with: &[usize]| {
-        let mut rows: Vec<Option<Vec<Cell>>> =
-            (0..5).map(|number| Some(if with.contains(&number) { row(0, 0..9) } else { Vec::new() })).collect();
-        alike(&[0, 1, 2, 3, 4], &mut rows, strength);
-        (0..5).filter(|&number| rows[number].as_ref().is_some_and(|row| !row.is_empty())).collect::<Vec<_>>()
-    };
-    assert_eq!(rows(&[0, 1, 2, 3, 4]), [0, 1, 2, 3, 4]);
-    assert_eq!(rows(&[0, 1, 3, 4]), [3, 4], "one of three has no room");
-    assert_eq!(rows(&[0, 1, 2, 3]), [0, 1, 2]);
+fn a_ring_that_touches_a_line_stays_a_ring() {
+    let stem = (-20..20).map(|y| [0, y]).collect::<Vec<Cell>>();
+    let leaf: Vec<Cell> = [
+        (0..8).map(|i| [i, -i]).collect::<Vec<Cell>>(),
+        (1..8).map(|i| [7 + i, -7 + i]).collect(),
+        (1..8).map(|i| [14 - i, i]).collect(),
+        (1..7).map(|i| [7 - i, 7 - i]).collect(),
+    ]
+    .concat();
+    let left = pieces(&taken(&[stem], 2), &leaf, true);
+    assert_eq!(left.len(), 1);
+    assert!(left[0].1 && left[0].0.len() == leaf.len() - 1, "{left:?}");
+}
+
+#[test]
+fn a_corner_on_the_end_of_a_line_keeps_its_dots() {
+    let mut taken = taken(&[row(0, -20..1)], 2);
+    let corner: Vec<Cell> = (-8..0).map(|y| [-y, y]).chain(row(0, 0..9)).collect();
+    let dots = |taken: &OccupiedDots| pieces(taken, &corner, false).iter().map(|(cells, _)| cells.len()).sum::<usize>();
+    assert_eq!(dots(&taken), corner.len() - 5);
+    taken.tips.insert([0, 0]);
+    assert_eq!(dots(&taken), corner.len() - 1);
+    // an end beside it parts it not
+    let beside = self::taken(&[row(0, -20..3)], 2);
+    let upright: Vec<Cell> = (-9..10).map(|y| [3, y]).collect();
+    assert_eq!(pieces(&beside, &upright, false).iter().map(|(cells, _)| cells.len()).sum::<usize>(), upright.len() - 5);
+    let mut ending = beside;
+    ending.tips.insert([2, 0]);
+    assert_eq!(pieces(&ending, &upright, false), [(upright, false)]);
 }

@@ -11,6 +11,7 @@ fn polyline(points: &[[f32; 2]], closed: bool) -> Polyline<Vertex> {
         strength: 10.0,
         contrast: [0.0; 3],
         width: 1.0,
+        stroke: 0.0,
         source: FoundIn::Vector,
         displaced: MmVector::zero(),
     };

@@ -1,0 +1,136 @@
+//! The second rows of heavy lines on a grid. They come last, those of the strongest first, and only where they keep the
+//! gap from all other lines, so that no line is cut for the sake of another's width.
+
+use std::collections::BTreeMap;
+
+use super::on_grid::{DrawnPiece, OccupiedDots, RowPiece};
+use crate::dots::cell::{Cell, CellBox, distance};
+use crate::dots::params::{LEAST_DOTS, Params};
+use crate::dots::second_row;
+use crate::lines::Line;
+
+/// So many steps of an outline of a bar go aslant at most: at a corner, or where two of its parts lie a step apart.
+const MOST_ASLANT: usize = 4;
+
+/// Share of a line along which a second row is that is to be whole, and the steps between two of its dots: at a corner
+/// one may be missing.
+const WHOLE: f32 = 0.9;
+const AT_CORNER: i32 = 2;
+
+impl RowPiece {
+    /// Whether it is level and upright all along, as the outline of a bar, an axis or a box is.
+    fn is_of_bar(&self) -> bool {
+        let steps = self.cells.windows(2);
+        let aslant = steps.filter(|pair| pair[0][0] != pair[1][0] && pair[0][1] != pair[1][1]).count();
+        aslant <= MOST_ASLANT
+    }
+}
+
+impl OccupiedDots {
+    /// The second row of each of these pieces that has one, the strongest first.
+    pub(super) fn second_rows<'l>(
+        &mut self,
+        numbers: &[usize],
+        drawn: &[DrawnPiece],
+        line_of: impl Fn(usize) -> &'l Line,
+        within: CellBox,
+        params: &Params,
+    ) -> Vec<Option<Vec<Cell>>> {
+        let mut rows: Vec<Option<Vec<Cell>>> = vec![None; drawn.len()];
+        for &number in numbers.iter().filter(|&&number| params.has_second_row(line_of(number))) {
+            let piece = &drawn[number].piece;
+            // a piece too short for a line is felt as texture, unless it is most of the row
+            let least = (params.min_length / params.pitch).ceil() as usize + 1;
+            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
+            let mut second = self.wider_side((number, piece), least, params, |cell| within.holds(cell));
+            // where a tick goes through it, it has a dot already
+            second.retain(|cell| !self.lines.contains_key(cell));
+            second.iter().for_each(|&cell| self.take(cell, number));
+            rows[number] = Some(second);
+        }
+        if params.whole_rows {
+            let of_bars: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_bar()).collect();
+            alike(&of_bars, &mut rows, |number| line_of(number).strength);
+        }
+        rows
+    }
+
+    /// The second row of a piece. Where it is to be whole, it is on the side on which more of it has room, if that is
+    /// nearly all of it: at its ends other lines may be.
+    fn wider_side(
+        &self,
+        (number, piece): (usize, &RowPiece),
+        least: usize,
+        params: &Params,
+        inside: impl Fn(Cell) -> bool,
+    ) -> Vec<Cell> {
+        let own = self.second_row((number, piece), least, &inside);
+        if !params.whole_rows || !piece.is_of_bar() {
+            return own;
+        }
+        let others = || {
+            let cells = piece.cells.iter().rev().copied().collect();
+            let mut row = self.second_row((number, &RowPiece { cells, ..*piece }), least, &inside);
+            row.reverse(); // as the line runs
+            row
+        };
+        let others = if piece.closed { Vec::new() } else { others() };
+        let row = if others.len() > own.len() { others } else { own };
+        let at_ends = 2 * (self.gap + 1) as usize;
+        let is_one = row.windows(2).all(|pair| distance(pair[0], pair[1]) <= AT_CORNER);
+        if is_one && (row.len() + at_ends) as f32 >= WHOLE * piece.cells.len() as f32 { row } else { Vec::new() }
+    }
+
+    /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
+    /// itself, for at least so many dots.
+    fn second_row(
+        &self,
+        (number, piece): (usize, &RowPiece),
+        least: usize,
+        inside: impl Fn(Cell) -> bool,
+    ) -> Vec<Cell> {
+        let (n, least_arc) = (piece.cells.len(), self.least_arc());
+        // the dots of both rows, each with the index in the first row
+        let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let mut row = second_row::on_grid(&piece.cells, piece.closed);
+        row.retain(|&(i, cell)| {
+            let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
+            let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
+                (Some(&j), _) => !is_other_arm(j),
+                (None, other) => other.is_none_or(|&other| other == number),
+            };
+            let is_own = self.lines.get(&cell).is_none_or(|&of| of == number);
+            let is_kept = inside(cell) && is_own && self.around(cell).all(is_free);
+            if is_kept {
+                own.insert(cell, i);
+            }
+            is_kept
+        });
+        second_row::without_short_pieces(row, least)
+    }
+}
+
+/// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
+/// would be taken for lines of another kind. The lines come by their strength.
+fn alike(by_strength: &[usize], rows: &mut [Option<Vec<Cell>>], strength: impl Fn(usize) -> f32) {
+    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
+    let is_near = |a: &usize, b: &usize| {
+        let [a, b] = [a, b].map(|number| strength(*number));
+        a.max(b) <= ABOUT_AS_STRONG * a.min(b)
+    };
+    for lines in heavy.chunk_by(is_near) {
+        let has_row = |number: &&usize| rows[**number].as_ref().is_some_and(|row| !row.is_empty());
+        if (lines.iter().filter(has_row).count() as f32) < MOST_OF_THEM * lines.len() as f32 {
+            lines.iter().for_each(|&number| rows[number] = None);
+        }
+    }
+}
+
+/// Lines of which the stronger is so many times as strong as the other, at most, are about as strong: bars of several
+/// colours.
+const ABOUT_AS_STRONG: f32 = 1.25;
+/// Share of lines that are about as strong that have a second row, or none has.
+const MOST_OF_THEM: f32 = 0.9;
+
+#[cfg(test)]
+mod tests;

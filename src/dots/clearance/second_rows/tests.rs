@@ -1,0 +1,57 @@
+//! Second rows keep the gap, and are whole where they are to be.
+
+use super::super::on_grid::tests::{row, taken};
+use super::*;
+
+#[test]
+fn a_second_row_keeps_the_gap_from_other_lines() {
+    let first = row(0, 0..12);
+    let piece = RowPiece::cut_out(first.clone());
+    let alone = taken(std::slice::from_ref(&first), 1);
+    assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
+    assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
+    let beside = taken(&[first, vec![[6, 2]]], 1);
+    assert_eq!(beside.second_row((0, &piece), LEAST_DOTS, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+    assert_eq!(beside.second_row((0, &piece), 5, |_| true), row(1, 0..5), "four dots are too few");
+}
+
+#[test]
+fn a_second_row_that_is_to_be_whole_is_on_the_side_that_has_room_or_nowhere() {
+    let params = Params {
+        pitch: 2.0,
+        diameter: 1.5,
+        line_gap: 1,
+        heavy_from: 9.0,
+        whole_rows: true,
+        has_heights: false,
+        min_length: 5.0,
+    };
+    let wall = || RowPiece::cut_out(row(0, 0..20));
+    // lines that end beside it above and below
+    let rows = |ends: &[Cell], whole_rows: bool| {
+        let mut taken = taken(&[row(0, 0..20)], 1);
+        ends.iter().for_each(|&end| taken.take(end, 1));
+        let params = Params { whole_rows, ..params };
+        let mut second = taken.wider_side((0, &wall()), 3, &params, |_| true);
+        second.sort_unstable();
+        second
+    };
+    assert_eq!(rows(&[], true), row(1, 0..20));
+    assert_eq!(rows(&[[10, 2]], true), row(-1, 0..20), "below there is a line");
+    assert!(rows(&[[10, 2], [5, -2]], true).is_empty());
+    assert!(!rows(&[[10, 2], [5, -2]], false).is_empty());
+}
+
+#[test]
+fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
+    let strength = |number: usize| [90.0, 80.0, 75.0, 50.0, 45.0][number];
+    let rows = |with: &[usize]| {
+        let mut rows: Vec<Option<Vec<Cell>>> =
+            (0..5).map(|number| Some(if with.contains(&number) { row(0, 0..9) } else { Vec::new() })).collect();
+        alike(&[0, 1, 2, 3, 4], &mut rows, strength);
+        (0..5).filter(|&number| rows[number].as_ref().is_some_and(|row| !row.is_empty())).collect::<Vec<_>>()
+    };
+    assert_eq!(rows(&[0, 1, 2, 3, 4]), [0, 1, 2, 3, 4]);
+    assert_eq!(rows(&[0, 1, 3, 4]), [3, 4], "one of three has no room");
+    assert_eq!(rows(&[0, 1, 2, 3]), [0, 1, 2]);
+}
