@@ -109,6 +109,11 @@
 //!   wrapper catches it there, with [`catch_unwind`](std::panic::catch_unwind) and
 //!   [`AssertUnwindSafe`](std::panic::AssertUnwindSafe)); options and all else stay as they
 //!   were and can be used again. To end the work in order there is `cancelled`, also for progress that cannot be shown.
+//! * [`Picture`] borrows pixels and bytes while it is converted. A wrapper that lets go of the interpreter's lock
+//!   copies those that other threads may write, such as the buffer of an array.
+//! * Work is shared with the pool of threads. A process that was forked after the first call has no such threads and
+//!   would wait for ever: start workers anew (Python: the start method `spawn`), or fork before the first call.
+//!   Deep drawings need a stack of 2 MB in the calling thread, as threads of Rust have.
 //! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
 //!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
 //!   settings cannot be asked for again; a class that has properties keeps what it was given. What is given as a value
@@ -127,7 +132,8 @@
 //!   [`Profile::keys`] with [what each takes](Key::choices), [`medium::Device::ALL`], [`Rule::all`],
 //!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is about;
 //!   [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences change, and
-//!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Faults that want another remedy have another id.
+//!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Errors that want another remedy have another id; all
+//!   faults of a profile are one error ([`Error::Profile`]).
 //! * A profile that a form changed by [`Profile::set`] is kept as [`Profile::to_toml`] writes it.
 //!
 //! # Names and text
@@ -241,7 +247,8 @@ pub mod medium {
     pub use crate::page::{DotMedium, Medium, Print};
 }
 
-/// What [`feel`] gives as data: how much of the textured area a fingertip tells, and where.
+/// What [`feel`] gives as data: how much of the textured area a fingertip tells, of each class of colours. Where, the
+/// map shows ([`Felt::to_png`]).
 pub mod felt {
     pub use crate::legibility::Textures;
     pub use crate::touch::report::{Areas, OfClass};

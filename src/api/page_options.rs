@@ -9,7 +9,14 @@ use crate::profile::{Plan, Profile};
 use crate::{Error, touch};
 
 /// How a page is [checked](crate::check), [described](crate::describe) or [felt](crate::feel). A builder, owned and
-/// cheap to clone as [`Options`](crate::Options); what is not set has a default.
+/// cheap to clone as [`Options`](crate::Options); what is not set has a default. Not all of it counts everywhere:
+///
+/// | | [`check`](crate::check) | [`describe`](crate::describe) | [`feel`](crate::feel) |
+/// |---|---|---|---|
+/// | [`profile`](Self::profile) | yes | yes | no |
+/// | [`language`](Self::language) | no | yes | no |
+/// | [`finger_mm`](Self::finger_mm) | no | no | yes |
+/// | [`cancelled`](Self::cancelled) | yes | yes | yes |
 ///
 /// ```
 /// use tactograph::{PageOptions, Profile};

@@ -79,8 +79,9 @@ impl Page {
 ///
 /// # Errors
 /// [`Error::NoPages`] without pages: a PDF has at least one.
-pub fn write_pdf(title: &str, pages: &[Page]) -> Result<Vec<u8>, Error> {
-    if pages.is_empty() { Err(Error::NoPages) } else { Ok(pdf::write(title, pages)) }
+pub fn write_pdf<'p>(title: &str, pages: impl IntoIterator<Item = &'p Page>) -> Result<Vec<u8>, Error> {
+    let mut pages = pages.into_iter().peekable();
+    if pages.peek().is_none() { Err(Error::NoPages) } else { Ok(pdf::write(title, pages)) }
 }
 
 impl Trace {

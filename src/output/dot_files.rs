@@ -18,8 +18,14 @@ use crate::page::{BrailleText, DotMedium, Medium, Page, Pen, Shape, TextRole};
 /// * [`Error::NotTogether`] if pages are for different devices, or an Index embosser would need different sheets.
 /// * [`Error::NotItsDots`] if dots are where the device or the format has none, and [`Error::CannotPress`] if an Index
 ///   embosser does not take the sheet. Neither happens to pages that the crate made.
-pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossing) -> Result<Vec<Vec<u8>>, Error> {
-    let pages = pages.iter().map(|page| Ok((page, medium_of(page, format)?))).collect::<Result<Vec<_>, Error>>()?;
+pub fn write<'p>(
+    title: &str,
+    pages: impl IntoIterator<Item = &'p Page>,
+    format: DotFormat,
+    embossing: Embossing,
+) -> Result<Vec<Vec<u8>>, Error> {
+    let with_medium = |page: &'p Page| Ok((page, medium_of(page, format)?));
+    let pages = pages.into_iter().map(with_medium).collect::<Result<Vec<_>, Error>>()?;
     let &(first, medium) = pages.first().ok_or(Error::NoPages)?;
     let of_one_device = |(page, own): &&(&Page, &DotMedium)| is_for_same(first, medium, page, own, format);
     if let Some((_, other)) = pages.iter().find(|page| !of_one_device(page)) {

@@ -33,13 +33,13 @@ pub struct Sheets {
 }
 
 impl Sheets {
-    /// All sheets in the order in which they are numbered: the overview, the picture, the key.
+    /// All sheets in the order in which they are numbered: the overview, the picture, the key; as
+    /// [`write_pdf`](crate::write_pdf) and [`write_dots`](crate::write_dots) take them.
     pub fn all(&self) -> impl Iterator<Item = &Page> {
         self.overview.iter().chain(&self.pages).chain(&self.key)
     }
 
-    /// All sheets in the order of [`Sheets::all`], as [`write_pdf`](crate::write_pdf) and
-    /// [`write_dots`](crate::write_dots) take them.
+    /// All sheets in the order of [`Sheets::all`].
     #[must_use]
     pub fn into_pages(self) -> Vec<Page> {
         self.overview.into_iter().chain(self.pages).chain(self.key).collect()

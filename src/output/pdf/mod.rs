@@ -37,7 +37,8 @@ const LEVEL: Compression = Compression::new(3);
 
 /// The pages, at least one, as one PDF document called `title`, which has the language and the origin of the first. The
 /// same pages give the same bytes.
-pub fn write(title: &str, pages: &[Page]) -> Vec<u8> {
+pub fn write<'p>(title: &str, pages: impl IntoIterator<Item = &'p Page>) -> Vec<u8> {
+    let pages: &[&Page] = &pages.into_iter().collect::<Vec<_>>();
     let mut pdf = Pdf::with_settings(Settings { pretty: false });
     let ids = ObjectIds::new(pages);
     catalog(&mut pdf, pages, &ids);
@@ -111,12 +112,12 @@ struct PageIds {
 }
 
 impl ObjectIds {
-    fn new(pages: &[Page]) -> Self {
+    fn new(pages: &[&Page]) -> Self {
         let mut next = Ref::new(1);
         let mut new = || next.bump();
         let [catalog, tree, info, metadata, root, document] = [(); 6].map(|()| new());
         let mut layers: BTreeMap<Layer, Ref> =
-            pages.iter().flat_map(content::layers).map(|layer| (layer, root)).collect();
+            pages.iter().copied().flat_map(content::layers).map(|layer| (layer, root)).collect();
         layers.values_mut().for_each(|id| *id = new());
         let pages = pages.iter().map(|_| PageIds { page: new(), content: new(), figure: new() }).collect();
         let font = new();
@@ -124,7 +125,7 @@ impl ObjectIds {
     }
 }
 
-fn catalog(pdf: &mut Pdf, pages: &[Page], ids: &ObjectIds) {
+fn catalog(pdf: &mut Pdf, pages: &[&Page], ids: &ObjectIds) {
     let mut catalog = pdf.catalog(ids.catalog);
     catalog.pages(ids.tree).metadata(ids.metadata);
     if let Some(first) = pages.first() {
@@ -174,7 +175,7 @@ fn order(mut outer: pdf_writer::Array<'_>, ids: &ObjectIds) {
 }
 
 /// The tags: a document of figures, each with the words for its page.
-fn structure(pdf: &mut Pdf, pages: &[Page], ids: &ObjectIds) {
+fn structure(pdf: &mut Pdf, pages: &[&Page], ids: &ObjectIds) {
     let mut root = pdf.indirect(ids.root).dict();
     root.pair(Name(b"Type"), Name(b"StructTreeRoot")).pair(Name(b"K"), ids.document);
     // From a page's number to the tags of its pieces of marked content, of which it has one.
