@@ -278,7 +278,7 @@ fn ticks_on(number: usize, chains: &[Vec<MmPoint>], edges: &Edges) -> usize {
 /// Lines in an area, to be found by their places; those of dots by pieces over several of them.
 fn index_of_pieces(lines: &[Line], area: MmRect) -> Nearby {
     let mut index = Nearby::new(area, DRAWN);
-    for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
+    for (line, run) in (0..).zip(lines).flat_map(|(number, line)| line.runs.iter().map(move |run| (number, run))) {
         let points: Vec<MmPoint> = run.polyline().path().copied().collect();
         let over = if run.pen == Pen::Stroke { 1 } else { STEPS_OF_DOTS.min(points.len().saturating_sub(1)).max(1) };
         for (number, piece) in (0..).zip(points.windows(over + 1)) {
