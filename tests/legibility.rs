@@ -75,14 +75,16 @@ fn glyphs_lie_in_the_picture_and_apart() {
 #[test]
 fn lines_are_wide_and_long_enough() {
     for (name, page) in pages() {
-        let overview = page.overview.iter().flat_map(|overview| &overview.lines);
-        for line in page.figure.lines.iter().chain(overview) {
+        let overview = page.overview.iter().map(|overview| &overview.lines);
+        let parts = [&page.figure.lines].into_iter().chain(overview);
+        for (lines, number, line) in parts.flat_map(|lines| (0..).zip(lines).map(move |(i, line)| (lines, i, line))) {
             // points on lines are three times as broad as the broadest line
             let is_bead = |run: &tactograph::marks::Run| run.length() < 0.2 && run.width <= 3.0 * WIDTHS.end();
             let is_fine = |run: &tactograph::marks::Run| WIDTHS.contains(&run.width) || is_bead(run);
             assert!(line.runs.iter().all(is_fine), "{name}: a width is out of range");
-            // simplification may shorten a line a little
-            assert!(line.length() >= 0.97 * MIN_LENGTH, "{name}: a line of {} mm", line.length());
+            // simplification may shorten a line a little, and one from line to line may be short
+            let is_whole = line.length() >= 0.97 * MIN_LENGTH || apart::leads_from_line_to_line(lines, number);
+            assert!(is_whole, "{name}: a line of {} mm", line.length());
         }
     }
 }

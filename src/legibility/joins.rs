@@ -8,6 +8,8 @@ use crate::units::MmPoint;
 /// Where a line joins another it must have come from beyond the clearance within this length, in clearances: at 19.5
 /// degrees or steeper, as the lines of drawings do.
 pub(crate) const APPROACH: f32 = 3.0;
+/// The same of two lines that join a third one at nearly one place: at 36 degrees or steeper.
+pub(crate) const CLUSTER_APPROACH: f32 = 1.7;
 /// A line that comes back to itself within this length is bent, not joined, mm.
 pub(crate) const BEND_LEAST: f32 = 2.0;
 /// Lines cross in a vertex of both if it is on both within this, mm: a page has hundredths.
@@ -23,8 +25,19 @@ pub(super) struct Join {
     arc: f32,
     /// The path that it joins.
     other: u32,
+    /// How far along that, mm.
+    there: f32,
     /// The line of that: it is joined as a whole.
     line: usize,
+    /// Of a join by a third path: how far the two joins with that are apart along it, mm.
+    by_third: Option<f32>,
+}
+
+impl Join {
+    /// How far from here along the path the two may be near, mm.
+    fn reach(&self, clearance: f32) -> f32 {
+        self.by_third.map_or(APPROACH * clearance, |apart| CLUSTER_APPROACH * clearance - apart)
+    }
 }
 
 /// The joins of every path. A line ends on another where their ink touches, or is no farther apart than `touch` mm. Two
@@ -37,7 +50,8 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
         let mut add = |arc: f32, there: f32, other: u32| {
             let bent = other as usize == number && path.between(arc, there) <= BEND_LEAST;
             if !bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 4.0 * VERTEX) {
-                found.push(Join { arc, other, line: paths.paths[other as usize].line });
+                let line = paths.paths[other as usize].line;
+                found.push(Join { arc, other, there, line, by_third: None });
             }
         };
         for segment in paths.segments_of(number) {
@@ -74,7 +88,60 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
             })
     };
     let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
-    found.iter().enumerate().map(kept).collect()
+    let mut kept: Vec<Vec<Join>> = found.iter().enumerate().map(kept).collect();
+    add_clusters(&mut kept, paths, least + 2.0 * widest);
+    kept
+}
+
+/// A path that ends on another no farther than two lines may be apart from where a third one joins that, and does not
+/// run beside the third, joins it as well: fingers feel one meeting of all three.
+fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
+    // of every path: where along it which other is joined, whichever of the two it is that ends there
+    let mut meetings: Vec<Vec<(f32, usize, f32)>> = vec![Vec::new(); paths.paths.len()];
+    for (number, own) in joins.iter().enumerate() {
+        for join in own {
+            meetings[number].push((join.arc, join.other as usize, join.there));
+            meetings[join.other as usize].push((join.there, number, join.arc));
+        }
+    }
+    let ends = |number: usize, arc: f32| {
+        let path = &paths.paths[number];
+        !path.closed && (arc <= VERTEX || arc >= path.length - VERTEX)
+    };
+    let leaves = |number: usize, arc: f32, step: f32| {
+        let path = &paths.paths[number];
+        let to = arc + step;
+        let to = if path.closed { to.rem_euclid(path.length) } else { to.clamp(0.0, path.length) };
+        (place(paths, number, to)? - place(paths, number, arc)?).try_normalize()
+    };
+    let is_apart = |one: (usize, f32), other: (usize, f32)| {
+        let both = |(number, arc): (usize, f32)| [spacing, -spacing].map(|step| leaves(number, arc, step));
+        let others = both(other);
+        both(one).iter().flatten().all(|way| others.iter().flatten().all(|with| way.dot(*with) <= BESIDE))
+    };
+    for (third, of_third) in meetings.iter().enumerate() {
+        for &(here, number, arc) in of_third.iter().filter(|(_, number, arc)| ends(*number, *arc)) {
+            let near =
+                of_third.iter().map(|(there, other, at)| (paths.paths[third].between(here, *there), *other, *at));
+            let near = near.filter(|(apart, other, _)| *other != number && *apart <= spacing);
+            let others = near.filter(|(_, other, there)| is_apart((number, arc), (*other, *there)));
+            joins[number].extend(others.map(|(apart, other, there)| {
+                let line = paths.paths[other].line;
+                Join { arc, other: other as u32, there, line, by_third: Some(apart) }
+            }));
+        }
+    }
+}
+
+/// The greatest cosine of two directions that are not those of lines beside one another (30 degrees; lines are drawn so
+/// from 36 on).
+pub(crate) const BESIDE: f32 = 0.866;
+
+/// The place of a path at an arc.
+fn place(paths: &Paths, path: usize, arc: f32) -> Option<MmPoint> {
+    let segments = paths.segments_of(path);
+    let at = segments.partition_point(|segment| segment.arc <= arc).saturating_sub(1);
+    segments.get(at).map(|segment| point_at(segment, arc))
 }
 
 /// Lines that end on one small ring, as the roads at a town, meet in it as they would in its middle.
@@ -93,8 +160,14 @@ fn add_meetings_in_rings(joins: &mut [Vec<Join>], paths: &Paths, least: f32) {
     ends.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
     for of_ring in ends.chunk_by(|a, b| a.0 == b.0) {
         for &(_, number, arc) in of_ring {
-            let others = of_ring.iter().map(|(_, other, _)| *other).filter(|other| *other != number);
-            joins[number].extend(others.map(|other| Join { arc, other: other as u32, line: paths.paths[other].line }));
+            let others = of_ring.iter().map(|(_, other, there)| (*other, *there)).filter(|other| other.0 != number);
+            joins[number].extend(others.map(|(other, there)| Join {
+                arc,
+                other: other as u32,
+                there,
+                line: paths.paths[other].line,
+                by_third: None,
+            }));
         }
     }
 }
@@ -107,14 +180,10 @@ fn longer(segment: &Segment) -> (MmPoint, MmPoint) {
 
 /// Whether a path stays within the least blank of another between two of its places.
 fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
-    let segments = paths.segments_of(path);
-    let place = |arc: f32| {
-        let at = segments.partition_point(|segment| segment.arc <= arc).saturating_sub(1);
-        segments.get(at).map(|segment| point_at(segment, arc))
-    };
     let near = |at: MmPoint| index.nearest(at, least, |segment| segment.line == other).is_some();
     let steps = ((to - from) / STEP).ceil().max(1.0) as u32;
-    (1..steps).filter_map(|k| place(from + (to - from) * k as f32 / steps as f32)).all(near)
+    let place_at = |k: u32| place(paths, path, from + (to - from) * k as f32 / steps as f32);
+    (1..steps).filter_map(place_at).all(near)
 }
 
 /// Whether a place of a path is on the stretch to a join with `line`.
@@ -123,7 +192,7 @@ pub(super) fn arrives(joins: &[Join], length: Option<f32>, arc: f32, line: usize
         let apart = (join.arc - arc).abs();
         length.map_or(apart, |length| apart.min(length - apart))
     };
-    joins.iter().any(|join| join.line == line && apart(join) <= APPROACH * clearance)
+    joins.iter().any(|join| join.line == line && apart(join) <= join.reach(clearance))
 }
 
 /// The parts of a segment, as places along its path, that are not on the stretch to a join with `line`.
@@ -136,12 +205,12 @@ pub(super) fn free_parts(
 ) -> Vec<(f32, f32)> {
     let whole = (segment.arc, segment.arc + (segment.b - segment.a).length());
     let mut parts = vec![whole];
-    let limit = APPROACH * clearance;
     // of a ring, a join near the beginning is near the end as well
     let rounds = length.map_or(vec![0.0], |length| vec![-length, 0.0, length]);
     let mut joined = false;
     for join in joins.iter().filter(|join| join.line == line) {
         joined = true;
+        let limit = join.reach(clearance);
         for round in &rounds {
             let (low, high) = (join.arc + round - limit, join.arc + round + limit);
             parts = parts

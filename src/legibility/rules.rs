@@ -119,7 +119,7 @@ pub(super) const LINE_GAP: Rule = Rule {
 };
 pub(super) const LINE_LENGTH: Rule = Rule {
     id: "line-length",
-    asks: "A line is at least this long from tip to tip.",
+    asks: "A line is at least this long from tip to tip, unless it leads from line to line.",
     severity: Severity::Error,
     source: "the profile's lines.min_length; BANA is quoted with 6 mm for lesser lines and 12.5 mm for main ones",
     remedy: "delete it, or make it a part of another line",

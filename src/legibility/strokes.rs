@@ -100,13 +100,27 @@ fn goes_on(line: &Line, window: MmRect, limits: &RuleLimits) -> bool {
     inner.is_negative() || ends.into_iter().any(|end| !inner.contains(*end))
 }
 
-/// Whether both ends of a line of dots lie beside dots of others, as those of an arrow between two boxes, which may be
-/// short.
+/// Whether both ends of a line lie on others, or beside dots of others, as those of an arrow between two boxes, which
+/// may be short.
 fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
-    let MediumLimits::Dots { pitch, .. } = limits.medium else { return false };
-    let Some([first, .., last]) = lines[number].row().map(|row| &row.points[..]) else { return false };
-    let others = || lines.iter().enumerate().filter(|(other, _)| *other != number).flat_map(|(_, line)| points(line));
-    [first, last].into_iter().all(|end| others().any(|dot| (dot - *end).length() <= BESIDE * pitch))
+    let others = || lines.iter().enumerate().filter(|(other, _)| *other != number).flat_map(|(_, line)| &line.runs);
+    let own = &lines[number].runs;
+    let end = |run: Option<&Run>, which: fn(&[MmPoint]) -> Option<&MmPoint>| Some((run?.width, *which(&run?.points)?));
+    // the second row of a line of dots has ends of its own
+    let (first, last) = match limits.medium {
+        MediumLimits::Print { .. } => (own.first(), own.last()),
+        MediumLimits::Dots { .. } => (lines[number].row(), lines[number].row()),
+    };
+    let is_on = |(width, end): (f32, MmPoint)| match limits.medium {
+        MediumLimits::Print { .. } => others().any(|run| {
+            let is_near = |(a, b): (&MmPoint, &MmPoint)| nearest_on_segment(end, *a, *b).0 <= 0.5 * (width + run.width);
+            run.polyline().segments().any(is_near)
+        }),
+        MediumLimits::Dots { pitch, .. } => {
+            others().flat_map(|run| &run.points).any(|dot| (*dot - end).length() <= BESIDE * pitch)
+        }
+    };
+    [end(first, <[_]>::first), end(last, <[_]>::last)].into_iter().all(|end| end.is_some_and(is_on))
 }
 
 /// Dots no farther apart than so many pitches are beside one another.

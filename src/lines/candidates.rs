@@ -11,14 +11,10 @@ use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
-use super::{arrowheads, centreline, faint, few, join, junction, saliency, ticks, weight};
+use super::{arrowheads, centreline, faint, few, join, junction, links, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
-
-/// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in
-/// proportion, has joined nothing and will not: it is not looked at further.
-const NEGLIGIBLE: f32 = 0.5;
 
 /// What is to be drawn as far as there is room for it.
 pub(super) struct LineCandidates {
@@ -59,21 +55,22 @@ impl LineCandidates {
         let lengthens = params.of_drawing && !is_overview;
         let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
         let mut short = LossTally::new(area);
-        let is_crumb = |polyline: &Polyline<Vertex>| {
-            polyline.weighted_length(params.full_strength) < NEGLIGIBLE * params.min_length
-        };
+        let is_crumb = |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < params.crumb();
         if params.of_drawing {
             polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
         }
         polylines.retain(|polyline| !is_crumb(polyline));
+        let whole = if params.of_drawing { links::short_ones(&polylines, area, params) } else { None };
         let polylines = centreline::merge(polylines, area, params);
         // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-        let mut polylines = join::join(polylines, params.join_gap);
+        let polylines = join::join(polylines, params.join_gap);
+        let is_long = |polyline: &Polyline<Vertex>| polyline.length() >= params.min_length;
+        let (mut polylines, mut rest): (Vec<_>, Vec<_>) = polylines.into_iter().partition(is_long);
         if params.of_drawing {
-            let is_short = |polyline: &&Polyline<Vertex>| polyline.length() < params.min_length;
-            polylines.iter().filter(is_short).for_each(|polyline| short.add(polyline));
+            let links = whole.map(|whole| links::take(&mut rest, &polylines, &whole, area, params));
+            rest.iter().for_each(|polyline| short.add(polyline));
+            polylines.extend(links.into_iter().flatten());
         }
-        polylines.retain(|polyline| polyline.length() >= params.min_length);
         polylines.iter_mut().for_each(Polyline::fill);
         let contours = polylines.len();
         let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();

@@ -21,6 +21,7 @@ mod few;
 mod join;
 mod junction;
 mod line;
+mod links;
 mod lost;
 mod marks;
 mod outlines;
@@ -43,7 +44,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use vertex::Vertex;
 
 pub use arrowheads::{Arrow, arrowhead, arrows, is_triangle};
-pub(crate) use clearance::{BEND, BEND_LEAST};
+pub(crate) use clearance::{APART, BEND, BEND_LEAST};
 pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
 pub use few::Beyond;
@@ -52,7 +53,7 @@ pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;
 use outlines::Rank;
-pub(crate) use params::APPROACH_OF_DRAWINGS;
+pub(crate) use params::{APPROACH_OF_DRAWINGS, CLUSTER_APPROACH};
 pub use params::{PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
 

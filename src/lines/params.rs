@@ -67,6 +67,8 @@ const APPROACH: f32 = 1.7;
 /// The same of drawings, where every crossing is meant: the curves of a chart, a connector between boxes. A straight
 /// line needs as much at 19.5 degrees.
 pub(crate) const APPROACH_OF_DRAWINGS: f32 = 3.0;
+/// The same of lines that meet a third one at nearly one place, where three are near one another: at 36 degrees.
+pub(crate) const CLUSTER_APPROACH: f32 = 1.7;
 /// What is taken off an approach, mm: a line may be drawn by a step of width thinner than its vertices say.
 const APPROACH_MARGIN: f32 = 0.2;
 /// What rounding, and the vertices where lines meet, may take from a distance, mm.
@@ -119,6 +121,22 @@ impl Params {
         self.min_gap + self.width_max
     }
 
+    /// A line of a drawing that leads from line to line, and so is felt with them, may be so short, mm.
+    pub(super) fn min_link(&self) -> f32 {
+        0.5 * self.min_length
+    }
+
+    /// Whether a line of a drawing of this length, mm, is drawn only from line to line.
+    pub(super) fn must_link(&self, length: f32) -> bool {
+        self.of_drawing && length < self.min_length
+    }
+
+    /// What is of full strength and shorter than this, mm, or weaker and not longer in proportion, has joined nothing
+    /// and will not: it is not looked at further.
+    pub(super) fn crumb(&self) -> f32 {
+        0.5 * self.min_length
+    }
+
     /// The widest stroke of which the centreline is drawn and not its two sides, mm.
     pub(super) fn widest_stroke(&self) -> f32 {
         if self.widen_bars { self.too_narrow() } else { self.max_spacing() }
@@ -169,6 +187,17 @@ impl Params {
     /// The greatest length from a junction until two lines of these half widths must be apart, mm.
     pub(super) fn approach(&self, half_width: f32, other: f32) -> f32 {
         self.longest_approach() * (self.min_gap + half_width + other) - APPROACH_MARGIN
+    }
+
+    /// The same of two lines of a drawing that meet a third one at nearly one place.
+    pub(super) fn cluster_approach(&self, half_width: f32, other: f32) -> f32 {
+        CLUSTER_APPROACH * (self.min_gap + half_width + other) - APPROACH_MARGIN
+    }
+
+    /// Places where lines end on a third one are nearly one if they are no farther apart than this, mm: the distance of
+    /// two lines of the least width.
+    pub(super) fn cluster_spacing(&self) -> f32 {
+        self.min_gap + self.width_min
     }
 
     /// The greatest length from a junction until two lines of the least width must be apart, mm, with a margin for

@@ -173,9 +173,7 @@ pub(super) fn draw(
     };
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
-    notes.extend(told_left_out(&drawn, &edges, &layout).into_iter().chain(told_whole(&drawn, &texts)));
-    notes.extend(lost_marks::told(&drawn.lost, plan));
-    notes.extend(if has_lines { told_dashed(&edges) } else { None });
+    notes.extend(told_of_drawn(&drawn, &edges, &texts, &layout, plan));
     if let Some(of_colours) = &mut areas_of_colours {
         let size = picture.raster.size();
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
@@ -199,6 +197,13 @@ pub(super) fn draw(
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let (lost_signs, overview) = (drawn.lost.signs, overview.marks);
     Ok(DrawnMarks { figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, notes })
+}
+
+/// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.
+fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, plan: &Plan) -> Vec<Note> {
+    let left_out = told_left_out(drawn, edges, layout).into_iter().chain(told_whole(drawn, texts));
+    let dashed = if plan.profile().figure.lines { told_dashed(edges) } else { None };
+    left_out.chain(lost_marks::told(&drawn.lost, plan)).chain(dashed).collect()
 }
 
 /// What the maker is told of lines that a person drew: of what runs beside those that are added, and of those that are

@@ -34,6 +34,8 @@ const _: () = assert!(
         && legibility::CORNER >= lines::SHARPEST
         && legibility::STRAIGHTNESS <= lines::STRAIGHTNESS
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
+        && legibility::CLUSTER_APPROACH >= lines::CLUSTER_APPROACH
+        && legibility::BESIDE >= lines::APART
         && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
         && allows_all_gaps(10)
         && legibility::GOES_ON <= dots::GOES_ON

@@ -109,9 +109,23 @@ fn lines_that_end_on_a_small_ring_meet_in_it_as_in_a_point() {
     assert_eq!(found(3.0), 0);
     // of the same roads without a ring the ends are too near to one another
     assert!(!too_near(&[road(3.0, 0.0), road(3.0, 40.0)], LEAST).is_empty());
-    // at a large ring they are two lines
+    // at a large ring they are two lines, as they run beside one another
     let wide = |degrees: f32| road(9.0, degrees);
     assert!(!too_near(&[ring(9.0), wide(0.0), wide(20.0)], LEAST).is_empty());
+}
+
+#[test]
+fn lines_that_end_on_another_at_nearly_one_place_meet_there() {
+    // two petals on the middle of their flower, 2 mm apart, and two rungs as far apart
+    let base = line(1.0, &[(10.0, 50.0), (110.0, 50.0)]);
+    let petals = [line(1.0, &[(60.0, 50.0), (40.0, 30.0)]), line(1.0, &[(62.0, 50.0), (82.0, 30.0)])];
+    let rungs = [60.0, 62.0].map(|x| line(1.0, &[(x, 50.0), (x, 43.5)]));
+    let found = |[one, other]: &[Line; 2]| too_near(&[base.clone(), one.clone(), other.clone()], LEAST).len();
+    assert_eq!(found(&petals), 0);
+    assert!(found(&rungs) > 0);
+    // 8 mm apart, where each is a junction of its own, they may not come near again
+    let back = [line(1.0, &[(60.0, 50.0), (63.0, 40.0), (90.0, 20.0)]), line(1.0, &[(68.0, 50.0), (65.5, 41.0)])];
+    assert!(found(&back) > 0);
 }
 
 #[test]

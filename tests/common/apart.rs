@@ -9,6 +9,8 @@ use tactograph::internals::units::MmPoint;
 const STEP: f32 = 0.25;
 /// A line that ends this near to another meets it, mm.
 const TOUCH: f32 = 0.02;
+/// ... or the corner of a ring, as of a leaf at its stem: corners are not moved onto the other line.
+const CORNER_TOUCH: f32 = 0.2;
 /// Where a line meets another it must have come from beyond the clearance within this way, in clearances: at 36 degrees or
 /// steeper.
 pub(crate) const APPROACH: f32 = 1.7;
@@ -146,17 +148,31 @@ impl Way {
     }
 }
 
+/// Whether both ends of a line lie on others.
+pub(crate) fn leads_from_line_to_line(lines: &[Line], number: usize) -> bool {
+    let others: Vec<Way> =
+        lines.iter().enumerate().filter(|(i, _)| *i != number).map(|(i, line)| Way::of(i, line)).collect();
+    let on_other = |at: MmPoint| others.iter().flat_map(|way| &way.segments).any(|s| s.nearest(at).0 <= TOUCH);
+    let own = Way::of(number, &lines[number]);
+    !own.closed && own.segments.first().zip(own.segments.last()).is_some_and(|(a, b)| on_other(a.a) && on_other(b.b))
+}
+
 /// All places where lines are nearer than `min_gap` though they do not join there, on an approach of at
 /// most so many clearances.
 pub(crate) fn too_near(lines: &[Line], min_gap: f32, approach: f32) -> Vec<TooNear> {
     let ways: Vec<Way> = lines.iter().enumerate().map(|(number, line)| Way::of(number, line)).collect();
     let all: Vec<Segment> = ways.iter().flat_map(|way| &way.segments).copied().collect();
     let widest = all.iter().map(|s| s.half_width).fold(0.0, f32::max);
-    let junctions = junctions(&ways, &all, min_gap);
+    let mut junctions = junctions(&ways, &all, min_gap);
+    if approach > APPROACH {
+        let by_third = by_third(&ways, &junctions, min_gap + 2.0 * widest);
+        junctions.iter_mut().zip(by_third).for_each(|(own, more)| own.extend(more));
+    }
     // whether line `a`, `arc` from its start, is on its way to a junction with line `b`
     let arrives = |a: u32, arc: f32, b: u32, clearance: f32| {
         let way = &ways[a as usize];
-        let on_the_way = |j: &Junction| j.other == b && way.between(j.arc, arc) <= approach * clearance;
+        let longest = |j: &Junction| j.by_third.map_or(approach * clearance, |apart| APPROACH * clearance - apart);
+        let on_the_way = |j: &Junction| j.other == b && way.between(j.arc, arc) <= longest(j);
         junctions[a as usize].iter().any(on_the_way)
     };
 
@@ -202,6 +218,13 @@ fn corners(way: &Way) -> impl Iterator<Item = [&Segment; 2]> {
     way.segments.windows(2).map(|pair| [&pair[0], &pair[1]]).chain(over_start.map(|(last, first)| [last, first]))
 }
 
+/// Whether a line turns at once in a vertex, by 30 degrees or more.
+fn turns(here: [&Segment; 2]) -> bool {
+    let direction = |s: &Segment| f64::from(s.b.y - s.a.y).atan2(f64::from(s.b.x - s.a.x));
+    let turn = (direction(here[1]) - direction(here[0])).rem_euclid(std::f64::consts::TAU);
+    turn.min(std::f64::consts::TAU - turn) >= 30_f64.to_radians()
+}
+
 /// Whether two lines cross in a vertex that both have: one of them comes and goes on different sides of the other.
 fn cross_in_a_vertex(one: [&Segment; 2], other: [&Segment; 2]) -> bool {
     let at = one[1].a;
@@ -213,9 +236,14 @@ fn cross_in_a_vertex(one: [&Segment; 2], other: [&Segment; 2]) -> bool {
 }
 
 /// Where a line ends on another, or crosses it.
+#[derive(Debug, Clone, Copy)]
 struct Junction {
     arc: f32,
     other: u32,
+    /// How far along that.
+    there: f32,
+    /// Of two lines that meet a third one at nearly one place: how far the two places are apart along that.
+    by_third: Option<f32>,
 }
 
 /// The junctions of every line. Two lines that cross again before they have been apart only wind round one another: these
@@ -226,7 +254,7 @@ fn junctions(ways: &[Way], all: &[Segment], min_gap: f32) -> Vec<Vec<Junction>> 
         let mut add = |arc: f32, there: f32, other: &Segment| {
             let itself = other.line as usize == number;
             if !(itself && way.between(arc, there) <= BEND_LEAST) {
-                found.push(Junction { arc, other: other.line });
+                found.push(Junction { arc, other: other.line, there, by_third: None });
             }
         };
         for segment in &way.segments {
@@ -242,6 +270,14 @@ fn junctions(ways: &[Way], all: &[Segment], min_gap: f32) -> Vec<Vec<Junction>> 
         for here in corners(way) {
             for there in ways.iter().flat_map(corners).filter(|there| cross_in_a_vertex(here, *there)) {
                 add(here[1].arc, there[1].arc, there[1]);
+            }
+        }
+        for here in corners(way).filter(|_| way.closed).filter(|here| turns(*here)) {
+            for other in all.iter().filter(|other| other.near(here[1].a, here[1].a, CORNER_TOUCH)) {
+                let (distance, at) = other.nearest(here[1].a);
+                if distance <= CORNER_TOUCH {
+                    add(here[1].arc, other.arc + (at - other.a).length(), other);
+                }
             }
         }
         if let (Some(first), Some(last), false) = (way.segments.first(), way.segments.last(), way.closed) {
@@ -274,9 +310,47 @@ fn junctions(ways: &[Way], all: &[Segment], min_gap: f32) -> Vec<Vec<Junction>> 
     found
         .iter()
         .zip(ways)
-        .map(|(list, way)| {
-            let kept = list.iter().filter(|junction| !winds(way, junction, list));
-            kept.map(|junction| Junction { ..*junction }).collect()
-        })
+        .map(|(list, way)| list.iter().filter(|junction| !winds(way, junction, list)).copied().collect())
         .collect()
+}
+
+/// The junctions of every line, where it ends on another, with those that meet that no farther than `spacing` from there
+/// and do not lie within 30 degrees of it.
+fn by_third(ways: &[Way], junctions: &[Vec<Junction>], spacing: f32) -> Vec<Vec<Junction>> {
+    let all = || junctions.iter().enumerate().flat_map(|(line, own)| own.iter().map(move |j| (line as u32, *j)));
+    // a meeting of two lines, seen from either
+    let both = all().flat_map(|(line, j)| [(line, j.arc, j.other, j.there), (j.other, j.there, line, j.arc)]);
+    let both: Vec<(u32, f32, u32, f32)> = both.collect();
+    let leaves = |line: u32, arc: f32| -> Vec<f64> {
+        let way = &ways[line as usize];
+        let at = |arc: f32| {
+            let arc = if way.closed { arc.rem_euclid(way.length) } else { arc.clamp(0.0, way.length) };
+            let segment = way.segments.iter().rev().find(|segment| segment.arc <= arc && arc <= way.length)?;
+            let (along, from, to) = (f64::from(arc - segment.arc), segment.a.to_f64(), segment.b.to_f64());
+            Some(from + (to - from).normalize() * along)
+        };
+        let from = at(arc);
+        let both = [arc + spacing, arc - spacing].map(|to| Some(at(to)? - from?));
+        let ways = both.into_iter().flatten().filter(|way| way.length() > 0.01);
+        ways.map(|way| way.angle_from_x_axis().to_degrees()).collect()
+    };
+    let is_apart = |one: f64, other: f64| (one - other + 540.0).rem_euclid(360.0) - 180.0;
+    let of = |number: u32| {
+        let mut found = Vec::new();
+        let way = &ways[number as usize];
+        let ends = |arc: f32| !way.closed && (arc <= TOUCH || arc >= way.length - TOUCH);
+        for &(_, arc, third, at) in both.iter().filter(|meeting| meeting.0 == number && ends(meeting.1)) {
+            let own = leaves(number, arc);
+            for &(_, near, other, there) in both.iter().filter(|meeting| meeting.0 == third && meeting.2 != number) {
+                let apart = ways[third as usize].between(at, near);
+                let others = leaves(other, there);
+                let diverge = own.iter().all(|a| others.iter().all(|b| is_apart(*a, *b).abs() >= 30.0));
+                if apart <= spacing && diverge {
+                    found.push(Junction { arc, other, there, by_third: Some(apart) });
+                }
+            }
+        }
+        found
+    };
+    (0..ways.len() as u32).map(of).collect()
 }

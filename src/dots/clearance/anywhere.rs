@@ -5,7 +5,6 @@ use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{second_row, spacing};
 use crate::geom::nearby::Index;
-use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
 use crate::units::{Mm, MmPoint, MmRect};
 
@@ -59,7 +58,8 @@ fn first_rows<'a>(lines: &'a [Line], part: MmRect, params: &Params) -> Vec<First
         let polyline = polyline_of(line);
         let mut dots = spacing::evenly(polyline.view(), params.pitch);
         dots.retain(|&at| part.contains_inclusive(at) && placed.is_free(at, least, |_| true));
-        if dots.len() >= LEAST_DOTS && polyline::length(&dots) + params.pitch >= params.min_length {
+        // in millimetres they are long enough, or lead from line to line: dots of others stand for their ends
+        if dots.len() >= LEAST_DOTS {
             let dots = placed.row(&dots, rows.len(), least);
             let row = Row { dots, closed: polyline.closed, is_heavy: params.has_second_row(line) };
             rows.push(FirstRow { line, row });

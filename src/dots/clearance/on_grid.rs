@@ -33,11 +33,10 @@ pub(in crate::dots) fn on_grid(
     let mut drawn: Vec<DrawnPiece> = Vec::new();
     for line in order(lines, part, params.centres()) {
         let (cells, closed) = cells_of(&lines[line], grid, within);
-        let is_arrow = is_arrow(&lines[line], marks);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
             let through = params.pitch * piece.through.saturating_sub(1) as f32;
-            let is_long = length.max(through) + ROUNDED_OFF >= params.min_length || is_arrow && piece.is_link;
+            let is_long = length.max(through) + ROUNDED_OFF >= params.min_length || piece.is_link;
             is_long && piece.cells.len() >= LEAST_DOTS
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
@@ -80,17 +79,6 @@ fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     (rasterise::thin(cells, closed, &sharp), closed)
 }
 
-/// A head is that of a line if its tip is so near to one of its ends, mm.
-const AT_TIP: f32 = 2.0;
-
-/// Whether a line is the shaft of an arrow.
-fn is_arrow(line: &Line, marks: &LineMarks) -> bool {
-    let points = || line.runs.iter().flat_map(|run| run.points.iter());
-    let ends = [points().next(), points().last()];
-    let is_tip = |end: &MmPoint| marks.heads.iter().any(|head| (head.at - *end).length() <= AT_TIP);
-    ends.into_iter().flatten().any(is_tip)
-}
-
 /// Whether the ends of a line have become neighbours on the grid, which closes it.
 fn ends_touch(cells: &[Cell]) -> bool {
     let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
@@ -105,7 +93,8 @@ fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
 pub(super) struct RowPiece {
     pub(super) cells: Vec<Cell>,
     pub(super) closed: bool,
-    /// Whether it is a whole line that leads from one line to another: an arrow between two boxes may be short.
+    /// Whether it is a whole line that leads from one line to another: an arrow or a bond between two shapes may be
+    /// short.
     pub(super) is_link: bool,
     /// How many dots its line has from end to end where it only crosses others and goes on beyond them: an arm of a
     /// cross may be short.
@@ -275,6 +264,9 @@ impl OccupiedDots {
         if let Some(ring) = closed.then(|| self.touching_ring(of_line, &distances)).flatten() {
             return vec![ring];
         }
+        if let Some(link) = self.link(of_line, &distances).filter(|_| !closed) {
+            return vec![link];
+        }
         if closed {
             // starting where it touches another line, or is too near to one, it is an open line
             let start = start_of_ring(&distances);
@@ -362,6 +354,30 @@ impl OccupiedDots {
         let ring = (0..cells.len()).map(|i| (start + i) % cells.len()).filter(|&i| distances[i] != Some(0));
         let cells: Vec<Cell> = ring.map(|i| cells[i]).collect();
         Some(RowPiece { through: cells.len(), cells, closed: true, is_link: false })
+    }
+
+    /// A line from one to another that is so short that all its dots are near to one of them, without the dots on
+    /// these; none if it runs beside one, or is near to a third.
+    fn link(&self, cells: &[Cell], distances: &[Option<i32>]) -> Option<RowPiece> {
+        let on_other = |distance: &&Option<i32>| **distance == Some(0);
+        let (first, last) =
+            (distances.iter().take_while(on_other).count(), distances.iter().rev().take_while(on_other).count());
+        let range = first..distances.len().checked_sub(last)?;
+        let (cells, distances) = (cells.get(range.clone())?, distances.get(range)?);
+        let ([begin, .., end], true) = (cells, cells.len() >= LEAST_DOTS) else { return None };
+        let touches = |distance: Option<&Option<i32>>| distance == Some(&Some(1));
+        let middle = distances.iter().skip(2).take(distances.len().saturating_sub(4));
+        let is_beside = middle.into_iter().any(|distance| touches(Some(distance)));
+        let near = |cell: &Cell| -> BTreeSet<usize> {
+            self.around(*cell).filter_map(|near| self.lines.get(&near)).copied().collect()
+        };
+        let joined = &near(begin) | &near(end);
+        let is_link = distances.iter().all(Option::is_some)
+            && touches(distances.first())
+            && touches(distances.last())
+            && !is_beside
+            && cells.iter().all(|cell| near(cell).is_subset(&joined));
+        is_link.then(|| RowPiece { is_link: true, ..RowPiece::cut_out(cells.to_vec()) })
     }
 
     /// Whether these dots of a line, which are too near to others, are near to a single one, and the line is soon away

@@ -10,8 +10,10 @@
 //!             |  <- not too many clearances     --´                  where it comes near
 //! ```
 
+use super::cluster::{are_apart, leaves, near_along};
+use super::near_line::NearLine;
 use super::near_map::{MARK, NearMap};
-use super::passage::{Junction, Meeting, Passage, SPIKE, TOUCH, arc_between, back_and_forth};
+use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, back_and_forth};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
@@ -36,57 +38,27 @@ pub(super) enum LineState {
     TooNear,
 }
 
-/// A segment that is near to a vertex.
-pub(super) struct NearLine<'a> {
-    pub(super) segment: &'a Segment,
-    /// Its nearest point.
-    pub(super) at: MmPoint,
-    /// From the nearest point of the segment to the vertex.
-    pub(super) away: MmVector,
-    /// From centre line to centre line, mm.
-    pub(super) distance: f32,
-    /// What the distance should be, mm.
-    clearance: f32,
-    /// What the distance falls short by, mm.
-    pub(super) missing: f32,
-    /// Where on the other line it is nearest, mm along that.
-    pub(super) line_arc: f32,
-    /// How far along either line a junction is close by, mm.
-    pub(super) approach: f32,
-    /// How far along its polyline the vertex is, mm.
-    arc: f32,
-    passage: &'a Passage,
-    /// The whole length of the line if it is closed, mm.
-    line_ring_length: Option<f32>,
-    of_drawing: bool,
-}
-
-impl NearLine<'_> {
-    /// Whether the two lines have a junction close by.
-    pub(super) fn joins(&self) -> bool {
-        // it is the line that ends there, or both of two that cross, that must have come from far enough: one that
-        // crosses and comes back, as a ring on a short stem, does not join where it is near again
-        let of_polyline = |j: &Junction| self.passage.between(j.arc, self.arc);
-        let of_line = |j: &Junction| arc_between(j.line_arc, self.line_arc, self.line_ring_length);
-        let from_junction = |j: &Junction| match j.meeting {
-            Meeting::LineEnds => of_line(j),
-            Meeting::PolylineEnds => of_polyline(j),
-            Meeting::Cross(_) => of_polyline(j).max(of_line(j)),
-        };
-        let least = |length: f32| length * approach_sine(self.approach, self.clearance) - FLAT;
-        let comes_away = |length: f32| !self.of_drawing || self.distance >= least(length);
-        let is_close = |length: f32| length <= self.approach && comes_away(length);
-        let joins = |j: &Junction| j.line == self.segment.line && is_close(from_junction(j));
-        self.passage.junctions.iter().any(joins)
-    }
-}
-
 /// One of the drawn lines.
 #[derive(Default)]
 struct DrawnLine {
     /// Its vertices, with the arc lengths there, mm.
     path: Vec<(f32, MmPoint)>,
     closed: bool,
+    /// Where it joins others.
+    joins: Vec<Joined>,
+}
+
+/// Where a drawn line joins another.
+#[derive(Clone, Copy)]
+struct Joined {
+    /// How far along itself, mm.
+    arc: f32,
+    /// Number of the other.
+    other: u32,
+    /// How far along the other, mm.
+    other_arc: f32,
+    /// Whether the other ends there.
+    other_ends: bool,
 }
 
 impl DrawnLine {
@@ -155,11 +127,21 @@ impl<'a> DrawnLines<'a> {
             }
         }
         let path = arcs.into_iter().zip(polyline.path().map(|vertex| vertex.at)).collect();
-        self.lines[line as usize] = DrawnLine { path, closed: polyline.closed };
+        self.lines[line as usize] = DrawnLine { path, closed: polyline.closed, joins: Vec::new() };
     }
 
     /// A line is complete: others may join its ends, or its corners if it is a ring of a drawing.
     pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32) {
+        if self.params.of_drawing {
+            for junction in self.passage_among(polyline.view(), |other| other != line).junctions {
+                let Junction { arc, line: other, line_arc, meeting, .. } = junction;
+                let other_ends = meeting == Meeting::LineEnds;
+                self.lines[line as usize].joins.push(Joined { arc, other, other_arc: line_arc, other_ends });
+                let other_ends = meeting == Meeting::PolylineEnds;
+                let joined = Joined { arc: line_arc, other: line, other_arc: arc, other_ends };
+                self.lines[other as usize].joins.push(joined);
+            }
+        }
         let path = &self.lines[line as usize].path;
         let places: Vec<usize> = match polyline.view().goes_round() {
             true if self.params.of_drawing => polyline.view().corners_of_ring(),
@@ -216,10 +198,11 @@ impl<'a> DrawnLines<'a> {
         let ring_length = closed.then_some(length);
         let back_and_forth = back_and_forth(&crossings, ring_length);
         crossings.append(&mut ends);
-        let mut passage = Passage { arcs, ring_length, junctions: crossings };
+        let mut passage = Passage { arcs, ring_length, junctions: crossings, clusters: Vec::new() };
         let joins =
             |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.stays_beside(at, vertices, &passage);
         passage.junctions = passage.junctions.iter().enumerate().filter(|at| joins(*at)).map(|(_, at)| *at).collect();
+        passage.clusters = self.clusters(&passage.junctions, polyline, &passage.arcs);
         passage
     }
 
@@ -230,7 +213,32 @@ impl<'a> DrawnLines<'a> {
         if let (Some(&arc), Some(tip)) = (arcs.last(), path.last()) {
             self.add_ends_on_lines(tip.at, arc, |_| true, &mut junctions);
         }
-        Passage { arcs, ring_length: None, junctions }
+        let clusters = self.clusters(&junctions, PolylineRef { vertices: path, closed: false }, &arcs);
+        Passage { arcs, ring_length: None, junctions, clusters }
+    }
+
+    /// The lines that others join near to where a polyline does, beside which it does not run.
+    fn clusters(&self, junctions: &[Junction], polyline: PolylineRef<'_, Vertex>, arcs: &[f32]) -> Vec<Cluster> {
+        let joins = |junction: &Junction| {
+            let third = &self.lines[junction.line as usize];
+            third.joins.iter().map(move |joined| (third, joined))
+        };
+        if junctions.iter().all(|junction| joins(junction).next().is_none()) {
+            return Vec::new();
+        }
+        let spacing = self.params.cluster_spacing();
+        let own: Vec<(f32, MmPoint)> = arcs.iter().copied().zip(polyline.path().map(|vertex| vertex.at)).collect();
+        let cluster = |junction: &Junction, third: &DrawnLine, joined: &Joined| {
+            let apart = near_along([joined.arc, junction.line_arc], third.ring_length(), spacing)?;
+            let (ends, line_ends) = (junction.is_own_end(), joined.other_ends);
+            let other = &self.lines[joined.other as usize];
+            let ways = leaves(&own, polyline.closed, junction.arc, spacing);
+            let are_apart = || are_apart(ways, leaves(&other.path, other.closed, joined.other_arc, spacing));
+            let (arc, line, line_arc) = (junction.arc, joined.other, joined.other_arc);
+            ((ends || line_ends) && are_apart()).then_some(Cluster { arc, ends, line, line_arc, line_ends, apart })
+        };
+        let of = |junction| joins(junction).filter_map(move |(third, joined)| cluster(junction, third, joined));
+        junctions.iter().flat_map(of).collect()
     }
 
     /// Adds the junctions where the segment `a`-`b` of a polyline, which begins at `arc`, crosses lines.
@@ -414,6 +422,7 @@ impl<'a> DrawnLines<'a> {
                 return;
             }
             let approach = self.params.approach(half, segment.half_width);
+            let cluster_approach = self.params.cluster_approach(half, segment.half_width);
             let line_arc = segment.arc + (at - segment.a).length();
             let of_drawing = self.params.of_drawing;
             let line_ring_length = self.lines[segment.line as usize].ring_length();
@@ -427,6 +436,7 @@ impl<'a> DrawnLines<'a> {
                 missing,
                 line_arc,
                 approach,
+                cluster_approach,
                 arc,
                 passage,
                 line_ring_length,
@@ -455,15 +465,6 @@ impl<'a> DrawnLines<'a> {
     pub(super) fn segments(&self) -> &Nearby {
         &self.segments
     }
-}
-
-/// What a line of a drawing that leaves a junction may lie nearer than a straight one at the flattest angle, mm: it may
-/// bend. What keeps beside the line for longer, as the first bar of a chart beside its axis, does not leave it.
-const FLAT: f32 = 1.0;
-
-/// The sine of the flattest angle at which a straight line has its clearance after an approach.
-fn approach_sine(approach: f32, clearance: f32) -> f32 {
-    (clearance / approach).min(1.0)
 }
 
 /// The segment of a line between two vertices.

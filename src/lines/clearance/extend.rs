@@ -1,9 +1,10 @@
 //! A line that was cut is extended along its old path to what it would soon have joined.
 
 use super::drawn::DrawnLines;
+use super::passage::TOUCH;
 use super::self_distance::is_bend;
 use crate::geom::nearby::Segment;
-use crate::geom::polyline::PolylineRef;
+use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::junction;
 use crate::lines::params::HEADING;
@@ -71,6 +72,20 @@ pub(super) fn extension(
     let tip = *added.last().unwrap_or(&start);
     added.extend(junction::straight(&tip, at));
     extension.keeps_clear(&added).then_some(added)
+}
+
+/// A line that is to lead from line to line, extended to what its ends point at where they do not lie on a line
+/// already; none if one of them does not lead to any.
+pub(super) fn between_lines(line: Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+    let mut vertices = line.vertices;
+    for _end in 0..2 {
+        let tip = vertices.last()?.at;
+        if drawn.segments().nearest(tip, TOUCH, |_| true).is_none() {
+            vertices.extend(extension(&vertices, &[], Extended::Piece, drawn)?);
+        }
+        vertices.reverse();
+    }
+    Some(Polyline::open(vertices))
 }
 
 impl Extension<'_> {

@@ -8,9 +8,11 @@ mod anchor;
 mod apart;
 mod bases;
 mod branch;
+mod cluster;
 mod displace;
 mod drawn;
 mod extend;
+mod near_line;
 mod near_map;
 mod passage;
 mod queue;
@@ -19,6 +21,7 @@ mod shift;
 mod split;
 
 pub(super) use apart::move_apart;
+pub(crate) use cluster::APART;
 pub(super) use queue::Cleared;
 pub(crate) use self_distance::{BEND, BEND_LEAST};
 
@@ -28,6 +31,7 @@ use self::extend::{Extended, extension};
 use self::queue::{Queue, QueuedLine};
 use self::self_distance::self_approach;
 use self::split::{PartEnds, split, without_stubs};
+use super::links::is_straight;
 use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
@@ -110,6 +114,12 @@ pub(super) fn clear(
 fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let keeps_its_place = keeps_its_place(&line, drawn.params);
     let QueuedLine { mut polyline, round, .. } = line;
+    if drawn.params.must_link(polyline.length()) {
+        match Some(polyline).filter(is_straight).and_then(|line| extend::between_lines(line, drawn)) {
+            Some(whole) => polyline = whole,
+            None => return Decision::Split(Vec::new()),
+        }
+    }
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
     if let Some(shorter) = without_stubs(&polyline, drawn) {

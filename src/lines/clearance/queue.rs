@@ -57,7 +57,8 @@ impl<'a> Queue<'a> {
     /// [`Queue::push`] of a line that is as salient as this.
     pub(super) fn push_as(&mut self, line: QueuedLine, saliency: f32) {
         let QueuedLine { polyline, rank, round, .. } = &line;
-        if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || *round > MOST_ROUNDS {
+        let least = if self.params.of_drawing { self.params.min_link() } else { self.params.min_length };
+        if polyline.vertices.len() < 2 || polyline.length() < least || *round > MOST_ROUNDS {
             return;
         }
         let rank = (*rank, TotalOrder(f64::from(saliency)), Reverse(self.count));

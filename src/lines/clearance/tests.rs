@@ -11,7 +11,7 @@ pub(in crate::lines) fn clear_all(lines: Vec<(Polyline<Vertex>, Rank)>, area: Mm
 }
 
 /// A line of the greatest width with vertices as close as those of lines in the making.
-pub(super) fn polyline(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
+pub(in crate::lines) fn polyline(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
     let vertex = |&(x, y): &(f32, f32)| Vertex {
         at: MmPoint::new(x, y),
         strength: 60.0,
@@ -59,6 +59,39 @@ fn a_ring_without_room_is_opened_or_left_out_as_a_whole() {
     };
     assert_eq!(cleared(false), [true, false]);
     assert_eq!(cleared(true), [true]);
+}
+
+/// The lengths of lines of a drawing that are drawn, in the order in which they are given.
+fn lengths_drawn(lines: &[&[(f32, f32)]]) -> Vec<f32> {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let params = Params { of_drawing: true, ..Params::TEST };
+    let all: Vec<_> = lines.iter().map(|points| (polyline(points, false), Rank::Ordinary)).collect();
+    let cleared = clear_all(all, area, &params);
+    let middle = |points: &[(f32, f32)]| MmPoint::from(points[0]).lerp(points[1].into(), 0.5);
+    let of = |points: &&[(f32, f32)]| {
+        let is_it = |line: &&Cleared| line.polyline.path().any(|vertex| (vertex.at - middle(points)).length() < 0.5);
+        cleared.iter().find(is_it).map_or(0.0, |line| line.polyline.length())
+    };
+    lines.iter().map(of).collect()
+}
+
+#[test]
+fn lines_that_end_on_another_at_nearly_one_place_meet_there_unless_they_run_beside_one_another() {
+    let base: &[(f32, f32)] = &[(10.0, 50.0), (90.0, 50.0)];
+    let petals = lengths_drawn(&[base, &[(50.0, 50.0), (30.0, 30.0)], &[(52.0, 50.0), (72.0, 30.0)]]);
+    assert!(petals[1..].iter().all(|length| *length > 28.0), "{petals:?}");
+    let beside = lengths_drawn(&[base, &[(50.0, 50.0), (50.0, 20.0)], &[(53.0, 50.0), (53.0, 25.0)]]);
+    assert!(beside[1] > 29.0 && beside[2] < 1.0, "{beside:?}");
+}
+
+#[test]
+fn a_line_from_one_line_to_another_may_be_short_and_goes_if_they_do() {
+    let (one, other): (&[_], &[_]) = (&[(10.0, 50.0), (90.0, 50.0)], &[(10.0, 44.0), (90.0, 44.0)]);
+    let bond: &[(f32, f32)] = &[(50.0, 50.0), (50.0, 44.0)];
+    assert!((lengths_drawn(&[one, other, bond])[2] - 6.0).abs() < 0.1);
+    // what the contour lacks to the lines is added
+    assert!((lengths_drawn(&[one, other, &[(50.0, 49.0), (50.0, 44.8)]])[2] - 6.0).abs() < 0.1);
+    assert!(lengths_drawn(&[one, bond])[1] < 0.1);
 }
 
 #[test]

@@ -63,13 +63,23 @@ fn an_end_that_touches_another_line_stays_joined() {
 #[test]
 fn a_short_line_from_one_line_to_another_is_a_link() {
     let upright = |x: i32| (0..12).map(move |y| [x, y]).collect::<Vec<Cell>>();
-    let boxes = taken(&[upright(0), upright(7)], 2);
-    let links = |from: i32, to: i32| {
-        let pieces = boxes.pieces(&row(6, from..to), false);
+    let links = |apart: i32, from: i32, to: i32| {
+        let pieces = taken(&[upright(0), upright(apart)], 2).pieces(&row(6, from..to), false);
         pieces.into_iter().map(|piece| (piece.cells.len(), piece.is_link)).collect::<Vec<_>>()
     };
-    assert_eq!(links(0, 8), [(6, true)]);
-    assert_eq!(links(0, 5), [(4, false)], "it ends before the other one");
+    for apart in 4..9 {
+        assert_eq!(
+            links(apart, 0, apart + 1),
+            [(apart as usize - 1, true)],
+            "from dot on line to dot on line, {apart}"
+        );
+        assert_eq!(links(apart, 1, apart), [(apart as usize - 1, true)], "from dot beside line to dot beside line");
+    }
+    assert_eq!(links(3, 0, 4), [], "two dots are no line");
+    assert_eq!(links(7, 0, 5), [(4, false)], "it ends before the other one");
+    // beside one of them all along
+    let beside = taken(&[upright(0), upright(4)], 2).pieces(&(0..6).map(|y| [1, y]).collect::<Vec<Cell>>(), false);
+    assert!(beside.iter().all(|piece| !piece.is_link));
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn junctions_are_beside_one_another_if_they_are_so_on_both_lines() {
 
 #[test]
 fn round_a_ring_the_shorter_way_counts() {
-    let passage = |ring_length| Passage { arcs: Vec::new(), ring_length, junctions: Vec::new() };
+    let passage = |ring_length| Passage { arcs: Vec::new(), ring_length, junctions: Vec::new(), clusters: Vec::new() };
     assert!((passage(None).between(2.0, 98.0) - 96.0).abs() < 1e-4);
     assert!((passage(Some(100.0)).between(2.0, 98.0) - 4.0).abs() < 1e-4);
     assert!((passage(Some(100.0)).between(30.0, 60.0) - 30.0).abs() < 1e-4);

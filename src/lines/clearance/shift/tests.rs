@@ -24,7 +24,7 @@ fn passage(polyline: &Polyline<Vertex>, junctions: Vec<Junction>) -> Passage {
         arcs.push(arcs[arcs.len() - 1] + (b.at - a.at).length());
     }
     let ring_length = polyline.closed.then(|| arcs[arcs.len() - 1]);
-    Passage { arcs, ring_length, junctions }
+    Passage { arcs, ring_length, junctions, clusters: Vec::new() }
 }
 
 /// A junction at an arc, with a line of this direction.

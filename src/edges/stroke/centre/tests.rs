@@ -1,0 +1,33 @@
+//! Tests of `centre`.
+
+use super::*;
+
+#[test]
+fn changes_of_contrast_on_a_ring_do_not_depend_on_where_it_begins() {
+    // 80 px round; without contrast over 20 of them, and over 5 others, which are too few
+    let side = |k: usize| match (k / 20, (k % 20) as f32) {
+        (0, along) => PxPoint::new(along, 0.0),
+        (1, along) => PxPoint::new(20.0, along),
+        (2, along) => PxPoint::new(20.0 - along, 20.0),
+        (_, along) => PxPoint::new(0.0, 20.0 - along),
+    };
+    let is_stroke = |k: usize| !(30..50).contains(&k) && !(65..70).contains(&k);
+    let of = |k: usize| StrokeContrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };
+    for turn in 0..80 {
+        let vertices = (0..80).map(|k| side((k + turn) % 80)).collect();
+        let contrasts: Vec<StrokeContrast> = (0..80).map(|k| of((k + turn) % 80)).collect();
+        let line = Polyline { vertices, closed: true };
+        let found = changes(&line, &contrasts, 10.0, 5.0).into_iter().map(|i| (i + turn) % 80);
+        let mut found: Vec<usize> = found.collect();
+        found.sort_unstable();
+        assert_eq!(found, [30, 50], "from vertex {turn}");
+    }
+}
+
+#[test]
+fn the_median_of_opposite_values_is_opposite() {
+    for values in [&[0.5, -1.0, 2.0, 0.25][..], &[3.0, -1.0, 0.5], &[0.75, -2.0], &[]] {
+        let sum = median(values.iter().copied()) + median(values.iter().map(|value| -value));
+        assert!(sum.abs() < f32::EPSILON, "{values:?}");
+    }
+}

@@ -1,0 +1,42 @@
+//! Lines that join a third one at nearly one place, as petals the middle of a flower.
+
+use super::passage::arc_between;
+use crate::units::{MmPoint, MmVector};
+
+/// The greatest cosine of two directions of lines that do not run beside one another: 36 degrees, as
+/// [`crate::lines::params::Params::cluster_approach`] has it.
+pub(crate) const APART: f32 = 0.809;
+
+/// A path with the arc length at each vertex, mm; of a closed one the first vertex comes again at the end.
+pub(super) type Path = [(f32, MmPoint)];
+
+/// The directions in which a path leaves a place of it, from there to `span` mm farther along, or to its end; none
+/// where it ends.
+pub(super) fn leaves(path: &Path, closed: bool, arc: f32, span: f32) -> [Option<MmVector>; 2] {
+    let length = path.last().map_or(0.0, |(arc, _)| *arc);
+    [arc + span, arc - span].map(|to| {
+        let to = if closed { to.rem_euclid(length) } else { to.clamp(0.0, length) };
+        (place(path, to)? - place(path, arc)?).try_normalize()
+    })
+}
+
+/// Whether no two of these directions are those of lines beside one another.
+pub(super) fn are_apart(one: [Option<MmVector>; 2], other: [Option<MmVector>; 2]) -> bool {
+    let of_other = || other.iter().flatten();
+    one.iter().flatten().all(|way| of_other().all(|with| way.dot(*with) <= APART))
+}
+
+/// The place of a path at an arc.
+fn place(path: &Path, arc: f32) -> Option<MmPoint> {
+    let next = path.partition_point(|(at, _)| *at < arc).clamp(1, path.len().max(2) - 1);
+    let (&(from, a), &(to, b)) = path.get(next - 1).zip(path.get(next))?;
+    Some(a.lerp(b, ((arc - from) / (to - from).max(f32::EPSILON)).clamp(0.0, 1.0)))
+}
+
+/// How far two places of a line are apart along it, if that is no farther than two lines are.
+pub(super) fn near_along(arcs: [f32; 2], ring_length: Option<f32>, spacing: f32) -> Option<f32> {
+    Some(arc_between(arcs[0], arcs[1], ring_length)).filter(|apart| *apart <= spacing)
+}
+
+#[cfg(test)]
+mod tests;

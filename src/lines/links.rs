@@ -1,0 +1,61 @@
+//! Short lines that lead from line to line: a bond between two atoms, an arrow between two boxes, the rung of a ladder.
+//! Fingers find them by what they join, so they may be shorter than a line that stands alone.
+
+use super::params::Params;
+use super::vertex::{Tip, Vertex};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::Polyline;
+use crate::units::MmRect;
+
+/// The chord of a straight line is at least this share of it: an arc of 60 degrees has .955.
+const STRAIGHT: f32 = 0.95;
+
+/// The straight lines that are too short for lines as they came, by their places; none if there are none.
+pub(super) fn short_ones(lines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Option<Nearby> {
+    let is_short =
+        |line: &&Polyline<Vertex>| is_straight(line) && (params.min_link()..params.min_length).contains(&line.length());
+    let short: Vec<&Polyline<Vertex>> = lines.iter().filter(is_short).collect();
+    (!short.is_empty()).then(|| index_of(short.into_iter(), area, params))
+}
+
+/// Takes those of `short` lines out whose two ends lie at long `lines`, or before gaps that a line may be extended
+/// over, and that are what came as such a line (`whole`) and not a remnant of a longer one, such as the top of a bar.
+/// Whether they are drawn is decided when those are ([`super::clearance`]).
+pub(super) fn take(
+    short: &mut Vec<Polyline<Vertex>>,
+    lines: &[Polyline<Vertex>],
+    whole: &Nearby,
+    area: MmRect,
+    params: &Params,
+) -> Vec<Polyline<Vertex>> {
+    let nearby = index_of(lines.iter(), area, params);
+    let is_whole = |line: &Polyline<Vertex>| {
+        let middle = line.vertices.get(line.vertices.len() / 2);
+        middle.is_some_and(|middle| whole.nearest(middle.at, params.max_offset(), |_| true).is_some())
+    };
+    let is_link = |line: &Polyline<Vertex>| {
+        let is_joined =
+            |which: Tip| which.of(line).is_some_and(|tip| nearby.nearest(tip.at, params.join_gap, |_| true).is_some());
+        let may_link = is_straight(line) && line.length() >= params.min_link();
+        may_link && is_whole(line) && Tip::BOTH.into_iter().all(is_joined)
+    };
+    short.extract_if(.., |line| is_link(line)).collect()
+}
+
+/// What is so short and bent is a part of a shape, such as half of a mouth.
+pub(super) fn is_straight(line: &Polyline<Vertex>) -> bool {
+    !line.closed && line.chord() >= STRAIGHT * line.length()
+}
+
+fn index_of<'l>(lines: impl Iterator<Item = &'l Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
+    let mut nearby = Nearby::new(area, params.max_spacing());
+    for (number, line) in (0..).zip(lines) {
+        for (index, (a, b)) in (0..).zip(line.segments()) {
+            nearby.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line: number, index, arc: 0.0 });
+        }
+    }
+    nearby
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,19 @@
+//! Tests of `links`.
+
+use super::*;
+use crate::lines::clearance::tests::polyline;
+use crate::lines::tests::area;
+
+#[test]
+fn what_leads_from_line_to_line_is_taken_unless_it_is_a_remnant() {
+    let params = Params { of_drawing: true, ..Params::TEST };
+    let lines = [polyline(&[(10.0, 50.0), (90.0, 50.0)], false), polyline(&[(10.0, 44.0), (90.0, 44.0)], false)];
+    let bond = polyline(&[(40.0, 49.0), (40.0, 44.0)], false);
+    let loose = polyline(&[(60.0, 50.0), (60.0, 56.0)], false);
+    let remnant = polyline(&[(80.0, 50.0), (80.0, 44.0)], false);
+    let whole = short_ones(&[bond.clone(), loose.clone(), lines[0].clone()], area(), &params).expect("there are two");
+    let mut short = vec![bond.clone(), loose.clone(), remnant.clone()];
+    assert_eq!(take(&mut short, &lines, &whole, area(), &params), [bond]);
+    assert_eq!(short, [loose, remnant]);
+    assert!(short_ones(&lines, area(), &params).is_none());
+}

@@ -1,0 +1,43 @@
+//! Tests of `vertex`.
+
+use super::*;
+
+fn line(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
+    let vertex = |&(x, y): &(f32, f32)| Vertex {
+        at: MmPoint::new(x, y),
+        strength: 30.0,
+        contrast: [0.0; 3],
+        width: 0.0,
+        stroke: 0.0,
+        source: FoundIn::Pixels,
+        displaced: MmVector::zero(),
+    };
+    let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
+    line.subdivide(0.25);
+    line
+}
+
+fn gap(line: &Polyline<Vertex>, (x, y): (f32, f32)) -> f32 {
+    line.vertices.iter().map(|v| (v.at - MmPoint::new(x, y)).length()).fold(f32::INFINITY, f32::min)
+}
+
+#[test]
+fn corners_stay_where_they_are() {
+    let corners = [(10.0, 10.0), (30.0, 10.0), (30.0, 25.0), (12.0, 30.0)];
+    for closed in [false, true] {
+        let smooth = line(&corners, closed).smoothed_between_corners(0.6);
+        assert_eq!(smooth.closed, closed);
+        assert!(corners.iter().all(|&corner| gap(&smooth, corner) < 1e-4), "{smooth:?}");
+        assert!(smooth.segments().all(|(a, b)| (b.at - a.at).length() > 0.2), "no vertex twice");
+    }
+    assert!(gap(&line(&corners, true).smoothed(0.6), corners[0]) > 0.1);
+}
+
+#[test]
+fn a_circle_has_no_corners() {
+    let on = |k: u32| (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
+    let circle: Vec<(f32, f32)> = (0..60).map(on).map(|(y, x)| (20.0 + 5.0 * x, 20.0 + 5.0 * y)).collect();
+    let circle = line(&circle, true);
+    assert!(circle.view().corners().is_empty());
+    assert_eq!(circle.clone().smoothed_between_corners(0.6), circle.smoothed(0.6).evened());
+}
