@@ -77,7 +77,7 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
     };
     let mut found: Vec<Vec<Join>> = (0..paths.paths.len()).map(of).collect();
     add_meetings_in_rings(&mut found, paths, least);
-    // two dots beside a line both touch it: they end on it, and do not wind round it
+    // of a line of dots the last two dots may both touch another line: it ends there, and does not wind round it
     let winds = |number: usize, join: &Join| {
         join.other as usize != number
             && found[number].iter().any(|other| {

@@ -32,10 +32,10 @@ const FREE: f32 = 1.5;
 const AT_TIP: f32 = 3.0;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
-/// A leader line is drawn at a place if a line is so near, mm (most lines are moved by less: see
-/// `lines::Params::farthest_moved`), that has its direction
-/// but for 40 degrees: the cosine.
+/// A leader line is drawn at a place if a line is so near, mm; most lines are moved by less (see
+/// `lines::Params::farthest_moved`).
 const DRAWN: f32 = 3.0;
+/// That line has its direction to 40 degrees: the cosine.
 const ALONG: f32 = 0.77;
 /// On a grid lines have steps of 45 degrees: their direction is that over so many.
 const STEPS_OF_DOTS: usize = 4;

@@ -118,7 +118,7 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
     };
     let names_of = |number: usize, placed: &Placed| {
         let own = far(&wanted[number].anchor, &placed.place);
-        // a leader line says what it names, and a part of a fingertip is no difference
+        // a leader line says what it names; what is nearer by less than a part of a fingertip is as near
         let is_nearer =
             |other: &&Wanted| other.text != wanted[number].text && far(&other.anchor, &placed.place) + NEARER < own;
         let other = wanted

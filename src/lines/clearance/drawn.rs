@@ -1,8 +1,8 @@
 //! The lines that are drawn so far, and what comes too near to them.
 //!
-//! Two lines may be near only close to a junction: where one of them ends on the other, or where they cross. The
-//! length from there until they are apart must be short, which keeps out lines that run into one another at a flat
-//! angle:
+//! Two lines may be near only close to a junction: where one of them ends on the other, or where they cross; in a
+//! drawing also where both meet a third one at nearly one place ([`super::cluster`]). The length from there until they
+//! are apart must be short, which keeps out lines that run into one another at a flat angle:
 //!
 //! ```text
 //!   ----------o----------   far enough          -----------o------   too flat: the
