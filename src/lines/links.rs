@@ -1,11 +1,12 @@
 //! Short lines that lead from line to line: a bond between two atoms, an arrow between two boxes, the rung of a ladder.
 //! Fingers find them by what they join, so they may be shorter than a line that stands alone.
 
+use super::clearance::{Cleared, TOUCH};
 use super::params::Params;
 use super::vertex::{Tip, Vertex};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect};
 
 /// The chord of a straight line is at least this share of it: an arc of 60 degrees has .955.
 const STRAIGHT: f32 = 0.95;
@@ -40,6 +41,24 @@ pub(super) fn take(
         may_link && is_whole(line) && Tip::BOTH.into_iter().all(is_joined)
     };
     short.extract_if(.., |line| is_link(line)).collect()
+}
+
+/// Drops those of which a line that they led to is not drawn after all.
+pub(super) fn drop_loose(drawn: &mut Vec<&Cleared>, area: MmRect, params: &Params) {
+    if drawn.iter().all(|line| !params.must_link(line.polyline.length())) {
+        return;
+    }
+    let nearby = index_of(drawn.iter().map(|line| &line.polyline), area, params);
+    let mut number = 0..;
+    drawn.retain(|line| {
+        let own = number.next();
+        let leads = |end: Option<&Vertex>| {
+            let on_other = |at: MmPoint| nearby.nearest(at, TOUCH, |segment| Some(segment.line) != own).is_some();
+            end.is_some_and(|end| on_other(end.at))
+        };
+        let ends = [line.polyline.vertices.first(), line.polyline.vertices.last()];
+        !params.must_link(line.polyline.length()) || ends.into_iter().all(leads)
+    });
 }
 
 /// What is so short and bent is a part of a shape, such as half of a mouth.

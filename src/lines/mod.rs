@@ -104,9 +104,11 @@ pub fn draw_with(
     let is_meant = |line: &Cleared| line.rank == Rank::Subject || few::is_of_person(&line.polyline);
     let stays = |line: &&Cleared| line.saliency >= least || is_meant(line);
     let mut drawn: Vec<_> = cleared.iter().filter(stays).collect();
+    links::drop_loose(&mut drawn, area, &params);
     let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.
     let mut beyond = few::keep(&mut drawn, outlines.shapes, area, &params);
+    links::drop_loose(&mut drawn, area, &params);
     // A page of few shapes has no points; each is a shape that is left out.
     let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
     beyond.shapes += candidates.points.len() - points.len();

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::lines::clearance::tests::polyline;
+use crate::lines::outlines::Rank;
 use crate::lines::tests::area;
 
 #[test]
@@ -16,4 +17,22 @@ fn what_leads_from_line_to_line_is_taken_unless_it_is_a_remnant() {
     assert_eq!(take(&mut short, &lines, &whole, area(), &params), [bond]);
     assert_eq!(short, [loose, remnant]);
     assert!(short_ones(&lines, area(), &params).is_none());
+}
+
+#[test]
+fn a_link_goes_with_the_line_that_it_led_to() {
+    let params = Params { of_drawing: true, ..Params::TEST };
+    let cleared = |points: &[(f32, f32)]| {
+        let polyline = polyline(points, false);
+        let anchored = vec![false; polyline.vertices.len()];
+        Cleared { polyline, saliency: 1.0, rank: Rank::Ordinary, anchored }
+    };
+    let one = cleared(&[(10.0, 50.0), (90.0, 50.0)]);
+    let (other, bond) = (cleared(&[(10.0, 44.0), (90.0, 44.0)]), cleared(&[(40.0, 50.0), (40.0, 44.0)]));
+    let mut all = vec![&one, &other, &bond];
+    drop_loose(&mut all, area(), &params);
+    assert_eq!(all.len(), 3);
+    let mut rest = vec![&one, &bond];
+    drop_loose(&mut rest, area(), &params);
+    assert_eq!(rest.len(), 1);
 }
