@@ -3,8 +3,8 @@
 
 use super::clearance::{Cleared, TOUCH};
 use super::params::Params;
-use super::vertex::{Tip, Vertex};
-use crate::geom::nearby::{Nearby, Segment};
+use super::vertex::{Tip, Vertex, nearby};
+use crate::geom::nearby::Nearby;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
 
@@ -16,7 +16,7 @@ pub(super) fn short_ones(lines: &[Polyline<Vertex>], area: MmRect, params: &Para
     let is_short =
         |line: &&Polyline<Vertex>| is_straight(line) && (params.min_link()..params.min_length).contains(&line.length());
     let short: Vec<&Polyline<Vertex>> = lines.iter().filter(is_short).collect();
-    (!short.is_empty()).then(|| index_of(short.into_iter(), area, params))
+    (!short.is_empty()).then(|| nearby(short.into_iter(), area, params))
 }
 
 /// Takes those of `short` lines out whose two ends lie at long `lines`, or before gaps that a line may be extended
@@ -29,14 +29,14 @@ pub(super) fn take(
     area: MmRect,
     params: &Params,
 ) -> Vec<Polyline<Vertex>> {
-    let nearby = index_of(lines.iter(), area, params);
+    let all = nearby(lines.iter(), area, params);
     let is_whole = |line: &Polyline<Vertex>| {
         let middle = line.vertices.get(line.vertices.len() / 2);
         middle.is_some_and(|middle| whole.nearest(middle.at, params.max_offset(), |_| true).is_some())
     };
     let is_link = |line: &Polyline<Vertex>| {
         let is_joined =
-            |which: Tip| which.of(line).is_some_and(|tip| nearby.nearest(tip.at, params.join_gap, |_| true).is_some());
+            |which: Tip| which.of(line).is_some_and(|tip| all.nearest(tip.at, params.join_gap, |_| true).is_some());
         let may_link = is_straight(line) && line.length() >= params.min_link();
         may_link && is_whole(line) && Tip::BOTH.into_iter().all(is_joined)
     };
@@ -48,12 +48,12 @@ pub(super) fn drop_loose(drawn: &mut Vec<&Cleared>, area: MmRect, params: &Param
     if drawn.iter().all(|line| !params.must_link(line.polyline.length())) {
         return;
     }
-    let nearby = index_of(drawn.iter().map(|line| &line.polyline), area, params);
+    let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
     let mut number = 0..;
     drawn.retain(|line| {
         let own = number.next();
         let leads = |end: Option<&Vertex>| {
-            let on_other = |at: MmPoint| nearby.nearest(at, TOUCH, |segment| Some(segment.line) != own).is_some();
+            let on_other = |at: MmPoint| all.nearest(at, TOUCH, |segment| Some(segment.line) != own).is_some();
             end.is_some_and(|end| on_other(end.at))
         };
         let ends = [line.polyline.vertices.first(), line.polyline.vertices.last()];
@@ -64,16 +64,6 @@ pub(super) fn drop_loose(drawn: &mut Vec<&Cleared>, area: MmRect, params: &Param
 /// What is so short and bent is a part of a shape, such as half of a mouth.
 pub(super) fn is_straight(line: &Polyline<Vertex>) -> bool {
     !line.closed && line.chord() >= STRAIGHT * line.length()
-}
-
-fn index_of<'l>(lines: impl Iterator<Item = &'l Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
-    let mut nearby = Nearby::new(area, params.max_spacing());
-    for (number, line) in (0..).zip(lines) {
-        for (index, (a, b)) in (0..).zip(line.segments()) {
-            nearby.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line: number, index, arc: 0.0 });
-        }
-    }
-    nearby
 }
 
 #[cfg(test)]

@@ -364,17 +364,17 @@ impl OccupiedDots {
             (distances.iter().take_while(on_other).count(), distances.iter().rev().take_while(on_other).count());
         let range = first..distances.len().checked_sub(last)?;
         let (cells, distances) = (cells.get(range.clone())?, distances.get(range)?);
-        let ([begin, .., end], true) = (cells, cells.len() >= LEAST_DOTS) else { return None };
-        let touches = |distance: Option<&Option<i32>>| distance == Some(&Some(1));
-        let middle = distances.iter().skip(2).take(distances.len().saturating_sub(4));
-        let is_beside = middle.into_iter().any(|distance| touches(Some(distance)));
+        let ([begin, .., end], [to_first, .., to_last]) = (cells, distances) else { return None };
+        let touches = |distance: &Option<i32>| *distance == Some(1);
+        let is_beside = distances.iter().skip(2).take(distances.len().saturating_sub(4)).any(touches);
         let near = |cell: &Cell| -> BTreeSet<usize> {
             self.around(*cell).filter_map(|near| self.lines.get(&near)).copied().collect()
         };
         let joined = &near(begin) | &near(end);
-        let is_link = distances.iter().all(Option::is_some)
-            && touches(distances.first())
-            && touches(distances.last())
+        let is_link = cells.len() >= LEAST_DOTS
+            && distances.iter().all(Option::is_some)
+            && touches(to_first)
+            && touches(to_last)
             && !is_beside
             && cells.iter().all(|cell| near(cell).is_subset(&joined));
         is_link.then(|| RowPiece { is_link: true, ..RowPiece::cut_out(cells.to_vec()) })

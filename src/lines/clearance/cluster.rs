@@ -1,6 +1,5 @@
 //! Lines that join a third one at nearly one place, as petals the middle of a flower.
 
-use super::passage::arc_between;
 use crate::units::{MmPoint, MmVector};
 
 /// The greatest cosine of two directions of lines that do not run beside one another: 36 degrees, as
@@ -31,11 +30,6 @@ fn place(path: &Path, arc: f32) -> Option<MmPoint> {
     let next = path.partition_point(|(at, _)| *at < arc).clamp(1, path.len().max(2) - 1);
     let (&(from, a), &(to, b)) = path.get(next - 1).zip(path.get(next))?;
     Some(a.lerp(b, ((arc - from) / (to - from).max(f32::EPSILON)).clamp(0.0, 1.0)))
-}
-
-/// How far two places of a line are apart along it, if that is no farther than two lines are.
-pub(super) fn near_along(arcs: [f32; 2], ring_length: Option<f32>, spacing: f32) -> Option<f32> {
-    Some(arc_between(arcs[0], arcs[1], ring_length)).filter(|apart| *apart <= spacing)
 }
 
 #[cfg(test)]

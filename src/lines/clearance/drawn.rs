@@ -10,10 +10,10 @@
 //!             |  <- not too many clearances     --´                  where it comes near
 //! ```
 
-use super::cluster::{are_apart, leaves, near_along};
+use super::cluster::{are_apart, leaves};
 use super::near_line::NearLine;
 use super::near_map::{MARK, NearMap};
-use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, back_and_forth};
+use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, arc_between, back_and_forth};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
@@ -229,13 +229,20 @@ impl<'a> DrawnLines<'a> {
         let spacing = self.params.cluster_spacing();
         let own: Vec<(f32, MmPoint)> = arcs.iter().copied().zip(polyline.path().map(|vertex| vertex.at)).collect();
         let cluster = |junction: &Junction, third: &DrawnLine, joined: &Joined| {
-            let apart = near_along([joined.arc, junction.line_arc], third.ring_length(), spacing)?;
+            let apart = arc_between(joined.arc, junction.line_arc, third.ring_length());
             let (ends, line_ends) = (junction.is_own_end(), joined.other_ends);
             let other = &self.lines[joined.other as usize];
             let ways = leaves(&own, polyline.closed, junction.arc, spacing);
             let are_apart = || are_apart(ways, leaves(&other.path, other.closed, joined.other_arc, spacing));
             let (arc, line, line_arc) = (junction.arc, joined.other, joined.other_arc);
-            ((ends || line_ends) && are_apart()).then_some(Cluster { arc, ends, line, line_arc, line_ends, apart })
+            (apart <= spacing && (ends || line_ends) && are_apart()).then_some(Cluster {
+                arc,
+                ends,
+                line,
+                line_arc,
+                line_ends,
+                apart,
+            })
         };
         let of = |junction| joins(junction).filter_map(move |(third, joined)| cluster(junction, third, joined));
         junctions.iter().flat_map(of).collect()
@@ -454,6 +461,11 @@ impl<'a> DrawnLines<'a> {
                 end.at = self.nearest_tip(end.at, TOUCH).or_else(on_line).unwrap_or(end.at);
             }
         }
+    }
+
+    /// Whether a place lies on a line.
+    pub(super) fn is_on_line(&self, at: MmPoint) -> bool {
+        self.segments.nearest(at, TOUCH, |_| true).is_some()
     }
 
     /// The nearest end of a line within `reach`.

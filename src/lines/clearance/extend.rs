@@ -1,7 +1,6 @@
 //! A line that was cut is extended along its old path to what it would soon have joined.
 
 use super::drawn::DrawnLines;
-use super::passage::TOUCH;
 use super::self_distance::is_bend;
 use crate::geom::nearby::Segment;
 use crate::geom::polyline::{Polyline, PolylineRef};
@@ -80,7 +79,7 @@ pub(super) fn between_lines(line: Polyline<Vertex>, drawn: &DrawnLines<'_>) -> O
     let mut vertices = line.vertices;
     for _end in 0..2 {
         let tip = vertices.last()?.at;
-        if drawn.segments().nearest(tip, TOUCH, |_| true).is_none() {
+        if !drawn.is_on_line(tip) {
             vertices.extend(extension(&vertices, &[], Extended::Piece, drawn)?);
         }
         vertices.reverse();

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::branch::branch;
 use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
-use super::passage::{Junction, TOUCH};
+use super::passage::Junction;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::{PagePart, Params};
 use crate::lines::saliency::saliency;
@@ -147,8 +147,7 @@ fn pieces(
 /// Whether a piece of a line of a drawing that is too short for a line leads from line to line. In an overview it would
 /// say where something was, not what.
 fn is_link(piece: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> bool {
-    let touches =
-        |end: Option<&Vertex>| end.is_some_and(|end| drawn.segments().nearest(end.at, TOUCH, |_| true).is_some());
+    let touches = |end: Option<&Vertex>| end.is_some_and(|end| drawn.is_on_line(end.at));
     drawn.params.of_drawing
         && drawn.params.part == PagePart::Figure
         && piece.length() >= drawn.params.min_link()
