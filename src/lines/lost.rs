@@ -160,6 +160,14 @@ impl Lost {
         self.wanted = (self.wanted - length).max(self.lost);
     }
 
+    /// Adds lines that were to be drawn, and are not after all.
+    pub(super) fn add(&mut self, lines: &[Polyline<Vertex>], area: MmRect) {
+        let mut more = LossTally::new(area);
+        lines.iter().for_each(|line| more.add_where(line, |_| true));
+        self.lost += more.length();
+        self.by_place.iter_mut().zip(more.lengths).for_each(|(of, more)| *of += more);
+    }
+
     /// The same if of what is drawn only a share is kept after all.
     #[must_use]
     pub fn keeping(self, share: f32) -> Self {

@@ -42,6 +42,7 @@ use clearance::Cleared;
 use points::{DrawnPoints, Point};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use vertex::Vertex;
+pub(crate) use vertex::{CORNER, CORNER_ARMS};
 
 pub use arrowheads::{Arrow, arrowhead, arrows, is_triangle};
 pub(crate) use clearance::{APART, BEND, BEND_LEAST};
@@ -120,7 +121,9 @@ pub fn draw_with(
     } else {
         let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
         let points = points::draw(points, &polylines, area, &params);
-        (points, arrowheads::draw(&mut marks.heads, &polylines, area, &params))
+        lost.add(&points.stubs(&polylines, &params), area);
+        let heads = arrowheads::draw(&mut marks.heads, &polylines, &points.discs, area, &params);
+        (points, heads)
     };
     lost.rings += points.lost;
     Lines { lines: finished(&drawn, &points, &heads, &params), marks, lost, beyond }

@@ -62,10 +62,12 @@ impl DrawnHeads {
     }
 }
 
-/// Draws heads at the ends of `lines`, where there is room; says so in their marks.
+/// Draws heads at the ends of `lines`, where there is room beside these and the `points` on them, with their radii, mm;
+/// says so in their marks.
 pub(in crate::lines) fn draw(
     marks: &mut [HeadMark],
     lines: &[&Polyline<Vertex>],
+    points: &[(MmPoint, f32)],
     area: MmRect,
     params: &Params,
 ) -> DrawnHeads {
@@ -77,7 +79,7 @@ pub(in crate::lines) fn draw(
     let mut taken: Vec<(usize, Tip)> = Vec::new();
     for mark in marks {
         let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
-        let places = Places { line, lines, segments: &segments, others: &drawn.heads, area, params };
+        let places = Places { line, lines, segments: &segments, points, others: &drawn.heads, area, params };
         let Some((head, cut)) = places.head(which) else { continue };
         taken.push((line, which));
         drawn.heads.push(head);
@@ -104,6 +106,7 @@ struct Places<'a> {
     line: usize,
     lines: &'a [&'a Polyline<Vertex>],
     segments: &'a Nearby,
+    points: &'a [(MmPoint, f32)],
     others: &'a [Polyline<Vertex>],
     area: MmRect,
     params: &'a Params,
@@ -164,6 +167,9 @@ impl Places<'_> {
                 let is_own = segment.line as usize == self.line && is_own_end(segment.index);
                 is_free &= is_own || segment_distance(stroke, (segment.a, segment.b)) >= clearance;
             });
+            let beside = self.params.min_gap + 0.5 * self.params.width_max;
+            let of_point = |(at, radius): &(MmPoint, f32)| nearest_on_segment(*at, stroke.0, stroke.1).0 - radius;
+            is_free &= self.points.iter().all(|point| of_point(point) >= beside);
             let others = self.others.iter().flat_map(|head| head.vertices.windows(2));
             is_free && others.map(|pair| (pair[0].at, pair[1].at)).all(|at| segment_distance(stroke, at) >= clearance)
         })

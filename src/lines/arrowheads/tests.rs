@@ -115,7 +115,7 @@ fn a_shaft_ends_before_what_it_points_at() {
 fn drawn(contours: Vec<Polyline<Vertex>>) -> (Vec<Line>, Vec<bool>) {
     let (mut heads, left) = taken(contours);
     let lines: Vec<&Polyline<Vertex>> = left.iter().collect();
-    let drawn = draw(&mut heads, &lines, area(), &PARAMS);
+    let drawn = draw(&mut heads, &lines, &[], area(), &PARAMS);
     let shafts =
         left.iter().enumerate().map(|(number, line)| drawn.shaft(number, line, &vec![false; line.vertices.len()]));
     let finish = |(line, anchored): (Polyline<Vertex>, Vec<bool>)| weight::finish(&line, &anchored, &PARAMS);
@@ -176,7 +176,7 @@ fn an_axis_that_ends_shortly_after_its_grid_goes_on_until_its_head_has_room() {
         let mut marks = taken(vec![shaft(), heads()[0].1[0].clone()]).0;
         let axis = shaft();
         let lines: Vec<&Polyline<Vertex>> = std::iter::once(&axis).chain(others.iter().copied()).collect();
-        let drawn = draw(&mut marks, &lines, area(), &PARAMS);
+        let drawn = draw(&mut marks, &lines, &[], area(), &PARAMS);
         let (shaft, anchored) = drawn.shaft(0, &axis, &vec![false; axis.vertices.len()]);
         assert_eq!(anchored.len(), shaft.vertices.len());
         (marks[0].is_drawn, shaft.length())

@@ -22,7 +22,7 @@ mod split;
 
 pub(super) use apart::move_apart;
 pub(crate) use cluster::APART;
-pub(super) use passage::TOUCH;
+pub(super) use passage::{TOUCH, arc_between};
 pub(super) use queue::Cleared;
 pub(crate) use self_distance::{BEND, BEND_LEAST};
 

@@ -89,7 +89,7 @@ pub(super) struct Cluster {
 }
 
 /// Length along a line between two arcs, mm; of a closed one, which is so long (`ring_length`), along the shorter arc.
-pub(super) fn arc_between(s: f32, t: f32, ring_length: Option<f32>) -> f32 {
+pub(in crate::lines) fn arc_between(s: f32, t: f32, ring_length: Option<f32>) -> f32 {
     let apart = (s - t).abs();
     ring_length.map_or(apart, |ring_length| apart.min(ring_length - apart))
 }

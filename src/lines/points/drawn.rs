@@ -5,6 +5,7 @@ use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
+use crate::lines::clearance::{TOUCH, arc_between};
 use crate::lines::faint::is_faint;
 use crate::lines::marks::whole_series;
 use crate::lines::params::{Params, RING_FARTHEST};
@@ -13,6 +14,11 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
 const BEAD_LENGTH: f32 = 0.1;
+/// A line passes through a point no farther from its middle than this share of its radius: it meets the ring at 30
+/// degrees or more. What is farther is beside it.
+const PASSES: f32 = 0.5;
+/// A line that passes through a point is near to it for about this many times as far as its ring keeps from lines.
+const RETURNS: f32 = 2.0;
 
 /// The marks of those points that have room on the lines that are drawn.
 #[derive(Debug, Default)]
@@ -22,7 +28,7 @@ pub(in crate::lines) struct DrawnPoints {
     /// Where lines end at hollow ones, and how far from their middles, mm.
     pub(super) holes: Vec<(MmPoint, f32)>,
     /// All of them, with their radii, mm.
-    pub(super) discs: Vec<(MmPoint, f32)>,
+    pub(in crate::lines) discs: Vec<(MmPoint, f32)>,
     /// The lines among which they are.
     pub(super) lines: Option<AmongLines>,
     /// The rings of those.
@@ -43,7 +49,8 @@ pub(in crate::lines) fn draw(
     }
     let segments = nearby(lines.iter().copied(), area, params);
     let faint: Vec<bool> = lines.iter().map(|line| is_faint(line)).collect();
-    let lines = AmongLines { segments, faint };
+    let ring_lengths = lines.iter().map(|line| line.closed.then(|| line.length())).collect();
+    let lines = AmongLines { segments, faint, ring_lengths };
     let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
     let whole = whole_series(&series, &has_room);
@@ -57,11 +64,13 @@ pub(super) struct AmongLines {
     segments: Nearby,
     /// Which are faint: they give way.
     faint: Vec<bool>,
+    /// The lengths of those that are closed, mm.
+    ring_lengths: Vec<Option<f32>>,
 }
 
 /// Draws those of the points that are wanted and have room; says which.
 fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Params) -> (DrawnPoints, Vec<bool>) {
-    let AmongLines { segments, faint } = lines;
+    let AmongLines { segments, faint, ring_lengths } = lines;
     let mut drawn = DrawnPoints::default();
     // on the line that goes through it, wherever that was moved
     let place = |point: &Point| {
@@ -78,13 +87,21 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
         let Some((at, line, radius)) = place(point) else { continue };
         let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
         let beside = radius + params.min_gap + half;
-        let mut near: Vec<u32> = Vec::new();
+        // a line that passes through the middle may be near it there, not where it comes back
+        let mut near: Vec<(u32, f32)> = Vec::new();
         segments.around_point(at, beside, |segment| {
-            if !faint[segment.line as usize] && nearest_on_segment(at, segment.a, segment.b).0 < beside {
-                near.push(segment.line);
+            let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
+            if !faint[segment.line as usize] && distance < beside {
+                near.push((segment.line, segment.arc + (nearest - segment.a).length()));
             }
         });
-        let passes = |line: u32| !point.is_alone && segments.nearest_of_line(at, radius, line).is_some();
+        let passes = |(line, arc): (u32, f32)| {
+            let through = segments.nearest_of_line(at, PASSES * radius, line).filter(|_| !point.is_alone);
+            through.is_some_and(|(_, nearest, segment)| {
+                let there = segment.arc + (nearest - segment.a).length();
+                arc_between(arc, there, ring_lengths[line as usize]) <= RETURNS * beside
+            })
+        };
         if drawn.discs.iter().any(is_near) || !near.into_iter().all(passes) {
             continue;
         }
@@ -143,8 +160,35 @@ impl DrawnPoints {
         match self.holes[..] {
             [] => vec![(line, anchored)],
             // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
-            ref holes => outside(&line, &anchored, holes, params.min_gap),
+            ref holes => {
+                let mut parts = outside(&line, &anchored, holes, params.min_gap);
+                parts.retain(|(part, _)| !self.is_stub(part, number, &line, params));
+                parts
+            }
         }
+    }
+
+    /// What of these lines is not drawn, as it would stick out of a hollow point and be too short for a line.
+    pub(in crate::lines) fn stubs(&self, lines: &[&Polyline<Vertex>], params: &Params) -> Vec<Polyline<Vertex>> {
+        let stubs = |(number, line): (usize, &&Polyline<Vertex>)| -> Vec<Polyline<Vertex>> {
+            let parts = outside(line, &vec![false; line.vertices.len()], &self.holes, params.min_gap).into_iter();
+            parts.map(|(part, _)| part).filter(|part| self.is_stub(part, number, line, params)).collect()
+        };
+        let all = if self.holes.is_empty() { &[] } else { lines };
+        all.iter().enumerate().flat_map(stubs).collect()
+    }
+
+    /// Whether a part of a line, cut at a hollow point, is too short for a line and leads to nothing else.
+    fn is_stub(&self, part: &Polyline<Vertex>, number: usize, line: &Polyline<Vertex>, params: &Params) -> bool {
+        let Some(lines) = self.lines.as_ref() else { return false };
+        let ends =
+            |line: &Polyline<Vertex>| [line.vertices.first(), line.vertices.last()].map(|end| end.map(|end| end.at));
+        let ends_loose = |(own, of_line): (Option<MmPoint>, Option<MmPoint>)| {
+            let is_other = |other: u32| other as usize != number;
+            own.filter(|_| own == of_line)
+                .is_some_and(|at| lines.segments.nearest(at, TOUCH, |segment| is_other(segment.line)).is_none())
+        };
+        !part.closed && part.length() < params.min_length && ends(part).into_iter().zip(ends(line)).any(ends_loose)
     }
 }
 
@@ -170,7 +214,7 @@ impl DrawnPoints {
         let is_near = |vertex: &Vertex| {
             let reach = params.clearance(0.5 * (vertex.width + params.width_max));
             let lines = self.lines.as_ref();
-            lines.is_some_and(|AmongLines { segments, faint }| {
+            lines.is_some_and(|AmongLines { segments, faint, .. }| {
                 segments.nearest(vertex.at, reach, |segment| !faint[segment.line as usize]).is_some()
             })
         };
