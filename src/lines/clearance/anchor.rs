@@ -8,7 +8,8 @@ use crate::geom::polyline::Polyline;
 use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
 
-/// Puts a vertex into a line where another one ends on it, so that they still join after simplification.
+/// Puts a vertex into a line where another one ends on it, or in a drawing the corner of a ring lies on it, so that they
+/// still join after simplification.
 pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     // line, vertex before, distance from it, position
     let mut anchors: Vec<(usize, usize, f32, MmPoint)> = Vec::new();
@@ -25,6 +26,21 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
                 }
             });
         }
+    }
+    let corners = if drawn.params.of_drawing { corners_of_rings(cleared) } else { Vec::new() };
+    for &(number, at) in &corners {
+        // of two corners in one place that of the later ring goes to the other
+        let is_earlier_corner = |line: usize| {
+            line < number && corners.iter().any(|(of, near)| *of == line && (*near - at).length() <= TOUCH)
+        };
+        drawn.segments().around(at, at, TOUCH, |segment| {
+            let (distance, _) = nearest_on_segment(at, segment.a, segment.b);
+            let (line, index) = (segment.line as usize, segment.index as usize);
+            let is_end = is_end_beside(&cleared[line].polyline, index, at);
+            if distance <= TOUCH && line != number && !is_end && !is_earlier_corner(line) {
+                anchors.push((line, index, (at - segment.a).length(), at));
+            }
+        });
     }
     // from the last vertex back, so that the numbers before stay right
     anchors.sort_by(|a, b| (b.0, b.1).cmp(&(a.0, a.1)).then(b.2.total_cmp(&a.2)));
@@ -51,6 +67,16 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     }
 }
 
+/// The corners of rings, with the numbers of these.
+fn corners_of_rings(cleared: &[Cleared]) -> Vec<(usize, MmPoint)> {
+    let of_ring = |(number, line): (usize, &Cleared)| {
+        let polyline = &line.polyline;
+        let corners = if polyline.closed { polyline.view().corners_of_ring() } else { Vec::new() };
+        corners.into_iter().map(|corner| (number, polyline.vertices[corner].at)).collect::<Vec<_>>()
+    };
+    cleared.iter().enumerate().flat_map(of_ring).collect()
+}
+
 /// Whether `at` is the end of a line that lies within [`TOUCH`] along it from the segment that begins at vertex
 /// `index`: the line has a vertex there already.
 fn is_end_beside(polyline: &Polyline<Vertex>, index: usize, at: MmPoint) -> bool {
@@ -68,6 +94,10 @@ mod tests {
     use super::super::tests::{drawn, polyline};
     use super::*;
     use crate::lines::outlines::Rank;
+    use crate::lines::params::Params;
+    use crate::units::MmRect;
+
+    const DRAWING: Params = Params { of_drawing: true, ..Params::TEST };
 
     fn cleared(points: &[(f32, f32)], closed: bool) -> Cleared {
         let polyline = polyline(points, closed);
@@ -83,6 +113,20 @@ mod tests {
         assert_eq!((anchors(&lines[0]), anchors(&lines[1])), (1, 0));
         let index = lines[0].anchored.iter().position(|anchored| *anchored).expect("an anchor");
         assert_eq!(Some(lines[0].polyline.vertices[index].at), lines[1].polyline.vertices.last().map(|v| v.at));
+    }
+
+    #[test]
+    fn a_line_has_an_anchor_where_a_corner_of_a_ring_lies_on_it() {
+        let (bar, ring) = ([(10.0, 50.0), (90.0, 50.0)], [(50.0, 50.06), (60.0, 80.0), (40.0, 80.0)]);
+        let mut lines = [cleared(&bar, false), cleared(&ring, true)];
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let mut drawn = DrawnLines::new(area, &DRAWING);
+        lines.iter().for_each(|line| {
+            drawn.begin(&line.polyline);
+        });
+        anchor(&mut lines, &drawn);
+        let is_corner = |vertex: &Vertex| lines[1].polyline.vertices.iter().any(|corner| corner.at == vertex.at);
+        assert!(lines[0].polyline.vertices.iter().any(is_corner), "{:?}", lines[0].polyline);
     }
 
     #[test]

@@ -46,7 +46,10 @@ impl NearLine<'_> {
         let least = |length: f32| length * approach_sine(self.approach, self.clearance) - FLAT;
         let comes_away = |length: f32| !self.of_drawing || self.distance >= least(length);
         let is_close = |length: f32| length <= self.approach && comes_away(length);
-        let joins = |j: &Junction| j.line == self.segment.line && is_close(from_junction(j));
+        // nor does one that ends on a line join what is near to it farther on, round a bend
+        let is_beside =
+            |j: &Junction| !self.of_drawing || of_polyline(j).max(of_line(j)) <= ROUND_A_BEND * self.approach;
+        let joins = |j: &Junction| j.line == self.segment.line && is_close(from_junction(j)) && is_beside(j);
         self.passage.junctions.iter().any(joins) || self.meets_in_cluster()
     }
 
@@ -69,6 +72,10 @@ impl NearLine<'_> {
 /// What a line of a drawing that leaves a junction may lie nearer than a straight one at the flattest angle, mm: it may
 /// bend. What keeps beside the line for longer, as the first bar of a chart beside its axis, does not leave it.
 const FLAT: f32 = 1.0;
+
+/// Of two lines of a drawing that join, places farther than this from there along either do not belong to the junction,
+/// in approaches: beside a straight line they are no farther than one.
+const ROUND_A_BEND: f32 = 2.0;
 
 /// The sine of the flattest angle at which a straight line has its clearance after an approach.
 fn approach_sine(approach: f32, clearance: f32) -> f32 {
