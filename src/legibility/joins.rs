@@ -54,6 +54,15 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
                 found.push(Join { arc, other, there, line, by_third: None });
             }
         };
+        // an end first: where it also crosses, by a rounding, it is an end all the same
+        for (own, tip, arc) in paths.feet(number) {
+            index.around(tip, tip, own.half_width + widest + touch, |other| {
+                let (distance, _, there) = nearest(other, tip);
+                if distance <= own.half_width + other.half_width + touch {
+                    add(arc, there, other.line);
+                }
+            });
+        }
         for segment in paths.segments_of(number) {
             index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
                 if !may_be_near(segment, other, 0.0) {
@@ -62,14 +71,6 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
                 // in a vertex of both, too
                 if let Some(at) = crossing(longer(segment), longer(other)) {
                     add(segment.arc + (at - segment.a).length(), nearest(other, at).2, other.line);
-                }
-            });
-        }
-        for (own, tip, arc) in paths.tips(number) {
-            index.around(tip, tip, own.half_width + widest + touch, |other| {
-                let (distance, _, there) = nearest(other, tip);
-                if distance <= own.half_width + other.half_width + touch {
-                    add(arc, there, other.line);
                 }
             });
         }

@@ -39,6 +39,7 @@ pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APPROACH, BEND_LEAST, BESIDE, CLUSTER_APPROACH, SMALL_RING};
 pub use layer::marked;
 pub use limits::{MediumLimits, RuleLimits};
+pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;

@@ -131,6 +131,27 @@ impl Paths {
         index
     }
 
+    /// Where a path may stand on others, with the places along it: at its ends, or at the corners of a ring of strokes.
+    pub(super) fn feet(&self, path: usize) -> Vec<(Segment, MmPoint, f32)> {
+        let Path { closed, kind, length, .. } = self.paths[path];
+        if !closed || kind != PathKind::Stroke {
+            return self.tips(path);
+        }
+        let segments = self.segments_of(path);
+        let at = |arc: f32| {
+            let arc = arc.rem_euclid(length);
+            let next = segments.partition_point(|segment| segment.arc <= arc).max(1);
+            point_at(&segments[next - 1], arc)
+        };
+        let is_corner = |segment: &&Segment| {
+            RING_CORNER_ARMS.iter().all(|arm| {
+                let way = |to: f32| (at(segment.arc + to) - segment.a).try_normalize();
+                way(*arm).zip(way(-arm)).is_some_and(|(on, back)| on.dot(back) >= -RING_CORNER)
+            })
+        };
+        segments.iter().filter(is_corner).map(|segment| (*segment, segment.a, segment.arc)).collect()
+    }
+
     /// The ends of a path, with their places along it; a ring has none.
     pub(super) fn tips(&self, path: usize) -> Vec<(Segment, MmPoint, f32)> {
         let segments = self.segments_of(path);
@@ -142,6 +163,11 @@ impl Paths {
         }
     }
 }
+
+/// At a corner a ring turns by at least 30 degrees (the cosine), over a short and a longer length, mm, as lines of
+/// drawings have it (`profile/plan` ties the two).
+pub(crate) const RING_CORNER: f32 = 0.866;
+pub(crate) const RING_CORNER_ARMS: [f32; 2] = [0.15, 1.0];
 
 impl Path {
     /// The length along it between two of its places, the shorter arc of a ring.

@@ -13,8 +13,8 @@ pub(super) const SPACING: f32 = 0.4;
 const LONGEST: f32 = 1.25 * SPACING;
 
 /// At a corner a line turns by at least 30 degrees (the cosine), over a short and a longer length, mm.
-const CORNER: f32 = 0.866;
-const CORNER_ARMS: [f32; 2] = [0.15, 1.0];
+pub(crate) const CORNER: f32 = 0.866;
+pub(crate) const CORNER_ARMS: [f32; 2] = [0.15, 1.0];
 
 /// A vertex of a line in the making.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -36,6 +36,9 @@ const _: () = assert!(
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
         && legibility::CLUSTER_APPROACH >= lines::CLUSTER_APPROACH
         && legibility::BESIDE >= lines::APART
+        && legibility::RING_CORNER >= lines::CORNER
+        && legibility::RING_CORNER_ARMS[0] == lines::CORNER_ARMS[0]
+        && legibility::RING_CORNER_ARMS[1] == lines::CORNER_ARMS[1]
         && legibility::SMALL_RING >= lines::LARGEST_HOLLOW
         && allows_all_gaps(10)
         && legibility::GOES_ON <= dots::GOES_ON
