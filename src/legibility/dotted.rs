@@ -121,7 +121,9 @@ struct Row {
     /// How many dots it has.
     count: u32,
     is_ring: bool,
+    /// Its ends, and those where it is broken, as at a hollow point of another line.
     ends: Vec<Dot>,
+    last: Option<Dot>,
 }
 
 /// The dots of lines on a grid, by their places.
@@ -149,14 +151,20 @@ impl Rows {
         let area = around(dots.iter().map(|dot| dot.cell)).unwrap_or_else(MmRect::zero);
         let mut index: Index<Dot, Mm> = Index::new(area, gap as f32 + REACH);
         dots.iter().for_each(|dot| index.put_at(dot.cell, *dot));
-        let mut rows: Vec<Row> =
-            lines.iter().map(|line| Row { count: 0, is_ring: line.is_ring_of_dots(), ends: Vec::new() }).collect();
+        let mut rows: Vec<Row> = lines
+            .iter()
+            .map(|line| Row { count: 0, is_ring: line.is_ring_of_dots(), ends: Vec::new(), last: None })
+            .collect();
         for dot in dots.iter().filter(|dot| dot.along.is_some()) {
-            let Row { count, ends, .. } = &mut rows[dot.line as usize];
+            let Row { count, ends, last, .. } = &mut rows[dot.line as usize];
             *count += 1;
-            ends.truncate(1);
-            ends.push(*dot);
+            match last.replace(*dot) {
+                None => ends.push(*dot),
+                Some(before) if steps(before.cell, dot.cell) > 1 => ends.extend([before, *dot]),
+                Some(_) => {}
+            }
         }
+        rows.iter_mut().for_each(|row| row.ends.extend(row.last));
         Self { gap, dots, index, rows }
     }
 

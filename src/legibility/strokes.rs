@@ -138,33 +138,48 @@ pub(crate) const fn longest_cut(gap: u32) -> u32 {
 }
 
 /// Whether a line of dots is an arm of a cross: at one end it goes on beyond a third line, after a gap on both sides of
-/// that, and both arms together are long enough.
+/// that, and both arms together are long enough. Where they lead is also taken outside of the gap: within it they may bend
+/// towards the line, as the two arms of an angle do.
 fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
-    let row = |line: &Line| line.row().map_or_else(Vec::new, |row| row.points.clone());
-    let own = row(&lines[number]);
-    let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
-    let back = STEPS.min(own.len() - 1);
+    let gap = (line_gap as f32 + 0.5) * pitch;
+    let is_near = |a: MmPoint, b: MmPoint| (a.x - b.x).abs().max((a.y - b.y).abs()) <= gap;
+    // a row without the dots of its ends that are near to other lines than these two
+    let clear = |line: usize, but: usize| -> Vec<MmPoint> {
+        let row = lines[line].row().map_or(&[][..], |row| &row.points);
+        let others = || lines.iter().enumerate().filter(|(other, _)| ![line, but].contains(other));
+        let is_clear = |at: &MmPoint| !others().any(|(_, other)| points(other).any(|dot| is_near(dot, *at)));
+        let range = row.iter().position(is_clear).zip(row.iter().rposition(is_clear));
+        range.map_or_else(Vec::new, |(first, last)| row[first..=last].to_vec())
+    };
     // along a diagonal, and with a dot to both sides
     let reach = SQRT_2 * (longest_cut(line_gap) + 2) as f32 * pitch;
     let lies_between = |a: MmPoint, b: MmPoint, but: usize| {
         let others = lines.iter().enumerate().filter(|(other, _)| ![number, but].contains(other));
         others.flat_map(|(_, line)| points(line)).any(|dot| nearest_on_segment(dot, a, b).0 <= pitch)
     };
-    let goes_on = |tip: MmPoint, before: MmPoint| {
-        let way = (tip - before).try_normalize().unwrap_or_default();
-        lines.iter().enumerate().filter(|(other, _)| *other != number).any(|(other, line)| {
-            let beyond = row(line);
+    let goes_on_as = |own: &[MmPoint], beyond: &[MmPoint], other: usize| {
+        let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
+        let back = STEPS.min(own.len() - 1);
+        let long = limits.line_length - pitch - polyline::length(own) - polyline::length(beyond);
+        [(*first, own[back]), (*last, own[own.len() - 1 - back])].into_iter().any(|(tip, before)| {
+            let way = (tip - before).try_normalize().unwrap_or_default();
             [beyond.first(), beyond.last()].into_iter().flatten().any(|&end| {
                 let (step, length) = (end - tip, (end - tip).length());
-                length <= reach
-                    && way.dot(step) >= GOES_ON * length
-                    && polyline::length(&own) + length + polyline::length(&beyond) >= limits.line_length - pitch
-                    && lies_between(tip, end, other)
+                let leads = length <= reach && way.dot(step) >= GOES_ON * length;
+                leads && length >= long && lies_between(tip, end, other)
             })
         })
     };
-    goes_on(*first, own[back]) || goes_on(*last, own[own.len() - 1 - back])
+    let row = |line: usize| lines[line].row().map_or(&[][..], |row| &row.points);
+    let ends = |line: usize| [row(line).first(), row(line).last()].into_iter().flatten();
+    let is_in_reach = |other: usize| ends(other).any(|b| ends(number).any(|a| (*b - *a).length() <= reach));
+    (0..lines.len()).any(|other| {
+        other != number
+            && is_in_reach(other)
+            && (goes_on_as(row(number), row(other), other)
+                || goes_on_as(&clear(number, other), &clear(other, number), other))
+    })
 }
 
 fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {

@@ -5,11 +5,14 @@ use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{second_row, spacing};
 use crate::geom::nearby::Index;
+use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
 use crate::units::{Mm, MmPoint, MmRect};
 
 /// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
 const LEAST_STEP: f32 = 0.75;
+/// A row of dots leads to a line of which a dot is no farther from its end, in pitches.
+const BESIDE: f32 = 1.5;
 
 /// A line as its first row of dots.
 struct FirstRow<'a> {
@@ -30,9 +33,12 @@ pub(in crate::dots) fn anywhere(
     let all: Vec<Row> = rows.iter().map(|first| first.row.clone()).collect();
     let free = Lattice::Free { part, pitch: params.pitch };
     let Placed { runs, hidden, has_points, shown } = marks::place(marks, &all, free, params);
-    let mut placed = ByPlace(Index::new(part, params.pitch));
     for (own, first) in rows.iter_mut().enumerate() {
         first.row.dots.retain(|dot| !hidden[own].contains(dot));
+    }
+    drop_short(&mut rows, &has_points, part, params);
+    let mut placed = ByPlace(Index::new(part, params.pitch));
+    for (own, first) in rows.iter().enumerate() {
         first.row.dots.iter().chain(runs[own].iter().flatten()).for_each(|&at| placed.place(at, own));
     }
     let mut out = Vec::with_capacity(rows.len());
@@ -43,10 +49,30 @@ pub(in crate::dots) fn anywhere(
         }
         dots.extend(runs[own].iter().cloned());
         dots.retain(|dots| !dots.is_empty());
-        let runs = dots.into_iter().map(|dots| params.run(dots, params.height(line))).collect();
-        out.push(Line { strength: line.strength, runs });
+        let runs: Vec<_> = dots.into_iter().map(|dots| params.run(dots, params.height(line))).collect();
+        out.extend((!runs.is_empty()).then_some(Line { strength: line.strength, runs }));
     }
     (out, shown)
+}
+
+/// Takes all dots of those rows that too many dots of others have left too short for a line, as the two sides of a thin
+/// shape do to one another; a row that leads from line to line may be short, and one with points on it is none.
+fn drop_short(rows: &mut [FirstRow<'_>], has_points: &[bool], part: MmRect, params: &Params) {
+    let mut placed = ByPlace(Index::new(part, params.pitch));
+    for (own, first) in rows.iter().enumerate() {
+        first.row.dots.iter().for_each(|&at| placed.place(at, own));
+    }
+    for (own, first) in rows.iter_mut().enumerate().filter(|(own, _)| !has_points[*own]) {
+        let dots = &first.row.dots;
+        let leads = |end: Option<&MmPoint>| {
+            end.is_some_and(|&end| !placed.is_free(end, BESIDE * params.pitch, |line| line != own))
+        };
+        // a dot stands for half a pitch to both sides
+        let length = polyline::length(dots) + params.pitch + ROUNDED_OFF;
+        if length < params.min_length && !(leads(dots.first()) && leads(dots.last())) {
+            first.row.dots.clear();
+        }
+    }
 }
 
 /// The first rows of lines, without dots that would fall on others.

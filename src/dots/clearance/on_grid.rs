@@ -48,12 +48,14 @@ pub(in crate::dots) fn on_grid(
         }
     }
     let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
+    taken.drop_loose(&mut drawn, &has_points, params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
     let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
     by_strength.sort_by_key(|&number| drawn[number].line);
     let line_of = |number: usize| &lines[drawn[number].line];
-    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| !has_points[number]).collect();
+    let has_row = |number: &usize| !has_points[*number] && !drawn[*number].piece.cells.is_empty();
+    let heavy: Vec<usize> = by_strength.iter().copied().filter(has_row).collect();
     let mut second_rows = taken.second_rows(&heavy, &drawn, line_of, within, params);
     let mut out = Vec::with_capacity(drawn.len());
     for number in by_strength {
@@ -63,8 +65,8 @@ pub(in crate::dots) fn on_grid(
         rows.extend(second_rows[number].take());
         rows.retain(|row| !row.is_empty());
         let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
-        let runs = rows.map(|row| params.run(row, params.height(line))).collect();
-        out.push(Line { strength: line.strength, runs });
+        let runs: Vec<_> = rows.map(|row| params.run(row, params.height(line))).collect();
+        out.extend((!runs.is_empty()).then_some(Line { strength: line.strength, runs }));
     }
     (out, shown)
 }
@@ -219,6 +221,44 @@ impl OccupiedDots {
         placed
     }
 
+    /// Takes all dots of short pieces of which points on other lines have hidden the dots that they led to: those of
+    /// the lines that a link joined, or of the other arm of a cross.
+    fn drop_loose(&mut self, drawn: &mut [DrawnPiece], has_points: &[bool], params: &Params) {
+        let reach = longest_cut(self.gap as u32) as i32 + 1;
+        let ends = |piece: &RowPiece| [piece.cells.first().copied(), piece.cells.last().copied()];
+        let is_short = |piece: &RowPiece| {
+            let steps = piece
+                .cells
+                .windows(2)
+                .map(|pair| polyline::length(&[0, 1].map(|i| MmPoint::new(pair[i][0] as f32, pair[i][1] as f32))));
+            steps.sum::<f32>() * params.pitch + ROUNDED_OFF < params.min_length
+        };
+        loop {
+            let is_loose = |number: usize, DrawnPiece { line, piece }: &DrawnPiece| {
+                let is_other = |near: &Cell| self.lines.get(near).is_some_and(|of| *of != number);
+                let leads = |end: Cell| self.around(end).any(|near| distance(near, end) <= 1 && is_other(&near));
+                let own = || ends(piece).into_iter().flatten();
+                let goes_on = || {
+                    let arms = drawn.iter().enumerate().filter(|(of, other)| *of != number && other.line == *line);
+                    let tips = arms.flat_map(|(_, other)| ends(&other.piece)).flatten();
+                    tips.into_iter().any(|tip| own().any(|end| distance(tip, end) <= reach))
+                };
+                if piece.is_link { !own().all(leads) } else { !goes_on() }
+            };
+            let all = drawn.iter().enumerate();
+            let short =
+                all.filter(|(number, of)| !has_points[*number] && !of.piece.cells.is_empty() && is_short(&of.piece));
+            let loose: Vec<usize> =
+                short.filter(|(number, of)| is_loose(*number, of)).map(|(number, _)| number).collect();
+            if loose.is_empty() {
+                return;
+            }
+            for cell in loose.into_iter().flat_map(|number| std::mem::take(&mut drawn[number].piece.cells)) {
+                self.lines.remove(&cell);
+            }
+        }
+    }
+
     pub(super) fn take(&mut self, cell: Cell, piece: usize) {
         self.lines.entry(cell).or_insert(piece);
     }
@@ -349,8 +389,9 @@ impl OccupiedDots {
         if !touches || rest.iter().any(|&i| distances[i].is_some()) || !self.is_steep(&cut) {
             return None;
         }
-        let shared = (0..cells.len()).rfind(|&i| distances[i] == Some(0));
-        let start = shared.map_or(0, |shared| shared + 1);
+        // it begins where it touches the other, as what ends there does
+        let last_at = |steps: i32| run.iter().rfind(|&&i| distances[i] == Some(steps));
+        let start = last_at(0).map(|shared| shared + 1).or(last_at(1).copied()).unwrap_or(0);
         let ring = (0..cells.len()).map(|i| (start + i) % cells.len()).filter(|&i| distances[i] != Some(0));
         let cells: Vec<Cell> = ring.map(|i| cells[i]).collect();
         Some(RowPiece { through: cells.len(), cells, closed: true, is_link: false })

@@ -73,3 +73,16 @@ fn a_second_row_keeps_the_gap_from_other_lines() {
     let high = Params { has_heights: true, ..params() };
     assert_eq!(dots(&anywhere(&[heavy], PART, &high)), [[21]], "a device with heights has single rows");
 }
+
+#[test]
+fn a_row_that_others_leave_too_short_for_a_line_goes_unless_it_leads_from_line_to_line() {
+    let params = Params { min_length: 12.5, ..params() };
+    // two sides nearer to one another than dots may be
+    let thin = line(20.0, &[(10.0, 50.0), (20.0, 50.8), (10.0, 51.6), (10.0, 50.0)]);
+    assert!(anywhere(&[thin], PART, &params).is_empty());
+    let bases = [10.0, 20.0].map(|x| line(30.0, &[(x, 20.0), (x, 80.0)]));
+    let link = line(20.0, &[(10.0, 50.0), (20.0, 50.0)]);
+    let [left, right] = bases;
+    assert_eq!(anywhere(&[left.clone(), right, link.clone()], PART, &params).len(), 3);
+    assert_eq!(anywhere(&[left, link], PART, &params).len(), 1, "it leads to nothing");
+}

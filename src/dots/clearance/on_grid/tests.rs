@@ -83,6 +83,33 @@ fn a_short_line_from_one_line_to_another_is_a_link() {
 }
 
 #[test]
+fn a_link_goes_with_the_dots_that_it_led_to() {
+    let link: Vec<Cell> = (1..5).map(|y| [0, y]).collect();
+    let left = |bases: [Vec<Cell>; 2]| {
+        let mut taken = taken(&bases, 2);
+        let piece = RowPiece { is_link: true, ..RowPiece::cut_out(link.clone()) };
+        link.iter().for_each(|&cell| taken.take(cell, 2));
+        let base = |(line, cells)| DrawnPiece { line, piece: RowPiece::cut_out(cells) };
+        let mut drawn: Vec<DrawnPiece> = bases.into_iter().enumerate().map(base).collect();
+        drawn.push(DrawnPiece { line: 2, piece });
+        let params = Params {
+            pitch: 2.0,
+            diameter: 1.6,
+            line_gap: 2,
+            heavy_from: 50.0,
+            whole_rows: false,
+            has_heights: false,
+            min_length: 12.0,
+        };
+        taken.drop_loose(&mut drawn, &[false; 3], &params);
+        (drawn[2].piece.cells.len(), link.iter().filter(|cell| taken.lines.contains_key(*cell)).count())
+    };
+    assert_eq!(left([row(0, -9..9), row(5, -9..9)]), (4, 4));
+    // a hollow point has hidden some of them
+    assert_eq!(left([row(0, -9..9), row(5, 3..9)]), (0, 0));
+}
+
+#[test]
 fn a_line_that_comes_back_keeps_the_gap_from_itself() {
     let hairpin: Vec<Cell> = row(0, 0..20).into_iter().chain(row(1, 0..20).into_iter().rev()).collect();
     let left = pieces(&taken(&[], 1), &hairpin, false);
@@ -146,6 +173,13 @@ fn a_ring_that_touches_a_line_stays_a_ring() {
     let left = pieces(&taken(&[stem], 2), &leaf, true);
     assert_eq!(left.len(), 1);
     assert!(left[0].1 && left[0].0.len() == leaf.len() - 1, "{left:?}");
+    // corner on corner, without a dot in common: it begins where it touches
+    let bend: Vec<Cell> = row(0, 1..20).into_iter().rev().chain((0..9).map(|y| [0, y])).collect();
+    let sides = [row(-4, -20..0), (-3..0).map(|y| [0, y]).collect(), row(0, -20..0).into_iter().rev().collect()];
+    let bar: Vec<Cell> = sides.into_iter().chain([(-3..0).map(|y| [-21, -4 - y]).collect()]).flatten().collect();
+    let left = pieces(&self::taken(&[bend], 2), &bar, true);
+    let [(ring, true)] = &left[..] else { panic!("{left:?}") };
+    assert!(ring.len() == bar.len() && distance(ring[0], [0, 0]) <= 1, "{ring:?}");
 }
 
 #[test]
