@@ -143,7 +143,7 @@ pub(super) const TEXTURE_GAP: Rule = Rule {
 };
 pub(super) const TEXTURE_AREA: Rule = Rule {
     id: "texture-area",
-    asks: "An area is large enough for its texture to be told.",
+    asks: "An area, or another of its colour, is large enough for its texture to be told.",
     severity: Severity::Error,
     source: "the profile's colours.min_area; MapGen in the name of BANA: 13 x 13 mm",
     remedy: "delete the texture, or give the area that of its neighbour",

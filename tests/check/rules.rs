@@ -70,7 +70,7 @@ fn broken(rule: &str) -> String {
             let at = parts.figure.textures[0].glyphs[0].at;
             parts.figure.lines.push(line(at, at + MmPoint::new(9.0, 0.0).to_vector()));
         }),
-        "texture-area" => with("coffee.png", |parts| parts.figure.textures[0].area = 60.0),
+        "texture-area" => with("coffee.png", |parts| parts.figure.textures.iter_mut().for_each(|of| of.area = 60.0)),
         "texture-sign" => with("coffee.png", |parts| {
             let own = parts.figure.textures[0].class;
             let mut others = parts.figure.textures.iter().map(|texture| texture.class);

@@ -96,3 +96,16 @@ fn low_bars_have_the_colour_that_they_lack_in_areas_of_high_ones() {
     assert_eq!(coarse.regions.iter().map(|region| region.cells).sum::<u32>(), 1190);
     assert!((0..coarse.region.len()).all(|cell| class_of(&coarse, cell) == class_of(&fine, cell)));
 }
+
+#[test]
+fn a_low_bar_has_a_texture_only_if_a_larger_area_has_it_too() {
+    let bars = [
+        bar(0.0, 10.0, 30.0, Class::Blue),
+        bar(20.0, 30.0, 8.0, Class::Blue),
+        bar(40.0, 50.0, 8.0, Class::Red),
+        bar(60.0, 70.0, 20.0, Class::Grey),
+    ];
+    let mut textures: Vec<Texture> = bars.iter().map(texture).collect();
+    drop_too_small(&mut textures, 170.0);
+    assert_eq!(textures.iter().map(|of| of.class).collect::<Vec<_>>(), [Class::Blue, Class::Blue, Class::Grey]);
+}
