@@ -121,22 +121,6 @@ impl Params {
         self.min_gap + self.width_max
     }
 
-    /// A line of a drawing that leads from line to line, and so is felt with them, may be so short, mm.
-    pub(super) fn min_link(&self) -> f32 {
-        0.5 * self.min_length
-    }
-
-    /// Whether a line of a drawing of this length, mm, is drawn only from line to line.
-    pub(super) fn must_link(&self, length: f32) -> bool {
-        self.of_drawing && length < self.min_length
-    }
-
-    /// What is of full strength and shorter than this, mm, or weaker and not longer in proportion, has joined nothing
-    /// and will not: it is not looked at further.
-    pub(super) fn crumb(&self) -> f32 {
-        0.5 * self.min_length
-    }
-
     /// The widest stroke of which the centreline is drawn and not its two sides, mm.
     pub(super) fn widest_stroke(&self) -> f32 {
         if self.widen_bars { self.too_narrow() } else { self.max_spacing() }

@@ -5,7 +5,7 @@ use super::self_distance::is_bend;
 use crate::geom::nearby::Segment;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::junction;
+use crate::lines::{junction, links};
 use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
@@ -73,9 +73,12 @@ pub(super) fn extension(
     extension.keeps_clear(&added).then_some(added)
 }
 
-/// A line that is to lead from line to line, extended to what its ends point at where they do not lie on a line
-/// already; none if one of them does not lead to any.
-pub(super) fn between_lines(line: Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+/// A line that is drawn as a link or not at all ([`links`](crate::lines::links)), extended to what its ends point at
+/// where they do not lie on a line already; none if it cannot be a link, or one of them leads to no line.
+pub(super) fn as_link(line: Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+    if !links::can_be(&line, drawn.params) {
+        return None;
+    }
     let mut vertices = line.vertices;
     for _end in 0..2 {
         let tip = vertices.last()?.at;

@@ -32,7 +32,7 @@ use self::extend::{Extended, extension};
 use self::queue::{Queue, QueuedLine};
 use self::self_distance::self_approach;
 use self::split::{PartEnds, split, without_stubs};
-use super::links::is_straight;
+use super::links;
 use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
@@ -74,7 +74,8 @@ pub(super) fn clear(
     area: MmRect,
     params: &Params,
 ) -> Vec<Cleared> {
-    let mut queue = Queue::new(polylines.len(), params);
+    let least = if params.of_drawing { links::shortest(params) } else { params.min_length };
+    let mut queue = Queue::new(polylines.len(), least, params);
     let saliencies = bases::raised(saliencies, &polylines, area, params);
     for ((polyline, rank), saliency) in polylines.into_iter().zip(saliencies) {
         // Where a line comes near itself its earlier part stays.
@@ -115,11 +116,9 @@ pub(super) fn clear(
 fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let keeps_its_place = keeps_its_place(&line, drawn.params);
     let QueuedLine { mut polyline, round, .. } = line;
-    if drawn.params.must_link(polyline.length()) {
-        match Some(polyline).filter(is_straight).and_then(|line| extend::between_lines(line, drawn)) {
-            Some(whole) => polyline = whole,
-            None => return Decision::Split(Vec::new()),
-        }
+    if links::must_be(&polyline, drawn.params) {
+        let Some(link) = extend::as_link(polyline, drawn) else { return Decision::Split(Vec::new()) };
+        polyline = link;
     }
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);

@@ -7,7 +7,8 @@ use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
 use super::passage::Junction;
 use crate::geom::polyline::Polyline;
-use crate::lines::params::{PagePart, Params};
+use crate::lines::links;
+use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::{Vertex, dot};
 
@@ -137,22 +138,12 @@ fn pieces(
             piece.reverse();
         }
         let piece = Polyline::open(piece);
-        if piece.length() >= drawn.params.min_length || is_link(&piece, drawn) {
+        let is_link = || links::is_piece(&piece, drawn.params, |end| drawn.is_on_line(end));
+        if piece.length() >= drawn.params.min_length || is_link() {
             pieces.push(piece);
         }
     }
     pieces
-}
-
-/// Whether a piece of a line of a drawing that is too short for a line leads from line to line. In an overview it would
-/// say where something was, not what.
-fn is_link(piece: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> bool {
-    let touches = |end: Option<&Vertex>| end.is_some_and(|end| drawn.is_on_line(end.at));
-    drawn.params.of_drawing
-        && drawn.params.part == PagePart::Figure
-        && piece.length() >= drawn.params.min_link()
-        && touches(piece.vertices.first())
-        && touches(piece.vertices.last())
 }
 
 /// The stretches of vertices between those that are too near to lines.
