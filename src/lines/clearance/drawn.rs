@@ -130,11 +130,16 @@ impl<'a> DrawnLines<'a> {
         self.lines[line as usize] = DrawnLine { path, closed: polyline.closed, joins: Vec::new() };
     }
 
-    /// A line is complete: others may join its ends, or its corners if it is a ring of a drawing.
-    pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32) {
+    /// The junctions of a line that was begun, with the other lines.
+    pub(super) fn junctions_with_others(&self, polyline: &Polyline<Vertex>, line: u32) -> Vec<Junction> {
+        self.passage_among(polyline.view(), |other| other != line).junctions
+    }
+
+    /// A line is complete, and has these junctions with the other lines: others may join its ends, or its corners if
+    /// it is a ring of a drawing.
+    pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32, junctions: &[Junction]) {
         if self.params.of_drawing {
-            for junction in self.passage_among(polyline.view(), |other| other != line).junctions {
-                let Junction { arc, line: other, line_arc, meeting, .. } = junction;
+            for &Junction { arc, line: other, line_arc, meeting, .. } in junctions {
                 let other_ends = meeting == Meeting::LineEnds;
                 self.lines[line as usize].joins.push(Joined { arc, other, other_arc: line_arc, other_ends });
                 let other_ends = meeting == Meeting::PolylineEnds;
@@ -375,11 +380,12 @@ impl<'a> DrawnLines<'a> {
 
     /// The state of every vertex of a polyline.
     pub(super) fn states(&self, polyline: &Polyline<Vertex>) -> Vec<LineState> {
-        if !polyline.vertices.iter().any(|vertex| self.may_be_near(vertex.at)) {
-            return vec![LineState::Free; polyline.vertices.len()];
-        }
-        let passage = self.passage(polyline.view());
-        let state = |(i, vertex): (usize, &Vertex)| self.state(vertex, passage.arcs[i], &passage);
+        self.states_on(polyline, &self.passage(polyline.view()))
+    }
+
+    /// [`DrawnLines::states`] of one with this passage.
+    pub(super) fn states_on(&self, polyline: &Polyline<Vertex>, passage: &Passage) -> Vec<LineState> {
+        let state = |(i, vertex): (usize, &Vertex)| self.state(vertex, passage.arcs[i], passage);
         polyline.vertices.iter().enumerate().map(state).collect()
     }
 

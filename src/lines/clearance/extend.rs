@@ -5,9 +5,9 @@ use super::self_distance::is_bend;
 use crate::geom::nearby::Segment;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::{junction, links};
 use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
+use crate::lines::{junction, links};
 use crate::units::{MmPoint, MmVector};
 
 /// A line whose path comes this near to another, in join gaps, may be extended to it.

@@ -13,7 +13,7 @@ pub(super) const SPIKE: f32 = 1.0;
 const SAME: f32 = 0.01;
 
 /// A junction of a polyline with a drawn line.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Junction {
     /// How far along the polyline, mm.
     pub(super) arc: f32,

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::branch::branch;
 use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
-use super::passage::Junction;
+use super::passage::{Junction, Passage};
 use crate::geom::polyline::Polyline;
 use crate::lines::links;
 use crate::lines::params::Params;
@@ -22,12 +22,15 @@ const WHOLE_DRAWN: f32 = 0.25;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
 /// blot. None if it has no stubs.
-pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+pub(super) fn without_stubs(
+    polyline: &Polyline<Vertex>,
+    passage: &Passage,
+    drawn: &DrawnLines<'_>,
+) -> Option<Polyline<Vertex>> {
     let near = |vertex: Option<&Vertex>| vertex.is_some_and(|vertex| drawn.may_be_near(vertex.at));
     if polyline.closed || !(near(polyline.vertices.first()) || near(polyline.vertices.last())) {
         return None;
     }
-    let passage = drawn.passage(polyline.view());
     let total = passage.arcs.last().copied().unwrap_or(0.0);
     // a line that is not yet apart from the other where it ends
     let stub = |junction: &Junction, end: f32, tip: Option<&Vertex>| {
