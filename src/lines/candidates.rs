@@ -126,7 +126,7 @@ impl LineCandidates {
 fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Vec<TickMark>> {
     let mut scales = Vec::new();
     // a page of few shapes has no marks
-    match (params.hands_marks_on, params.most_shapes) {
+    match (params.on_dots(), params.most_shapes) {
         (true, None) => scales = ticks::take(polylines, area, params),
         (true, Some(_)) | (false, _) => ticks::lengthen(polylines, area, params),
     }
