@@ -13,9 +13,10 @@
 use super::cluster::{are_apart, leaves};
 use super::near_line::NearLine;
 use super::near_map::{MARK, NearMap};
-use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, arc_between, back_and_forth};
+use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, back_and_forth};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::walk::arc_between;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;

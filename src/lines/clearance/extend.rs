@@ -4,6 +4,7 @@ use super::drawn::DrawnLines;
 use super::self_distance::is_bend;
 use crate::geom::nearby::Segment;
 use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::walk::heading_of_end;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
@@ -205,10 +206,7 @@ impl Extension<'_> {
 
     /// The direction of the line that goes on with `added`.
     fn heading(&self, added: &[Vertex]) -> Option<MmVector> {
-        let mut back = added.iter().rev().chain(self.body.iter().rev());
-        let tip = back.next()?.at;
-        let inner = back.find(|vertex| (vertex.at - tip).length() >= HEADING).or(self.body.first())?.at;
-        (tip - inner).try_normalize()
+        heading_of_end(added.iter().rev().chain(self.body.iter().rev()).map(|vertex| vertex.at), HEADING)
     }
 }
 
