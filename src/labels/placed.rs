@@ -87,10 +87,11 @@ pub struct Wanted {
     pub text: String,
     /// What it names: a point as an empty box, or the box of a text that it stands for.
     pub anchor: MmRect,
-    /// Of a text that the drawing leads to that point by a line that is not on the page, where that begins.
-    pub led_from: Option<MmPoint>,
+    /// Of a text whose leader line in the drawing is not on the page, where that begins. The label may get one of its
+    /// own ([`Attachment::Leader`]).
+    pub lost_leader: Option<MmPoint>,
     /// Of a text whose leader line in the drawing is on the page, where that begins.
-    pub leader: Option<MmPoint>,
+    pub kept_leader: Option<MmPoint>,
     /// Whether it names nothing, and stands as near to that place as there is room, without a leader line.
     pub is_nameless: bool,
 }

@@ -124,7 +124,7 @@ pub(super) fn find(
         notes.extend(leaders::whole_or_none(
             &mut edges,
             &mut texts,
-            leaders::BESIDE_PRINT,
+            leaders::FROM_PRINT,
             become_labels(words),
             &layout,
             draw,

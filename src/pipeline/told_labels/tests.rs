@@ -8,8 +8,8 @@ fn a_label_that_stands_at_what_another_names_is_told() {
     let wanted = |text: &str, x: f32| Wanted {
         text: text.to_owned(),
         anchor: place(x),
-        led_from: None,
-        leader: None,
+        lost_leader: None,
+        kept_leader: None,
         is_nameless: false,
     };
     let placed = |x: f32| {
