@@ -81,9 +81,9 @@ pub(super) fn marks(
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
     let hand_lines = HandLines::of_figure(page, own).called(lines.to_vec());
-    let mut edges = hand_lines.edges_under_own(size, blank, params.full_strength)?;
+    let mut edges = hand_lines.contours_by_hand_first(size, blank, params.full_strength)?;
     without_second_rows(&mut edges, plan);
-    let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
+    let of_overview = HandLines::of_overview(page, own).map(|lines| lines.contours(size)).transpose()?;
     let (texts, of_leaders) = labels_led(&mut edges, page, &layout, plan);
     request.go_on()?;
     // the lines of a page stay lines of their own
