@@ -174,6 +174,20 @@ pub enum Unplaced {
 }
 
 impl Placed {
+    /// One in this box, by itself beside what it names.
+    #[cfg(test)]
+    pub(crate) fn of_test(place: MmRect) -> Self {
+        Self {
+            place,
+            lines: Vec::new(),
+            lacking: Vec::new(),
+            abbreviation: None,
+            attachment: Attachment::Beside,
+            stands: PlacedAs::Alone,
+            is_bare: false,
+        }
+    }
+
     /// Blank that is left to a point, mm, besides what textures keep from its box and from its leader line.
     pub(super) fn blank_to(&self, at: MmPoint, params: &Params) -> f32 {
         let to_leader = self.attachment.leader().map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);

@@ -1,8 +1,7 @@
 //! Tests of `clearance`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
-use crate::units::{MmPoint, MmVector};
+use crate::units::MmPoint;
 
 /// Clears lines by their own saliencies.
 pub(in crate::lines) fn clear_all(lines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, params: &Params) -> Vec<Cleared> {
@@ -17,9 +16,7 @@ pub(in crate::lines) fn polyline(points: &[(f32, f32)], closed: bool) -> Polylin
         strength: 60.0,
         contrast: [60.0, 0.0, 0.0],
         width: Params::TEST.width_max,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     polyline.subdivide(0.4);

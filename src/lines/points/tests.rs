@@ -5,7 +5,6 @@ use super::super::params::LineMedium;
 use super::super::tests::area;
 use super::super::vertex::{FoundIn, SPACING};
 use super::*;
-use crate::units::MmVector;
 
 const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -15,9 +14,8 @@ fn line(points: &[(f32, f32)], closed: bool, step: f32, source: FoundIn) -> Poly
         strength: 60.0,
         contrast: [step, 0.0, 0.0],
         width: PARAMS.width_max,
-        stroke: 0.0,
         source,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     line.subdivide(SPACING);
