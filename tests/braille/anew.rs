@@ -71,6 +71,7 @@ fn a_label_stays_where_it_stood_on_another_device() {
 fn the_leader_line_of_a_typed_word_keeps_clear_of_braille_and_of_other_leader_lines() {
     let page = page_with_words(LED, "swell-a4").page;
     let svg = page.to_svg();
+    let mut seen = 0;
     for label in page.braille.iter().filter(|text| ["flower", "soil", "ground"].contains(&text.text.as_str())) {
         let own = place(label);
         // in its very place
@@ -80,12 +81,14 @@ fn the_leader_line_of_a_typed_word_keeps_clear_of_braille_and_of_other_leader_li
         let drawing = drawing.expect("a page");
         let Some(word) = labels_of(&drawing).into_iter().find(|label| label.text == "seed").cloned() else { continue };
         let Some(leader) = word.leader.as_ref() else { continue };
+        seen += 1;
         let (from, to) = (leader.points[0], leader.points[leader.points.len() - 1]);
         for other in labels_of(&drawing).into_iter().filter(|other| other.text != "seed") {
             let near = other.dots.at.iter().map(|at| nearest_on_segment(*at, from, to).0).fold(f32::INFINITY, f32::min);
             assert!(near >= 3.0, "at \"{}\" its leader line is {near} mm from \"{}\"", label.text, other.text);
         }
     }
+    assert!(seen > 0, "no typed word has a leader line");
 }
 
 /// A word at either end of an arrow is no name at a leader line.
