@@ -206,9 +206,9 @@ impl<U: Copy> Nearby<U> {
         });
     }
 
-    /// Which lines end on which others, by their numbers, in order: each of `tips`, given with the number of its line, on
-    /// the lines of segments within `reach`. `is_base` is asked of a segment and of the way along its line to the place
-    /// there.
+    /// Which lines end on which others, by their numbers, in order: each of `tips`, given with the number of its line,
+    /// on the lines of segments within `reach`. `is_base` is asked of a segment and of the way along its line to the
+    /// place there.
     pub fn which_end_on(
         &self,
         tips: impl Iterator<Item = (usize, Point2D<f32, U>)>,

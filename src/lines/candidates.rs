@@ -55,8 +55,8 @@ impl LineCandidates {
         let lengthens = params.of_drawing && !is_overview;
         let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
         let mut short = LossTally::new(area);
-        // Of full strength and shorter than a link, or weaker and not longer in proportion, it has joined nothing and will
-        // not: it is not looked at further.
+        // Of full strength and shorter than a link, or weaker and not longer in proportion, it has joined nothing and
+        // will not: it is not looked at further.
         let shortest = links::shortest(params);
         let is_crumb = |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < shortest;
         if params.of_drawing {

@@ -9,8 +9,8 @@
 //! 3. of what is left of a longer line that was cut ([`is_piece`]),
 //! 4. of lines that are drawn, after some of them were left out ([`drop_loose`]).
 //!
-//! The same on a grid, where lines become dots one by one, is `link` in `dots/clearance/on_grid`; the check has its own
-//! `is_link` for finished lines (`legibility/strokes`).
+//! The same on a grid, where lines become dots one by one, is `is_link` in `dots/clearance/on_grid`; the check has its
+//! own `is_link` for finished lines (`legibility/strokes`).
 
 use super::clearance::{Cleared, TOUCH};
 use super::params::{PagePart, Params};

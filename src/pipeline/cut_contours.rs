@@ -65,8 +65,8 @@ pub(super) fn take_out(edges: &mut Edges, is_gone: impl Fn(usize, &ChainRange, &
     }
 }
 
-/// The parts of a contour that do not run along lines nearer than `reach`, px; where it meets one, those up to `gap` from
-/// it.
+/// The parts of a contour that do not run along lines nearer than `reach`, px; where it meets one, those up to `gap`
+/// from it.
 pub(super) fn parts_beside(
     whole: Polyline<Edgel>,
     near: &Nearby<Px>,

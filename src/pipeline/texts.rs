@@ -22,8 +22,8 @@ pub struct Text {
     /// Whether it is not painted, as the words that lie behind a scanned page are not: its letters are a part of the
     /// picture, if they are seen at all.
     pub hidden: bool,
-    /// Of a text whose leader line in the drawing is not on the page, where that begins and its tip at what it names. It
-    /// may have another one that is.
+    /// Of a text whose leader line in the drawing is not on the page, where that begins and its tip at what it names.
+    /// It may have another one that is.
     pub(super) lost_leader: Option<(MmPoint, MmPoint)>,
     /// Of a text whose leader line in the drawing is on the page, where that begins.
     pub(super) kept_leader: Option<MmPoint>,

@@ -31,8 +31,9 @@ pub(super) fn is_held(polyline: &Polyline<Vertex>, passage: &Passage, params: &P
     polyline.closed || params.of_drawing && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
 }
 
-/// The line, which has this passage, moved away from those it is too near to; none if that asks for more than [`farthest`] somewhere, counted
-/// from where the line was before it was ever displaced: it may be judged, and displaced, in several rounds.
+/// The line, which has this passage, moved away from those it is too near to; none if that asks for more than
+/// [`farthest`] somewhere, counted from where the line was before it was ever displaced: it may be judged, and
+/// displaced, in several rounds.
 pub(super) fn displaced(
     polyline: &Polyline<Vertex>,
     mut passage: Passage,

@@ -27,8 +27,8 @@ pub(super) struct HandLine {
 }
 
 impl HandLine {
-    /// The strokes of a line of the figure, which has this number, each of several runs that follow one another. `share`
-    /// says where in the figure a place of the sheet is, and `plan` for which strength a width stands.
+    /// The strokes of a line of the figure, which has this number, each of several runs that follow one another.
+    /// `share` says where in the figure a place of the sheet is, and `plan` for which strength a width stands.
     pub(super) fn strokes_of(
         line: &Line,
         of_line: usize,
