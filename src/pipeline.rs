@@ -7,6 +7,7 @@ mod areas;
 mod areas_of_colours;
 mod bars;
 pub mod colours;
+mod cut_contours;
 mod decisions;
 mod dots;
 mod draw;

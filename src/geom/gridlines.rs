@@ -5,13 +5,26 @@ use lyon::geom::euclid::{Box2D, Point2D};
 
 use super::nearest_on_segment;
 use super::polyline::{Located, PolylineRef};
-use crate::units::{MmPoint, MmVector};
+use crate::units::{Mm, MmPoint, MmVector, Px};
 
 /// So many lines of one direction are a grid.
 const LEAST: usize = 3;
-/// How far from level or upright they are, and how far pieces of one of them lie from its place, in the unit of the
-/// points: mm or px.
-const STRAIGHT: f32 = 0.5;
+/// A unit in which gridlines are looked for.
+pub trait GridUnit {
+    /// How far from level or upright they are, and how far pieces of one of them lie from its place.
+    const OFF: f32;
+}
+
+/// On the sheet: numbers of a page are rounded, and lines keep apart.
+impl GridUnit for Mm {
+    const OFF: f32 = 0.5;
+}
+
+/// In a picture: a stroke is found to a fraction of a pixel.
+impl GridUnit for Px {
+    const OFF: f32 = 0.5;
+}
+
 /// Least straightness of one, chord to length: drawn by hand, too.
 const STRAIGHTNESS: f32 = 0.99;
 /// How far they lie from even distances, as a share of these: lines keep apart, and on a grid of dots they lie up to
@@ -38,27 +51,27 @@ pub fn straight_ends<V: Located>(line: PolylineRef<'_, V>) -> Option<[Point2D<f3
 }
 
 /// Which of some lines are those of a grid; of each that may be one, the two ends.
-pub fn which_are_gridlines<U>(ends: &[Option<[Point2D<f32, U>; 2]>]) -> Vec<bool> {
+pub fn which_are_gridlines<U: GridUnit>(ends: &[Option<[Point2D<f32, U>; 2]>]) -> Vec<bool> {
     let mut found = vec![false; ends.len()];
     for is_level in [true, false] {
         let piece = |[a, b]: [Point2D<f32, U>; 2]| {
             let [a, b] = [a, b].map(|at| if is_level { (at.x, at.y) } else { (at.y, at.x) });
             let piece = Piece { at: 0.5 * (a.1 + b.1), from: a.0.min(b.0), to: a.0.max(b.0) };
-            ((a.1 - b.1).abs() <= STRAIGHT).then_some(piece)
+            ((a.1 - b.1).abs() <= U::OFF).then_some(piece)
         };
         let pieces: Vec<Option<Piece>> = ends.iter().map(|ends| ends.and_then(piece)).collect();
-        if is_grid(pieces.iter().flatten().copied().collect()) {
+        if is_grid(pieces.iter().flatten().copied().collect(), U::OFF) {
             found.iter_mut().zip(&pieces).for_each(|(found, piece)| *found |= piece.is_some());
         }
     }
     found
 }
 
-/// Whether pieces of one direction are a grid.
-fn is_grid(mut pieces: Vec<Piece>) -> bool {
+/// Whether pieces of one direction are a grid; those of one line lie no farther than `off` from its place.
+fn is_grid(mut pieces: Vec<Piece>, off: f32) -> bool {
     pieces.sort_by(|a, b| a.at.total_cmp(&b.at));
     let lines: Vec<Piece> = pieces
-        .chunk_by(|a, b| b.at - a.at <= STRAIGHT)
+        .chunk_by(|a, b| b.at - a.at <= off)
         .map(|of| {
             let (from, to) = of.iter().fold((f32::MAX, f32::MIN), |(from, to), of| (from.min(of.from), to.max(of.to)));
             Piece { at: of[0].at, from, to }
@@ -93,7 +106,7 @@ pub fn without_treads(found: &mut [bool], ends: &[Option<[MmPoint; 2]>], lines: 
     for is_level in [true, false] {
         let turned = |at: MmPoint| if is_level { at } else { MmPoint::new(at.y, at.x) };
         let is_member = |number: &usize| {
-            let is_along = |[a, b]: [MmPoint; 2]| (turned(a).y - turned(b).y).abs() <= STRAIGHT;
+            let is_along = |[a, b]: [MmPoint; 2]| (turned(a).y - turned(b).y).abs() <= Mm::OFF;
             found[*number] && ends[*number].is_some_and(is_along)
         };
         let members: Vec<usize> = (0..found.len()).filter(is_member).collect();
@@ -118,15 +131,15 @@ pub fn without_treads(found: &mut [bool], ends: &[Option<[MmPoint; 2]>], lines: 
                 (0..=steps as u32).any(|step| {
                     let at = turned(side[0].lerp(side[1], step as f32 / steps));
                     (between.min.x..=between.max.x).contains(&at.x)
-                        && at.y > all.min.y + STRAIGHT
-                        && at.y < all.max.y - STRAIGHT
+                        && at.y > all.min.y + Mm::OFF
+                        && at.y < all.max.y - Mm::OFF
                 })
             })
         };
         let on_them = others.iter().filter(lies_on).map(|line| Box2D::from_points(line.iter().map(|at| turned(*at))));
         let large: Vec<Box2D<f32, _>> = on_them.filter(|of| of.width().max(of.height()) > SMALL).collect();
         // across, and straight
-        let is_arrow = |of: &Box2D<f32, _>| of.width() <= STRAIGHT;
+        let is_arrow = |of: &Box2D<f32, _>| of.width() <= Mm::OFF;
         if large.len() <= 1 && large.iter().all(is_arrow) {
             members.into_iter().for_each(|number| found[number] = false);
         }

@@ -206,6 +206,30 @@ impl<U: Copy> Nearby<U> {
         });
     }
 
+    /// Which lines end on which others, by their numbers, in order: each of `tips`, given with the number of its line,
+    /// on the lines of segments within `reach`. `is_base` is asked of a segment and of the way along its line to the
+    /// place there.
+    pub fn which_end_on(
+        &self,
+        tips: impl Iterator<Item = (usize, Point2D<f32, U>)>,
+        reach: f32,
+        is_base: impl Fn(&Segment<U>, f32) -> bool,
+    ) -> Vec<(usize, usize)> {
+        let mut found = Vec::new();
+        for (line, at) in tips {
+            self.around(at, at, reach, |segment| {
+                let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
+                let arc = segment.arc + (touched - segment.a).length();
+                if segment.line as usize != line && distance <= reach && is_base(segment, arc) {
+                    found.push((line, segment.line as usize));
+                }
+            });
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
     /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point,
     /// segment.
     pub fn nearest(

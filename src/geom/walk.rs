@@ -43,6 +43,20 @@ pub fn first_beyond<U>(
     last
 }
 
+/// The unit direction in which a line ends whose points from the end inwards these are: from the first that is at least
+/// `far` from the end, or the last of them.
+pub fn heading_of_end<U>(mut points: impl Iterator<Item = Point2D<f32, U>>, far: f32) -> Option<Vector2D<f32, U>> {
+    let tip = points.next()?;
+    (tip - first_beyond(points, tip, far)?).try_normalize()
+}
+
+/// Length along a line between two places, given as lengths from its beginning; of a ring, which is so long
+/// (`ring_length`), the shorter way round.
+pub fn arc_between(s: f32, t: f32, ring_length: Option<f32>) -> f32 {
+    let apart = (s - t).abs();
+    ring_length.map_or(apart, |ring_length| apart.min(ring_length - apart))
+}
+
 /// The first number from 1 on that is unlike the one before it, of so many round a ring; none if all are alike.
 fn first_change(count: usize, is_alike: &impl Fn(usize, usize) -> bool) -> Option<usize> {
     (1..count).find(|&i| !is_alike(i - 1, i))

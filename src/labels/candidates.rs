@@ -21,7 +21,7 @@ pub(super) struct Candidate {
     pub(super) cost: f32,
     pub(super) stands: PlacedAs,
     /// Where the leader line begins that the drawing has to what it names, if that is on the page.
-    drawn_leader: Option<MmPoint>,
+    kept_leader: Option<MmPoint>,
 }
 
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
@@ -102,7 +102,7 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 impl Candidate {
     /// One that is placed together with its row.
     pub(super) fn of_row(form: usize, place: MmRect, attachment: Attachment, cost: f32, stands: PlacedAs) -> Self {
-        Self { form, place, attachment, cost, stands, drawn_leader: None }
+        Self { form, place, attachment, cost, stands, kept_leader: None }
     }
 
     /// The line that leads from it to what it names, if it does not stand beside that.
@@ -124,7 +124,7 @@ impl Candidate {
     /// Whether a leader line of the drawing begins nearer to this label than to the other, whose it is, or about as
     /// near: it would be taken for that of this one.
     fn takes_leader(&self, other: &Self) -> bool {
-        let own = other.drawn_leader.filter(|_| other.leader().is_none());
+        let own = other.kept_leader.filter(|_| other.leader().is_none());
         own.is_some_and(|at| distance_to_box(at, self.place) < distance_to_box(at, other.place) + CLEARLY_NEARER)
     }
 
@@ -206,7 +206,7 @@ fn of_form(
 
 /// How far a label may lie from what it names, mm.
 fn reach(label: &Wanted) -> f32 {
-    label.led_from.map_or(FAR, |from| FAR.max((from - label.anchor.center()).length() + BEYOND))
+    label.lost_leader.map_or(FAR, |from| FAR.max((from - label.anchor.center()).length() + BEYOND))
 }
 
 /// A label in a place; none if it cannot be joined to what it names from there.
@@ -227,8 +227,8 @@ fn candidate(
         return None;
     }
     let cost = cost(form.kind.cost(), label, place, attachment, around);
-    let (stands, drawn_leader) = (PlacedAs::Alone, label.leader);
-    Some(Candidate { form: number, place, attachment, cost, stands, drawn_leader })
+    let (stands, kept_leader) = (PlacedAs::Alone, label.kept_leader);
+    Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
@@ -264,7 +264,7 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     let segment = leader_from(nearest, around.tip)?;
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear =
-        around.is_clear_of_blocked(segment) && (label.led_from.is_none() || around.leads_to_own(place, segment));
+        around.is_clear_of_blocked(segment) && (label.lost_leader.is_none() || around.leads_to_own(place, segment));
     // across the lines of a table it would come into other cells first
     (is_clear && around.cell.is_none()).then_some(Attachment::LeaderAcross(segment))
 }

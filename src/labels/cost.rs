@@ -93,16 +93,16 @@ pub(super) fn cost(
         Attachment::Beside => 0.0,
         Attachment::Leader(_) => LEADER,
         Attachment::LeaderAcross([from, to]) => {
-            let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
+            let across = if label.lost_leader.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
             let lacking = (FELT_BEFORE_LINE - room.before_first_line(from, to)).max(0.0);
             across + ALONG_A_LINE * room.along(from, to, end) + TOO_SHORT * lacking
         }
     };
     let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };
     // on the side where its text stood
-    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
+    let aside = label.lost_leader.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
     // the end of the line that leads to it is no letter
-    let is_read_alone = label.leader.is_some() || room.is_free_aside(place, params.more_aside);
+    let is_read_alone = label.kept_leader.is_some() || room.is_free_aside(place, params.more_aside);
     let beside = if is_read_alone { 0.0 } else { LIKE_A_CELL };
     of_form + distance + aside + elsewhere + GLYPH * glyphs + grid + leader + beside
 }

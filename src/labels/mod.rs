@@ -18,6 +18,7 @@ mod choose;
 mod columns;
 mod context;
 mod cost;
+mod cut_textures;
 mod forms;
 mod groups;
 mod interrupted;
@@ -45,9 +46,8 @@ pub use surroundings::NEAR;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
 use crate::braille::Translator;
-use crate::geom::components;
+use crate::page::Figure;
 use crate::page::cells::CellGrid;
-use crate::page::{Figure, Glyph};
 use crate::units::{MmPoint, MmRect};
 use candidates::{Candidate, MIN_SPACING, Spacing};
 use forms::{Form, FormKind, Forms};
@@ -351,66 +351,6 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
     })
 }
 
-/// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so
-/// near to a label they are read as letters.
-const COMPANY: usize = 2;
-const AROUND: f32 = 9.0;
-const NEAR_LABEL: f32 = 12.0;
-/// Signs no further apart than this are of one part of a texture, mm: the widest steps of its rows, across.
-const SIDE_BY_SIDE: f32 = 5.7;
-
-/// The glyphs of a texture without those that are left alone beside labels, or farther off by what labels took of those
-/// that were there `before`.
-fn without_stray(glyphs: Vec<Glyph>, before: &[Glyph], placed: &[&Placed]) -> Vec<Glyph> {
-    let company = |glyph: &Glyph, all: &[Glyph]| {
-        let near = all.iter().filter(|other| (other.at - glyph.at).length() <= AROUND);
-        near.take(COMPANY + 1).count() > COMPANY
-    };
-    let is_stray = |glyph: &Glyph| is_near(glyph, placed) || company(glyph, before);
-    let kept: Vec<bool> = glyphs.iter().map(|glyph| company(glyph, &glyphs) || !is_stray(glyph)).collect();
-    let mut kept = kept.into_iter();
-    glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
-}
-
-fn is_near(glyph: &Glyph, placed: &[&Placed]) -> bool {
-    placed.iter().any(|label| label.distance(glyph.at) < NEAR_LABEL)
-}
-
-/// How far around a sign others are of its part of a texture, in steps of that; and the share of a whole circle of them
-/// that a part of three rows has, and one of two has not.
-const STEPS_AROUND: f32 = 2.5;
-const BROAD: f32 = 0.6;
-
-/// Leaves out what labels leave of a texture in strips of one or two rows beside them, as between a label and a line:
-/// signs in a row are felt as a line. `before` are all signs of the texture, each for `area` mm2.
-fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: &[&Placed]) {
-    let reach = STEPS_AROUND * area.sqrt();
-    let far = |glyph: &Glyph| placed.iter().map(|label| label.distance(glyph.at)).fold(f32::INFINITY, f32::min);
-    let near = |all: &[Glyph]| -> Vec<MmPoint> {
-        all.iter().filter(|glyph| far(glyph) < NEAR_LABEL + 2.0 * reach).map(|glyph| glyph.at).collect()
-    };
-    let least = BROAD * std::f32::consts::PI * STEPS_AROUND * STEPS_AROUND;
-    // whether a sign is within reach of one with so many around it
-    let broad = |all: &[MmPoint]| -> Vec<MmPoint> {
-        let around =
-            |at: &&MmPoint| all.iter().filter(|other| (**other - **at).length() <= reach).count() as f32 >= least;
-        all.iter().filter(around).copied().collect()
-    };
-    let (of_left, of_before) = (broad(&near(left)), broad(&near(before)));
-    let is_in = |of: &[MmPoint], at: MmPoint| of.iter().any(|other| (*other - at).length() <= reach);
-    left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
-}
-
-/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
-fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
-    let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
-    let parts = components::of_points(&points, SIDE_BY_SIDE, |between| between.length() <= SIDE_BY_SIDE);
-    components::retain(glyphs, &parts, |glyphs, part| {
-        let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
-        extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
-    });
-}
-
 /// What labels change of a figure.
 #[derive(Debug)]
 pub struct MadeRoom {
@@ -426,16 +366,7 @@ pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Ma
     let mut gone = Vec::new();
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
-        let (before, whole) = (texture.glyphs.clone(), texture.glyphs.len());
-        texture.glyphs.retain(|glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius()));
-        let mut glyphs = std::mem::take(&mut texture.glyphs);
-        if glyphs.len() < whole {
-            leave_out_strips(&mut glyphs, &before, texture.area / whole as f32, placed);
-        }
-        if glyphs.len() < whole && params.least_texture > 0.0 {
-            leave_out_few_rows(&mut glyphs, placed, params.least_texture);
-        }
-        texture.glyphs = without_stray(glyphs, &before, placed);
+        cut_textures::make_room(texture, placed, params);
         if texture.glyphs.is_empty() {
             let far = |label: &usize| placed[*label].distance(extent.center());
             gone.extend((0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b))));

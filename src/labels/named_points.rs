@@ -57,7 +57,7 @@ pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
     };
     let mut pairs: Vec<(f32, usize, usize)> = Vec::new();
     for (number, label) in wanted.iter().enumerate() {
-        if !label.anchor.is_empty() && label.led_from.is_none() {
+        if !label.anchor.is_empty() && label.lost_leader.is_none() {
             let of_ring = |(ring, at): (usize, &SmallRing)| Some((gap(label, at)?, number, ring));
             pairs.extend(rings.iter().enumerate().filter_map(of_ring));
         }

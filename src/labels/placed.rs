@@ -87,10 +87,11 @@ pub struct Wanted {
     pub text: String,
     /// What it names: a point as an empty box, or the box of a text that it stands for.
     pub anchor: MmRect,
-    /// Of a text that the drawing leads to that point by a line that is not on the page, where that begins.
-    pub led_from: Option<MmPoint>,
+    /// Of a text whose leader line in the drawing is not on the page, where that begins. The label may get one of its
+    /// own ([`Attachment::Leader`]).
+    pub lost_leader: Option<MmPoint>,
     /// Of a text whose leader line in the drawing is on the page, where that begins.
-    pub leader: Option<MmPoint>,
+    pub kept_leader: Option<MmPoint>,
     /// Whether it names nothing, and stands as near to that place as there is room, without a leader line.
     pub is_nameless: bool,
 }
@@ -173,6 +174,20 @@ pub enum Unplaced {
 }
 
 impl Placed {
+    /// One in this box, by itself beside what it names.
+    #[cfg(test)]
+    pub(crate) fn of_test(place: MmRect) -> Self {
+        Self {
+            place,
+            lines: Vec::new(),
+            lacking: Vec::new(),
+            abbreviation: None,
+            attachment: Attachment::Beside,
+            stands: PlacedAs::Alone,
+            is_bare: false,
+        }
+    }
+
     /// Blank that is left to a point, mm, besides what textures keep from its box and from its leader line.
     pub(super) fn blank_to(&self, at: MmPoint, params: &Params) -> f32 {
         let to_leader = self.attachment.leader().map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);

@@ -1,18 +1,18 @@
 //! Which places of a figure are free of lines, and how many glyphs of textures a place would cost.
 
+mod squares;
+
 use std::f32::consts::TAU;
 
+use self::squares::{MarkedSquares, SQUARE, SquareSums, Squares};
 use super::angles::{self, Angle};
 use super::interrupted;
 use super::named_points::{self, SmallRing};
 use super::placed::Params;
-use crate::geom::nearest_on_segment;
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::page::{Line, Pen, Texture, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Side of the squares that the figure is looked at in, mm. Chosen by us: a sixth of the distance that labels keep.
-const SQUARE: f32 = 0.5;
 /// From the middle of a square to its corner, mm.
 const CORNER: f32 = 0.354;
 /// Directions in which a point is looked at from.
@@ -45,30 +45,22 @@ const WHOLE: u32 = 64;
 /// Area that a glyph of a dense printed texture stands for, mm2: that of `swell-a4`.
 const GLYPH_AREA: f32 = 11.2;
 
-/// The figure in squares.
-#[derive(Debug, Clone, Copy)]
-struct Squares {
-    area: MmRect,
-    columns: usize,
-    rows: usize,
-}
-
-/// What is in the squares: as sums over all of them above and to the left, so that a box is looked at in one step.
+/// What is in the squares of a figure.
 #[derive(Debug)]
 pub(super) struct Room {
     squares: Squares,
-    /// Squares nearer to a line than a label may lie.
-    taken: Vec<u32>,
-    /// Sums of squares too near to gridlines, which give way to labels.
-    grid: Vec<u32>,
-    /// Squares nearer to a line than a leader line may lie; no sums.
-    for_leader: Vec<u32>,
-    /// Squares that lines lie in; no sums.
-    ink: Vec<u32>,
-    /// Those that lines lie in which are not weak, where there are weak ones; no sums.
-    strong: Option<Vec<u32>>,
+    /// Squares nearer to a line than a label may lie, but for gridlines that give way to labels.
+    taken: SquareSums,
+    /// Squares too near to those.
+    grid: SquareSums,
+    /// Squares nearer to a line than a leader line may lie.
+    for_leader: MarkedSquares,
+    /// Squares that lines lie in.
+    ink: MarkedSquares,
+    /// Those that lines lie in which are not weak, where there are weak ones.
+    strong: Option<MarkedSquares>,
     /// Glyphs, in shares of one.
-    glyphs: Vec<u32>,
+    glyphs: SquareSums,
     /// Width of the widest line, mm.
     widest: f32,
     /// Whether its lines are those of a page, and not contours of a drawing.
@@ -94,7 +86,7 @@ impl Room {
         let near = |lines: Vec<(&Line, bool)>, blocked: bool| {
             let segments = segments(lines.into_iter().map(|(line, _)| line));
             let sides = sides().filter(|_| blocked);
-            room.squares.sums(&room.squares.near(segments.chain(sides), CORNER + clearance))
+            room.squares.near(segments.chain(sides), CORNER + clearance).sums(&room.squares)
         };
         let angles = angles::of(others.iter().map(|(line, _)| *line));
         let (taken, grid) = (near(others, true), near(of_grid, false));
@@ -122,23 +114,20 @@ impl Room {
         clearance: f32,
     ) -> Self {
         let squares = Squares::of(area);
-        let none = || vec![0; squares.columns * squares.rows];
-        let (mut taken, mut for_leader, mut ink, mut of_glyphs) = (none(), none(), none(), none());
+        let none = || MarkedSquares::none_of(&squares);
+        let (mut taken, mut for_leader, mut ink) = (none(), none(), none());
         let (mut bounds, mut widest): (Option<MmRect>, f32) = (None, 0.0);
         for ([a, b], width) in segments {
             let half = 0.5 * width + CORNER;
             widest = widest.max(width);
-            squares.around(a, b, half + clearance, |index| taken[index] = 1);
-            squares.around(a, b, half + LEADER_CLEARANCE, |index| for_leader[index] = 1);
-            squares.around(a, b, half, |index| ink[index] = 1);
+            squares.around(a, b, half + clearance, |index| taken.mark(index));
+            squares.around(a, b, half + LEADER_CLEARANCE, |index| for_leader.mark(index));
+            squares.around(a, b, half, |index| ink.mark(index));
             let own = MmRect::new(a.min(b), a.max(b)).inflate(0.5 * width, 0.5 * width);
             bounds = Some(bounds.map_or(own, |all| MmRect::new(all.min.min(own.min), all.max.max(own.max))));
         }
-        for (index, share) in glyphs.filter_map(|(at, share)| Some((squares.index(at)?, share))) {
-            of_glyphs[index] += share;
-        }
-        let (taken, glyphs) = (squares.sums(&taken), squares.sums(&of_glyphs));
-        let grid = squares.sums(&none());
+        let glyphs = SquareSums::of(&squares, glyphs.filter_map(|(at, share)| Some((squares.index(at)?, share))));
+        let (taken, grid) = (taken.sums(&squares), none().sums(&squares));
         let (angles, rings) = (Vec::new(), Vec::new());
         Self {
             squares,
@@ -183,12 +172,12 @@ impl Room {
 
     /// Whether a box lies in the area and as far from lines as labels must.
     pub(super) fn is_free(&self, place: MmRect) -> bool {
-        self.squares.area.contains_box(&place) && self.squares.sum(&self.taken, place) == 0
+        self.squares.area.contains_box(&place) && self.taken.within(place, &self.squares) == 0
     }
 
     /// Whether there is so much more than the clearance between a box and the lines on its left and on its right.
     pub(super) fn is_free_aside(&self, place: MmRect, more: f32) -> bool {
-        more <= 0.0 || self.squares.sum(&self.taken, place.inflate(more, 0.0)) == 0
+        more <= 0.0 || self.taken.within(place.inflate(more, 0.0), &self.squares) == 0
     }
 
     /// How far a leader line is felt before it meets a line, mm.
@@ -200,16 +189,16 @@ impl Room {
 
     /// Whether gridlines have to be interrupted for a label in this box.
     pub(super) fn interrupts_grid(&self, place: MmRect) -> bool {
-        self.squares.sum(&self.grid, place) > 0
+        self.grid.within(place, &self.squares) > 0
     }
 
     /// Whether a line lies at a point.
     pub(super) fn is_ink(&self, at: MmPoint) -> bool {
-        self.squares.index(at).is_some_and(|index| self.ink[index] > 0)
+        self.ink.holds(at, &self.squares)
     }
 
     /// The squares of the lines that are not weak; none if all are like that.
-    fn strong(&self, lines: &[Line], least_strength: f32) -> Option<Vec<u32>> {
+    fn strong(&self, lines: &[Line], least_strength: f32) -> Option<MarkedSquares> {
         let weak = which_are_weak(lines, least_strength);
         let strong = lines.iter().zip(&weak).filter(|(_, is_weak)| !**is_weak).map(|(line, _)| line);
         weak.contains(&true).then(|| self.squares.near(segments(strong), CORNER))
@@ -220,24 +209,26 @@ impl Room {
     pub(super) fn line_beside(&self, place: MmRect, reach: f32, beyond_weak: f32) -> Option<MmPoint> {
         let nearest = self.nearest(place, reach, &self.ink)?;
         let Some(strong) = &self.strong else { return Some(nearest) };
-        let is_strong = self.squares.index(nearest).is_some_and(|index| strong[index] > 0);
-        if is_strong { Some(nearest) } else { self.nearest(place, beyond_weak, strong).or(Some(nearest)) }
+        if strong.holds(nearest, &self.squares) {
+            Some(nearest)
+        } else {
+            self.nearest(place, beyond_weak, strong).or(Some(nearest))
+        }
     }
 
     /// The middle of the square with ink that is nearest to a box, and within `reach` of it.
-    fn nearest(&self, place: MmRect, reach: f32, ink: &[u32]) -> Option<MmPoint> {
+    fn nearest(&self, place: MmRect, reach: f32, ink: &MarkedSquares) -> Option<MmPoint> {
         let steps = |side: f32| (side / SQUARE).ceil() as u32;
         let around = place.inflate(reach, reach);
         let squares = (0..=steps(around.height())).flat_map(|y| (0..=steps(around.width())).map(move |x| (x, y)));
         let points = squares.map(|(x, y)| around.min + MmVector::new(x as f32, y as f32) * SQUARE);
         let far = |at: &MmPoint| distance_to_box(*at, place);
-        let is_ink = |at: MmPoint| self.squares.index(at).is_some_and(|index| ink[index] > 0);
-        points.filter(|at| far(at) <= reach && is_ink(*at)).min_by(|a, b| far(a).total_cmp(&far(b)))
+        points.filter(|at| far(at) <= reach && ink.holds(*at, &self.squares)).min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
     /// How many glyphs lie in a box; the dots of a device count by what is printed in their place.
     pub(super) fn glyphs(&self, place: MmRect) -> f32 {
-        self.squares.sum(&self.glyphs, place) as f32 / WHOLE as f32
+        self.glyphs.within(place, &self.squares) as f32 / WHOLE as f32
     }
 
     /// Whether a straight leader line would keep clear of other lines; `end` mm before its end it need not, as there is
@@ -354,11 +345,10 @@ impl Room {
     }
 
     /// How far the first of these squares lies in a direction, mm.
-    fn first_in(&self, squares: &[u32], at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
+    fn first_in(&self, marked: &MarkedSquares, at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
         let steps = (2.0 * reach / SQUARE).ceil() as u32;
         let distances = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|distance| *distance <= reach);
-        let is_in = |at: MmPoint| self.squares.index(at).is_some_and(|index| squares[index] > 0);
-        distances.into_iter().find(|distance| is_in(at + direction * *distance))
+        distances.into_iter().find(|distance| marked.holds(at + direction * *distance, &self.squares))
     }
 
     /// How much of a straight leader line lies near to other lines, mm, without the last `end` mm.
@@ -367,19 +357,17 @@ impl Room {
         let steps = (length / SQUARE).ceil().max(1.0);
         let is_near = |step: u32| {
             let along = step as f32 / steps;
-            let square = self.squares.index(from.lerp(to, along));
-            (1.0 - along) * length > end && square.is_some_and(|index| self.for_leader[index] > 0)
+            (1.0 - along) * length > end && self.for_leader.holds(from.lerp(to, along), &self.squares)
         };
         (0..=steps as u32).filter(|step| is_near(*step)).count() as f32 * length / (steps + 1.0)
     }
 
-    fn meets(&self, squares: &[u32], from: MmPoint, to: MmPoint, end: f32) -> bool {
+    fn meets(&self, marked: &MarkedSquares, from: MmPoint, to: MmPoint, end: f32) -> bool {
         let length = (to - from).length();
         let steps = (length / SQUARE).ceil().max(1.0);
         (0..=steps as u32).any(|step| {
             let along = step as f32 / steps;
-            let is_there = || self.squares.index(from.lerp(to, along)).is_some_and(|index| squares[index] > 0);
-            (1.0 - along) * length > end && is_there()
+            (1.0 - along) * length > end && marked.holds(from.lerp(to, along), &self.squares)
         })
     }
 }
@@ -414,73 +402,6 @@ fn segments<'a>(lines: impl Iterator<Item = &'a Line>) -> impl Iterator<Item = (
         let pairs: Vec<_> = points.chunks_exact(2).map(|ends| ([ends[0], ends[1]], run.width)).collect();
         pairs
     })
-}
-
-impl Squares {
-    fn of(area: MmRect) -> Self {
-        let count = |mm: f32| (mm / SQUARE).ceil().max(1.0) as usize;
-        Self { area, columns: count(area.width()), rows: count(area.height()) }
-    }
-
-    /// The squares within `reach` of the ink of segments, each with its width.
-    fn near(&self, segments: impl Iterator<Item = ([MmPoint; 2], f32)>, reach: f32) -> Vec<u32> {
-        let mut near = vec![0; self.columns * self.rows];
-        for ([a, b], width) in segments {
-            self.around(a, b, 0.5 * width + reach, |index| near[index] = 1);
-        }
-        near
-    }
-
-    /// Calls `visit` with the squares whose middle is nearer than `reach` to a segment.
-    fn around(&self, a: MmPoint, b: MmPoint, reach: f32, mut visit: impl FnMut(usize)) {
-        let (low, high) = (a.min(b) - MmVector::new(reach, reach), a.max(b) + MmVector::new(reach, reach));
-        let range = |low: f32, high: f32, count: usize| {
-            let at = |mm: f32| (mm / SQUARE).floor().clamp(0.0, count as f32) as usize;
-            at(low)..(at(high) + 1).min(count)
-        };
-        for row in range(low.y - self.area.min.y, high.y - self.area.min.y, self.rows) {
-            for column in range(low.x - self.area.min.x, high.x - self.area.min.x, self.columns) {
-                let middle = self.area.min + MmVector::new(column as f32 + 0.5, row as f32 + 0.5) * SQUARE;
-                if nearest_on_segment(middle, a, b).0 < reach {
-                    visit(row * self.columns + column);
-                }
-            }
-        }
-    }
-
-    fn index(&self, at: MmPoint) -> Option<usize> {
-        let from = (at - self.area.min) / SQUARE;
-        let inside = from.x >= 0.0 && from.y >= 0.0 && from.x < self.columns as f32 && from.y < self.rows as f32;
-        inside.then(|| from.y as usize * self.columns + from.x as usize)
-    }
-
-    /// For each corner of squares what lies above and to the left of it.
-    fn sums(&self, squares: &[u32]) -> Vec<u32> {
-        let wide = self.columns + 1;
-        let mut sums = vec![0; wide * (self.rows + 1)];
-        for row in 0..self.rows {
-            let mut of_row = 0;
-            for column in 0..self.columns {
-                of_row += squares[row * self.columns + column];
-                sums[(row + 1) * wide + column + 1] = sums[row * wide + column + 1] + of_row;
-            }
-        }
-        sums
-    }
-
-    /// The sum over all squares that a box touches.
-    fn sum(&self, sums: &[u32], place: MmRect) -> u32 {
-        let at = |mm: f32, count: usize| mm.clamp(0.0, count as f32) as usize;
-        let low = (place.min - self.area.min) / SQUARE;
-        let high = (place.max - self.area.min) / SQUARE;
-        let (left, top) = (at(low.x.floor(), self.columns), at(low.y.floor(), self.rows));
-        let (right, bottom) = (at(high.x.ceil(), self.columns), at(high.y.ceil(), self.rows));
-        if right <= left || bottom <= top {
-            return 0;
-        }
-        let sum = |row: usize, column: usize| sums[row * (self.columns + 1) + column];
-        sum(bottom, right) + sum(top, left) - sum(top, right) - sum(bottom, left)
-    }
 }
 
 #[cfg(test)]

@@ -128,7 +128,7 @@ impl<'a> Surroundings<'a> {
         // of labels of one place one is enough
         others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         others.dedup();
-        let names_angle = label.led_from.is_none() && angles::is_name(&label.text);
+        let names_angle = label.lost_leader.is_none() && angles::is_name(&label.text);
         let angle = if names_angle { room.angle_around(at) } else { None };
         let angle = angle.filter(|angle| !is_point || (angle.vertex - at).length() > AT_VERTEX);
         // a small ring around a point, such as a town on a map, is what it names
@@ -137,7 +137,7 @@ impl<'a> Surroundings<'a> {
             if is_point || angle.is_some() { at } else { room.line_beside(anchor, BESIDE_LINE, NEAR).unwrap_or(at) };
         let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
         let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
-        let is_text = !is_point && label.led_from.is_none();
+        let is_text = !is_point && label.lost_leader.is_none();
         let is_shut_in = is_text && room.is_in_room(at, FURTHEST_OUTLINE);
         // what is written across the lines of a grid stands in none of its squares
         let cell = if is_text { room.cell_around(at) } else { None };

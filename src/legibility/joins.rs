@@ -3,6 +3,7 @@
 use super::paths::{Paths, may_be_near, nearest, point_at};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::walk::arc_between;
 use crate::units::MmPoint;
 
 /// Where a line joins another it must have come from beyond the clearance within this length, in clearances: at 19.5
@@ -188,18 +189,14 @@ fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index
 }
 
 /// Whether a place of a path is on the stretch to a join with `line`.
-pub(super) fn arrives(joins: &[Join], length: Option<f32>, arc: f32, line: usize, clearance: f32) -> bool {
-    let apart = |join: &Join| {
-        let apart = (join.arc - arc).abs();
-        length.map_or(apart, |length| apart.min(length - apart))
-    };
-    joins.iter().any(|join| join.line == line && apart(join) <= join.reach(clearance))
+pub(super) fn arrives(joins: &[Join], ring_length: Option<f32>, arc: f32, line: usize, clearance: f32) -> bool {
+    joins.iter().any(|join| join.line == line && arc_between(join.arc, arc, ring_length) <= join.reach(clearance))
 }
 
 /// The parts of a segment, as places along its path, that are not on the stretch to a join with `line`.
 pub(super) fn free_parts(
     joins: &[Join],
-    length: Option<f32>,
+    ring_length: Option<f32>,
     segment: &Segment,
     line: usize,
     clearance: f32,
@@ -207,7 +204,7 @@ pub(super) fn free_parts(
     let whole = (segment.arc, segment.arc + (segment.b - segment.a).length());
     let mut parts = vec![whole];
     // of a ring, a join near the beginning is near the end as well
-    let rounds = length.map_or(vec![0.0], |length| vec![-length, 0.0, length]);
+    let rounds = ring_length.map_or(vec![0.0], |length| vec![-length, 0.0, length]);
     let mut joined = false;
     for join in joins.iter().filter(|join| join.line == line) {
         joined = true;

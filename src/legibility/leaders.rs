@@ -16,16 +16,19 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// Directions in which it is looked for the sides of a shape around the end of a line.
 const DIRECTIONS: u32 = 16;
 
-/// A leader line that is a line of the figure begins so near to its label, mm: a label stands apart from it.
-const BESIDE: f32 = 8.0;
+/// A leader line that is a line of the figure begins so near to its label, mm: braille may be as high as the line below
+/// it and keeps its clearance.
+pub(crate) const LEADER_FROM_BRAILLE: f32 = 8.0;
 /// Its label lies before its end but for 60 degrees: the cosine. One along it, as at a scale, names the line.
 const BEFORE: f32 = 0.5;
 /// Nothing else is so near to where it begins, mm: there sides of shapes meet.
-const FREE: f32 = 1.5;
-/// It has these lengths, mm and in shares of the longer side of the figure, and is straight: its chord is this share.
-const SHORTEST: f32 = 8.0;
-const LONGEST: f32 = 0.4;
-const STRAIGHT: f32 = 0.95;
+pub(crate) const LEADER_FREE: f32 = 1.5;
+/// The shortest, mm: what is shorter beside a word may be a tick, and is no further from it than a label.
+pub(crate) const SHORTEST_LEADER: f32 = 8.0;
+/// The longest, as a share of the longer side of the figure: what is longer, such as an axis, is a line by itself.
+pub(crate) const LONGEST_LEADER: f32 = 0.4;
+/// It is straight: its chord is at least this share of it.
+pub(crate) const LEADER_STRAIGHT: f32 = 0.95;
 
 /// Of each label whose line ends in the blank, where that is; `index` has the lines of the figure, whose paths these
 /// are.
@@ -48,17 +51,17 @@ pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby
 fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearby) -> Option<FoundBreach> {
     let of = &paths.paths[path];
     let place = page.figure.place;
-    let lengths = SHORTEST..LONGEST * place.width().max(place.height());
+    let lengths = SHORTEST_LEADER..LONGEST_LEADER * place.width().max(place.height());
     let [(_, a, _), (_, b, _)] = paths.tips(path).try_into().ok()?;
     let is_line = of.kind != PathKind::BesideRow && lengths.contains(&of.length);
-    if !is_line || (b - a).length() < STRAIGHT * of.length {
+    if !is_line || (b - a).length() < LEADER_STRAIGHT * of.length {
         return None;
     }
     let labels = || page.braille.iter().filter(|text| text.role == TextRole::Label);
     let boxes = || labels().filter_map(|text| Some((text, around(text.dots.at.iter().copied())?)));
     let label_at = |at: MmPoint| {
         let far = |cells: MmRect| distance_to_box(at, cells);
-        boxes().min_by(|p, q| far(p.1).total_cmp(&far(q.1))).filter(|(_, cells)| far(*cells) < BESIDE)
+        boxes().min_by(|p, q| far(p.1).total_cmp(&far(q.1))).filter(|(_, cells)| far(*cells) < LEADER_FROM_BRAILLE)
     };
     let ((label, cells), from, at) = match (label_at(a), label_at(b)) {
         (Some(label), None) => (label, a, b),
@@ -73,7 +76,7 @@ fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearb
     index.around(a.min(b), a.max(b), 0.0, |other| {
         crosses |= is_other(other.line) && crossing((a, b), (other.a, other.b)).is_some();
     });
-    let is_own = label.leader.is_none() && way.dot(ahead) >= BEFORE && !is_near(from, FREE);
+    let is_own = label.leader.is_none() && way.dot(ahead) >= BEFORE && !is_near(from, LEADER_FREE);
     if !is_own || crosses || is_near(at, LEADER_END) || is_in_something(at, page) {
         return None;
     }

@@ -59,7 +59,7 @@ pub(super) const BRAILLE_GAP: f32 = 3.0;
 pub(super) const SHAPE: f32 = 12.0;
 /// How far from a line or a mark of a texture the line of a label may end that names it, mm: less than half of what a
 /// fingertip covers.
-pub(super) const LEADER_END: f32 = 6.0;
+pub(crate) const LEADER_END: f32 = 6.0;
 /// How far a dot of braille may lie from its place in the cell, mm: EN ISO 17351 allows 4 % of 2.5 mm.
 pub(super) const BRAILLE_OFF: f32 = 0.1;
 

@@ -38,6 +38,8 @@ pub use gaps::{Near, too_near};
 pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APPROACH, BEND_LEAST, BESIDE, CLUSTER_APPROACH, SMALL_RING};
 pub use layer::marked;
+pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
+pub(crate) use limits::LEADER_END;
 pub use limits::{MediumLimits, RuleLimits};
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
 pub use report::{Checked, rules_as_text};

@@ -2,6 +2,7 @@
 
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
+use crate::geom::walk::arc_between;
 use crate::page::{Line, Pen, Run};
 use crate::units::{MmPoint, MmRect};
 
@@ -172,8 +173,7 @@ pub(crate) const RING_CORNER_ARMS: [f32; 2] = [0.15, 1.0];
 impl Path {
     /// The length along it between two of its places, the shorter arc of a ring.
     pub(super) fn between(&self, s: f32, t: f32) -> f32 {
-        let apart = (s - t).abs();
-        if self.closed { apart.min(self.length - apart) } else { apart }
+        arc_between(s, t, self.closed.then_some(self.length))
     }
 }
 

@@ -55,7 +55,10 @@ impl LineCandidates {
         let lengthens = params.of_drawing && !is_overview;
         let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
         let mut short = LossTally::new(area);
-        let is_crumb = |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < params.crumb();
+        // Of full strength and shorter than a link, or weaker and not longer in proportion, it has joined nothing and
+        // will not: it is not looked at further.
+        let shortest = links::shortest(params);
+        let is_crumb = |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < shortest;
         if params.of_drawing {
             polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
         }
@@ -123,7 +126,7 @@ impl LineCandidates {
 fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Vec<TickMark>> {
     let mut scales = Vec::new();
     // a page of few shapes has no marks
-    match (params.hands_marks_on, params.most_shapes) {
+    match (params.on_dots(), params.most_shapes) {
         (true, None) => scales = ticks::take(polylines, area, params),
         (true, Some(_)) | (false, _) => ticks::lengthen(polylines, area, params),
     }

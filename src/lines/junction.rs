@@ -11,7 +11,7 @@ use super::params::HEADING;
 use super::vertex::{SPACING, Tip, Vertex};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
-use crate::geom::walk::first_beyond;
+use crate::geom::walk::heading_of_end;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -72,8 +72,7 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
 pub(super) fn heading(polyline: &Polyline<Vertex>, which: Tip, span: f32) -> Option<MmVector> {
     let n = polyline.vertices.len();
     let from_end = |i: usize| polyline.vertices[if which == Tip::First { i } else { n - 1 - i }].at;
-    let inner = first_beyond((1..n).map(from_end), from_end(0), span)?;
-    (from_end(0) - inner).try_normalize()
+    heading_of_end((0..n).map(from_end), span)
 }
 
 /// The place that an end at `tip` points at, on the nearest of the segments that `other` lets pass: straight ahead, or

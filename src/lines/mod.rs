@@ -55,7 +55,7 @@ pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;
 use outlines::Rank;
 pub(crate) use params::{APPROACH_OF_DRAWINGS, CLUSTER_APPROACH};
-pub use params::{PagePart, Params, farthest_moved};
+pub use params::{LineMedium, PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
 
 use crate::edges::{ChainRange, Edges};
@@ -115,7 +115,7 @@ pub fn draw_with(
     beyond.shapes += candidates.points.len() - points.len();
     let mut marks =
         LineMarks { points: Vec::new(), scales: candidates.scales.clone(), heads: candidates.heads.clone() };
-    let (points, heads) = if params.hands_marks_on {
+    let (points, heads) = if params.on_dots() {
         marks.points = points.iter().map(Point::mark).collect();
         (DrawnPoints::default(), DrawnHeads::default())
     } else {

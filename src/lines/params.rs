@@ -18,6 +18,16 @@ pub enum PagePart {
     Overview,
 }
 
+/// What lines are drawn on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LineMedium {
+    /// Paper: they are printed as they are, and how heavy one is its width says.
+    Print,
+    /// They become dots, and so do points and ticks on them: these are handed on as [`LineMarks`](super::LineMarks).
+    /// Which strokes are heavy is said here.
+    Dots(HeavyStrokes),
+}
+
 /// How lines are drawn. Lengths are in millimetres on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
@@ -52,11 +62,8 @@ pub struct Params {
     pub of_drawing: bool,
     /// Whether the sides of a bar that is a little too narrow for two lines are both drawn, and move apart.
     pub widen_bars: bool,
-    /// Whether points and ticks on lines are handed on as [`LineMarks`](super::LineMarks), and not drawn: where lines
-    /// become dots, so do they.
-    pub hands_marks_on: bool,
-    /// Which strokes are heavy where lines become dots; none on paper, where the width of a line says it.
-    pub heavy_strokes: Option<HeavyStrokes>,
+    /// What they are drawn on.
+    pub medium: LineMedium,
     /// Whether small round shapes on lines are points; otherwise they are shapes as all others.
     pub takes_points: bool,
 }
@@ -98,10 +105,14 @@ impl Params {
         whole_rings: false,
         of_drawing: false,
         widen_bars: false,
-        hands_marks_on: false,
-        heavy_strokes: None,
+        medium: LineMedium::Print,
         takes_points: true,
     };
+
+    /// Whether lines become dots.
+    pub(super) fn on_dots(&self) -> bool {
+        matches!(self.medium, LineMedium::Dots(_))
+    }
 
     /// The same with lines no wider than needed, so that more of them have room.
     pub(super) fn thin(self) -> Self {
@@ -119,22 +130,6 @@ impl Params {
     /// nearer to a line than this may be too near.
     pub fn max_spacing(&self) -> f32 {
         self.min_gap + self.width_max
-    }
-
-    /// A line of a drawing that leads from line to line, and so is felt with them, may be so short, mm.
-    pub(super) fn min_link(&self) -> f32 {
-        0.5 * self.min_length
-    }
-
-    /// Whether a line of a drawing of this length, mm, is drawn only from line to line.
-    pub(super) fn must_link(&self, length: f32) -> bool {
-        self.of_drawing && length < self.min_length
-    }
-
-    /// What is of full strength and shorter than this, mm, or weaker and not longer in proportion, has joined nothing
-    /// and will not: it is not looked at further.
-    pub(super) fn crumb(&self) -> f32 {
-        0.5 * self.min_length
     }
 
     /// The widest stroke of which the centreline is drawn and not its two sides, mm.

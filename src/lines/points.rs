@@ -85,7 +85,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
         let around = std::f32::consts::TAU * point.radius;
-        let has_room = match params.hands_marks_on {
+        let has_room = match params.on_dots() {
             // without a hole a disc would be a ring
             true => !point.is_filled && !params.is_dot(around),
             false => around >= params.min_length,
@@ -145,7 +145,7 @@ fn is_like(point: &Point, other: &Point) -> bool {
 fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
     let on_lines = points.to_vec();
     let of_alone = || alone.iter().map(|(_, point)| *point);
-    let is_ring = |other: &Point| !params.hands_marks_on || !params.is_dot(std::f32::consts::TAU * other.radius);
+    let is_ring = |other: &Point| !params.on_dots() || !params.is_dot(std::f32::consts::TAU * other.radius);
     let are_all_filled = on_lines.iter().copied().chain(of_alone()).all(|point| point.is_filled);
     if are_all_filled {
         for point in points {
@@ -156,7 +156,7 @@ fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Par
     let beside =
         alone.iter().filter(|(_, point)| is_shown(point) && on_lines.iter().any(|other| is_like(point, other)));
     let ring = |(number, point): &(usize, Point)| (*number, Point { is_filled: false, is_alone: true, ..*point });
-    if params.hands_marks_on { Vec::new() } else { beside.map(ring).collect() }
+    if params.on_dots() { Vec::new() } else { beside.map(ring).collect() }
 }
 
 /// A line that comes to a point.

@@ -2,7 +2,7 @@
 //! not.
 
 use super::outlines::Rank;
-use super::vertex::{FoundIn, SPACING, Vertex};
+use super::vertex::{SPACING, Vertex};
 use super::*;
 use crate::geom::polyline::Polyline;
 use crate::geom::{crossing, nearest_on_segment};
@@ -35,17 +35,9 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
         let vertices = (0..25 + (150.0 * numbers.next()) as usize).map(|i| {
             bend = 0.9 * bend + 0.25 * (numbers.next() - 0.5);
             heading += bend;
-            at += crate::units::MmVector::new(heading.cos(), heading.sin()) * SPACING;
+            at += MmVector::new(heading.cos(), heading.sin()) * SPACING;
             let strength = (strength + fade * i as f32).max(PARAMS.least_strength);
-            Vertex {
-                at,
-                strength,
-                contrast: [strength, 0.0, 0.0],
-                width: 0.0,
-                stroke: 0.0,
-                source: FoundIn::Pixels,
-                displaced: MmVector::zero(),
-            }
+            Vertex { at, strength, contrast: [strength, 0.0, 0.0], ..Vertex::TEST }
         });
         Polyline::open(vertices.collect())
     };
@@ -135,15 +127,7 @@ fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
 #[test]
 fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
-        let tip = Vertex {
-            at: from,
-            strength: 50.0,
-            contrast: [50.0, 0.0, 0.0],
-            width: 0.0,
-            stroke: 0.0,
-            source: FoundIn::Pixels,
-            displaced: MmVector::zero(),
-        };
+        let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], ..Vertex::TEST };
         let mut vertices = vec![tip];
         vertices.extend(junction::straight(&tip, to));
         Polyline::open(vertices)

@@ -56,6 +56,20 @@ impl FoundIn {
     }
 }
 
+#[cfg(test)]
+impl Vertex {
+    /// One of a faint contour in pixels, from which tests differ in what they are about.
+    pub(super) const TEST: Self = Self {
+        at: MmPoint::new(0.0, 0.0),
+        strength: 30.0,
+        contrast: [0.0; 3],
+        width: 0.0,
+        stroke: 0.0,
+        source: FoundIn::Pixels,
+        displaced: MmVector::new(0.0, 0.0),
+    };
+}
+
 impl Located for Vertex {
     type Unit = Mm;
 

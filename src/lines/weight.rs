@@ -2,7 +2,7 @@
 
 use super::faint::is_faint;
 use super::line::{Line, Run};
-use super::params::Params;
+use super::params::{LineMedium, Params};
 use super::vertex::Vertex;
 use crate::geom::polyline::{Polyline, PolylineRef, smooth};
 use crate::geom::{crossing, simplify::simplify};
@@ -106,8 +106,10 @@ pub(super) fn finish(polyline: &Polyline<Vertex>, anchored: &[bool], params: &Pa
         runs = drawn(polyline, &points, anchored, tolerance);
     }
     let own = polyline.mean_strength();
-    let of_stroke = params.heavy_strokes.zip(polyline.stroke()).filter(|_| !is_faint(polyline));
-    let strength = of_stroke.map_or(own, |(heavy, width)| heavy.strength(width, own));
+    let strength = match (params.medium, polyline.stroke()) {
+        (LineMedium::Dots(heavy), Some(width)) if !is_faint(polyline) => heavy.strength(width, own),
+        (LineMedium::Dots(_) | LineMedium::Print, _) => own,
+    };
     (!runs.is_empty()).then_some(Line { strength, runs })
 }
 

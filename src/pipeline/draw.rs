@@ -124,7 +124,7 @@ pub(super) fn find(
         notes.extend(leaders::whole_or_none(
             &mut edges,
             &mut texts,
-            leaders::BESIDE_PRINT,
+            leaders::FROM_PRINT,
             become_labels(words),
             &layout,
             draw,
@@ -269,7 +269,7 @@ pub(super) fn contours_of(
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
     let mut told = None;
     let mut edges = match &given.lines {
-        Some(GivenLines::Vectors(lines)) => lines.edges(size)?,
+        Some(GivenLines::Vectors(lines)) => lines.contours(size)?,
         Some(GivenLines::Picture(bytes)) => {
             let (edges, of_texts) = edges_of_drawn(bytes, size, request, px_per_mm)?;
             told = of_texts;

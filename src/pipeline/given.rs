@@ -1,8 +1,9 @@
 //! What a person gives beside the picture, and the parts of it that are erased.
 
 use super::Fit;
+use super::cut_contours::{index_of_edges, parts_left, take_out};
 use super::decisions::Decisions;
-use super::hand_lines::{HandLines, added, index_of_edges, outside, without};
+use super::hand_lines::{HandLines, added};
 use super::label::Position;
 use super::request::enough_pixels;
 use super::text_reader::TextReader;
@@ -231,7 +232,7 @@ fn around(boxes: &[[f32; 4]]) -> Vec<[f32; 4]> {
 pub(super) fn erase(edges: &mut Edges, boxes: &[[f32; 4]]) {
     let size = edges.size;
     if !boxes.is_empty() {
-        without(edges, |_, _, edgel| is_in(share(edgel.at, size), boxes));
+        take_out(edges, |_, _, edgel| is_in(share(edgel.at, size), boxes));
     }
 }
 
@@ -276,7 +277,7 @@ pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges, decisions: 
     };
     let parts = |RegionOutline { contour, region }: &RegionOutline| {
         let part = |(vertices, closed)| RegionOutline { contour: TracedContour { vertices, closed }, region: *region };
-        outside(&contour.vertices, contour.closed, gone).into_iter().map(part).collect::<Vec<_>>()
+        parts_left(&contour.vertices, contour.closed, gone).into_iter().map(part).collect::<Vec<_>>()
     };
     outlines.iter().flat_map(parts).collect()
 }

@@ -391,3 +391,6 @@ fn pressed(class: Class, place: MmRect, medium: &DotMedium, plan: &Plan) -> Vec<
     let line = Line { strength: 0.0, runs: vec![Run::stroke(params.diameter, corners.to_vec())] };
     dots::textures::fill(&classes, place, &[line], &medium.area, &params)
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,28 +8,26 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
+use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
 use crate::lines::{self, Line, Pen};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
 
-/// A leader line ends so near to its text, mm: print stands up to 4 mm beside it.
-pub(super) const BESIDE_PRINT: f32 = 5.0;
-/// The same of braille, which may be as high as the line below it and keeps its clearance.
-pub(super) const BESIDE_BRAILLE: f32 = 8.0;
-/// Shortest leader line, mm: what is shorter beside a word may be a tick, and is no further from it than a label.
-const SHORTEST: f32 = 8.0;
-/// Longest leader line, as a share of the figure's longer side: what is longer, such as an axis, is a line by itself.
-const LONGEST: f32 = 0.4;
-/// A leader line is straight: its chord is at least this share of it.
+/// A leader line ends so near to its text, mm: print stands up to 4 mm beside it. Of braille it is
+/// [`LEADER_FROM_BRAILLE`](crate::legibility::LEADER_FROM_BRAILLE).
+pub(super) const FROM_PRINT: f32 = 5.0;
+/// A leader line is straight: its chord is at least this share of it. Lines of a page are moved, and may be less so.
 const STRAIGHT: f32 = 0.98;
 /// Led on backwards, it comes so near to its text, as a share of the farthest that it may end beside that.
 const ASIDE: f32 = 0.5;
-/// Nothing else is so near to its end beside the text, mm: there sides of shapes meet.
-const FREE: f32 = 1.5;
 /// What it leads to is so near to its other end, mm.
 const AT_TIP: f32 = 3.0;
+/// What it leads to is drawn so near to it, mm, over so much of its end: lines are moved, and the tip may be within the
+/// outline of what it names.
+const ON_PAGE: f32 = 5.0;
+const LAST: f32 = 15.0;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
 /// A leader line is drawn at a place if a line is so near, mm; most lines are moved by less (see
@@ -48,6 +46,9 @@ const GAP: f32 = 4.0;
 const DOTS_OF_GAP: f32 = 3.1;
 /// How often leader lines are left out: without some, others are drawn otherwise.
 const ROUNDS: usize = 3;
+
+// What is a leader line here, and leads to something, does so for the check of the page.
+const _: () = assert!(STRAIGHT >= LEADER_STRAIGHT && AT_TIP <= LEADER_END && ON_PAGE <= LEADER_END);
 
 /// A leader line of a drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,23 +87,23 @@ pub(super) fn whole_or_none(
         let (whole, torn): (Vec<Leader>, Vec<Leader>) =
             leaders.into_iter().partition(|leader| is_whole(&leader.path, &index, gap));
         to_nothing = whole.iter().filter(|of| !leads_on_page(&of.path, &index)).map(|of| of.text).collect();
-        texts.iter_mut().for_each(|text| text.leader = None);
-        whole.iter().for_each(|of| texts[of.text].leader = of.path.first().copied());
+        texts.iter_mut().for_each(|text| text.kept_leader = None);
+        whole.iter().for_each(|of| texts[of.text].kept_leader = of.path.first().copied());
         if torn.is_empty() {
             break;
         }
         for leader in &torn {
             let text = &mut texts[leader.text];
             // one that names two things still leads to the other
-            if !whole.iter().any(|other| other.text == leader.text) && text.led_over.is_none() {
-                text.led_over = leader.path.first().copied().zip(leader.path.last().copied());
+            if !whole.iter().any(|other| other.text == leader.text) && text.lost_leader.is_none() {
+                text.lost_leader = leader.path.first().copied().zip(leader.path.last().copied());
             }
         }
         let mut number = 0..;
         edges.chains.retain(|_| number.next().is_none_or(|number| !torn.iter().any(|leader| leader.chain == number)));
     }
     let names: Vec<&str> = to_nothing.iter().map(|&text| texts[text].string.as_str()).collect();
-    told(texts).into_iter().chain(told_to_nothing(&names)).collect()
+    told_lost(texts).into_iter().chain(told_to_nothing(&names)).collect()
 }
 
 /// Whether a leader line leads to another line that is drawn, or crosses one shortly before its tip.
@@ -114,11 +115,6 @@ fn leads_on_page(path: &[MmPoint], drawn: &Nearby) -> bool {
     let places = (0..=steps).map(|step| last.lerp(tip, step as f32 / steps as f32));
     places.into_iter().any(|at| drawn.nearest(at, ON_PAGE, |segment| segment.line != own.line).is_some())
 }
-
-/// What a leader line leads to is drawn so near to it, mm, over so much of its end: lines are moved, and the tip may be
-/// within the outline of what it names.
-const ON_PAGE: f32 = 5.0;
-const LAST: f32 = 15.0;
 
 /// What is told of leader lines that lead to nothing on the page.
 fn told_to_nothing(names: &[&str]) -> Option<Note> {
@@ -139,7 +135,7 @@ fn told_to_nothing(names: &[&str]) -> Option<Note> {
 /// None where no leader line has to go.
 pub(super) fn without_leaders(edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Edges> {
     let transform = PageTransform::new(edges.size, layout.figure);
-    let leaders = layout.overview.map(|_| find(edges, (texts, BESIDE_PRINT), |_| true, layout.figure, &transform))?;
+    let leaders = layout.overview.map(|_| find(edges, (texts, FROM_PRINT), |_| true, layout.figure, &transform))?;
     let is_leader = |number: usize| leaders.iter().any(|leader| leader.chain == number);
     let mut without = edges.clone();
     let mut numbers = 0..;
@@ -159,9 +155,9 @@ pub(super) fn told_without(overview: Option<&Edges>, figure: &Edges) -> Option<N
 }
 
 /// What the maker is told of those that are left out.
-fn told(texts: &[Text]) -> Option<Note> {
+fn told_lost(texts: &[Text]) -> Option<Note> {
     let names: Vec<&str> =
-        texts.iter().filter(|text| text.led_over.is_some()).map(|text| text.string.as_str()).collect();
+        texts.iter().filter(|text| text.lost_leader.is_some()).map(|text| text.string.as_str()).collect();
     let (lines, they_have) = match names.len() {
         0 => return None,
         1 => ("the leader line", "it has"),
@@ -193,7 +189,7 @@ fn find(
     for (line, (points, chain)) in (0..).zip(chains.iter().zip(&edges.chains)) {
         index.insert_line(line, PolylineRef { vertices: points, closed: chain.closed }, 0.0);
     }
-    let longest = LONGEST * figure.width().max(figure.height());
+    let longest = LONGEST_LEADER * figure.width().max(figure.height());
     let are_shafts = lines::are_shafts(edges, transform, figure);
     let is_leader = |number: usize| -> Option<Leader> {
         let (points, chain) = (&chains[number], &edges.chains[number]);
@@ -201,7 +197,7 @@ fn find(
         let (first, last) = (*points.first()?, *points.last()?);
         // an arrow says which way something goes, whatever words stand at its ends
         let is_line = !chain.closed && !chain.kind.added && !are_shafts[number];
-        let is_line = is_line && (SHORTEST..longest).contains(&length);
+        let is_line = is_line && (SHORTEST_LEADER..longest).contains(&length);
         if !is_line || (last - first).length() < STRAIGHT * length {
             return None;
         }
@@ -244,7 +240,7 @@ fn is_free_end(end: MmPoint, text: MmRect, line: u32, index: &Nearby) -> bool {
     index.around(end.min(at_text), end.max(at_text), 0.0, |segment| {
         parted |= segment.line != line && crossing((end, at_text), (segment.a, segment.b)).is_some();
     });
-    !parted && index.nearest(end, FREE, |segment| segment.line != line).is_none()
+    !parted && index.nearest(end, LEADER_FREE, |segment| segment.line != line).is_none()
 }
 
 /// Whether a line ends at another one, or crosses one on its way.
@@ -267,9 +263,9 @@ fn ticks_on(number: usize, chains: &[Vec<MmPoint>], edges: &Edges) -> usize {
         let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return false };
         let stands = |at: MmPoint| {
             let (distance, foot) = nearest_on_segment(at, from, to);
-            distance < FREE && (foot - from).length().min((foot - to).length()) > FREE
+            distance < LEADER_FREE && (foot - from).length().min((foot - to).length()) > LEADER_FREE
         };
-        let is_short = other != number && !edges.chains[other].closed && length < SHORTEST;
+        let is_short = other != number && !edges.chains[other].closed && length < SHORTEST_LEADER;
         is_short && [first, last, first.lerp(last, 0.5)].into_iter().any(stands)
     };
     chains.iter().enumerate().filter(|of| is_tick(*of)).count()

@@ -190,8 +190,8 @@ fn lacks(
         .map(|(text, anchor)| Wanted {
             text: text.string.clone(),
             anchor: *anchor,
-            led_from: None,
-            leader: None,
+            lost_leader: None,
+            kept_leader: None,
             is_nameless: false,
         })
         .collect();

@@ -1,8 +1,9 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
+use super::cut_contours::{index_of_drawn, take_out};
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::hand_lines::{HandLines, index_of_drawn, without};
+use super::hand_lines::HandLines;
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::kept_lines;
 use super::lines_of_part::LinesOfPart;
@@ -62,7 +63,7 @@ pub(super) fn seen_in_figure(edges: &Edges, figure: &[Line], layout: &Layout, pl
     let (near, reach) =
         (index_of_drawn(figure, edges.size, &transform), plan.lines().max_spacing() * transform.px_per_mm());
     let mut seen = edges.clone();
-    without(&mut seen, |_, _, edgel| near.nearest(edgel.at, reach, |_| true).is_none());
+    take_out(&mut seen, |_, _, edgel| near.nearest(edgel.at, reach, |_| true).is_none());
     seen
 }
 

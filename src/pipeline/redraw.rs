@@ -17,6 +17,7 @@ use super::told_lines::{left_out, told_left_out};
 use super::words::Words;
 use crate::classes::Classes;
 use crate::edges::Edges;
+use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
 use crate::page::spread;
@@ -80,9 +81,9 @@ pub(super) fn marks(
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
     let hand_lines = HandLines::of_figure(page, own).called(lines.to_vec());
-    let mut edges = hand_lines.edges_under_own(size, blank, params.full_strength)?;
+    let mut edges = hand_lines.contours_by_hand_first(size, blank, params.full_strength)?;
     without_second_rows(&mut edges, plan);
-    let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
+    let of_overview = HandLines::of_overview(page, own).map(|lines| lines.contours(size)).transpose()?;
     let (texts, of_leaders) = labels_led(&mut edges, page, &layout, plan);
     request.go_on()?;
     // the lines of a page stay lines of their own
@@ -185,8 +186,8 @@ fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (
             angle: 0.0,
             size: place.height(),
             hidden: false,
-            led_over: None,
-            leader: None,
+            lost_leader: None,
+            kept_leader: None,
             in_key: false,
         }
     };
@@ -197,12 +198,12 @@ fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (
     let mut led: Vec<Text> = numbers.iter().map(|&text| texts[text].clone()).collect();
     let is_label = |text: &Text| text.place.area() > 0.0;
     let draw = |edges: &Edges| draw_lines(edges, LinesOf::Person, layout, plan, &mut |_| ()).lines.lines;
-    let told = leaders::whole_or_none(edges, &mut led, leaders::BESIDE_BRAILLE, is_label, layout, draw);
+    let told = leaders::whole_or_none(edges, &mut led, LEADER_FROM_BRAILLE, is_label, layout, draw);
     numbers.into_iter().zip(led).for_each(|(number, text)| texts[number] = text);
     for ((text, label), own) in texts.iter_mut().zip(labels_of(page)).zip(own) {
-        text.led_over = own.map(|[from, tip]| (there(from), there(tip))).or(text.led_over);
+        text.lost_leader = own.map(|[from, tip]| (there(from), there(tip))).or(text.lost_leader);
         // braille is not larger in a larger figure: it keeps its distance from the line that leads to it
-        if let (Some(from), Some(place)) = (text.leader, label.dots.bounds()) {
+        if let (Some(from), Some(place)) = (text.kept_leader, label.dots.bounds()) {
             text.place = place.translate(from - before.to_mm(transform.to_px(from)));
         }
     }

@@ -1,8 +1,8 @@
 //! What the picture is about, as its maker says by places on it.
 
+use super::cut_contours::take_out;
 use super::decisions::Decisions;
 use super::given::{Given, blank_where};
-use super::hand_lines::without;
 use super::lines_of_part::LinesOfPart;
 use super::named::NamedThings;
 use crate::classes::Classes;
@@ -161,7 +161,7 @@ fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 
         edges.chains().map(|chain| mean(chain.vertices)).collect()
     };
     let is_weak: Vec<bool> = mean(edges).into_iter().map(|strength| strength < strong).collect();
-    without(edges, |number, range, edgel| is_weak[number] && !range.kind.added && !near.contains(edgel.at));
+    take_out(edges, |number, range, edgel| is_weak[number] && !range.kind.added && !near.contains(edgel.at));
     (before - length(edges)) * PageTransform::new(edges.size, layout.figure).mm_per_px()
 }
 

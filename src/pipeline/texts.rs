@@ -23,9 +23,10 @@ pub struct Text {
     /// picture, if they are seen at all.
     pub hidden: bool,
     /// Of a text whose leader line in the drawing is not on the page, where that begins and its tip at what it names.
-    pub(super) led_over: Option<(MmPoint, MmPoint)>,
+    /// It may have another one that is.
+    pub(super) lost_leader: Option<(MmPoint, MmPoint)>,
     /// Of a text whose leader line in the drawing is on the page, where that begins.
-    pub(super) leader: Option<MmPoint>,
+    pub(super) kept_leader: Option<MmPoint>,
     /// Whether it is a word of a legend, which the key has instead.
     pub(super) in_key: bool,
 }
@@ -39,7 +40,7 @@ impl Text {
     /// Where it stands: its box, or of a slanted text, such as a long word below a bar of a chart, its upper end, which
     /// is at what it names. Where its leader line is not on the page, the tip of that.
     pub(super) fn anchor(&self) -> MmRect {
-        if let Some((_, tip)) = self.led_over {
+        if let Some((_, tip)) = self.lost_leader {
             return MmRect::new(tip, tip);
         }
         if !self.is_slanted() {
@@ -56,7 +57,7 @@ impl Text {
     /// The same where these lines are drawn: a slanted text that runs along one, such as the name of a river, is of
     /// that, and stands at its middle.
     pub(super) fn anchor_among(&self, lines: &[Line]) -> MmRect {
-        if self.led_over.is_some() || !self.is_slanted() || !self.runs_along(lines) {
+        if self.lost_leader.is_some() || !self.is_slanted() || !self.runs_along(lines) {
             return self.anchor();
         }
         let (middle, half) = (self.place.center(), 0.5 * self.side());
@@ -116,8 +117,8 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
         angle: text.angle,
         size: text.size * transform.mm_per_px(),
         hidden: text.hidden,
-        led_over: None,
-        leader: None,
+        lost_leader: None,
+        kept_leader: None,
         in_key: false,
     };
     texts.iter().map(placed).collect()

@@ -123,8 +123,8 @@ fn in_place(text: &TypedText, cells: &CellGrid<'_>) -> Text {
         angle: 0.0,
         size: size.y,
         hidden: false,
-        led_over: None,
-        leader: None,
+        lost_leader: None,
+        kept_leader: None,
         in_key: false,
     }
 }

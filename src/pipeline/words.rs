@@ -360,7 +360,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
             Some(at) => {
                 let anchor = MmRect::new(at, at);
                 let text = label.text.clone();
-                wanted.push(Wanted { text, anchor, led_from: None, leader: None, is_nameless: false });
+                wanted.push(Wanted { text, anchor, lost_leader: None, kept_leader: None, is_nameless: false });
             }
             None => outside.push(label.text.clone()),
         }
@@ -368,8 +368,8 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
     wanted.extend(own_texts(texts, words).map(|text| Wanted {
         text: text.string.clone(),
         anchor: text.anchor_among(&figure.lines),
-        led_from: text.led_over.map(|(from, _)| from),
-        leader: text.leader,
+        lost_leader: text.lost_leader.map(|(from, _)| from),
+        kept_leader: text.kept_leader,
         is_nameless: false,
     }));
     for &nameless in words.nameless {

@@ -198,8 +198,7 @@ impl Plan {
             whole_rings: false,
             of_drawing: false,
             widen_bars: false,
-            hands_marks_on: matches!(self.medium(), MediumParams::Dots { .. }),
-            heavy_strokes: self.heavy_strokes(),
+            medium: self.heavy_strokes().map_or(lines::LineMedium::Print, lines::LineMedium::Dots),
             takes_points: true,
         }
     }

@@ -2,7 +2,7 @@
 //! what is there, arrows beside words, and treads of stairs.
 
 use super::labels::{labels_of, options, place};
-use tactograph::internals::geom::nearest_on_segment;
+use tactograph::internals::geom::{nearest_on_segment, segment_distance};
 use tactograph::internals::units::MmVector;
 use tactograph::{Drawing, MmPoint, MmRect, Page, Profile, RenderOptions, convert};
 
@@ -67,25 +67,52 @@ fn a_label_stays_where_it_stood_on_another_device() {
     }
 }
 
+/// A circle as large as this, with a word on each of its four sides.
+fn among_words(radius: u32) -> String {
+    let (above, below, left, right) = (286 - radius, 330 + radius, 240 - radius, 314 + radius);
+    format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 600 800'><g font-size='22'>\
+         <rect width='600' height='800' fill='#fff'/><g fill='none' stroke='#000' stroke-width='4'>\
+         <circle cx='300' cy='300' r='{radius}'/><path d='M20 780H580M20 20H580'/></g>\
+         <text x='275' y='{above}'>north</text><text x='275' y='{below}'>south</text>\
+         <text x='{left}' y='308'>west</text><text x='{right}' y='308'>east</text></g></svg>"
+    )
+}
+
 #[test]
 fn the_leader_line_of_a_typed_word_keeps_clear_of_braille_and_of_other_leader_lines() {
-    let page = page_with_words(LED, "swell-a4").page;
-    let svg = page.to_svg();
-    for label in page.braille.iter().filter(|text| ["flower", "soil", "ground"].contains(&text.text.as_str())) {
-        let own = place(label);
-        // in its very place
-        let typed =
-            format!("<g id='labels-text'><text x='{}' y='{}'>seed</text></g>", own.min.x + 2.0, own.max.y - 1.0);
-        let drawing = tactograph::render(svg.replacen("</svg>", &format!("{typed}</svg>"), 1), &RenderOptions::new());
-        let drawing = drawing.expect("a page");
-        let Some(word) = labels_of(&drawing).into_iter().find(|label| label.text == "seed").cloned() else { continue };
-        let Some(leader) = word.leader.as_ref() else { continue };
-        let (from, to) = (leader.points[0], leader.points[leader.points.len() - 1]);
-        for other in labels_of(&drawing).into_iter().filter(|other| other.text != "seed") {
-            let near = other.dots.at.iter().map(|at| nearest_on_segment(*at, from, to).0).fold(f32::INFINITY, f32::min);
-            assert!(near >= 3.0, "at \"{}\" its leader line is {near} mm from \"{}\"", label.text, other.text);
+    let typed = |drawing: &Drawing, word: &str, at: MmPoint| {
+        let typed = format!("<g id='labels-text'><text x='{}' y='{}'>{word}</text></g>", at.x, at.y);
+        let svg = drawing.page.to_svg().replacen("</svg>", &format!("{typed}</svg>"), 1);
+        tactograph::render(svg, &RenderOptions::new()).expect("a page")
+    };
+    let leader_of = |drawing: &Drawing, word: &str| {
+        let label = labels_of(drawing).into_iter().find(|label| label.text == word)?;
+        let points = &label.leader.as_ref()?.points;
+        Some((points[0], points[points.len() - 1]))
+    };
+    let mut seen = 0;
+    for radius in [14, 28, 36, 44, 60] {
+        let page = page_with_words(&among_words(radius), "swell-a4");
+        let figure = page.page.figure.place;
+        let middle = figure.min + MmVector::new(0.5, 0.375).component_mul(figure.size().to_vector());
+        let first = typed(&page, "seed", middle);
+        let second = typed(&first, "root", middle + MmVector::new(2.0, -2.0));
+        for (drawing, word) in [(&first, "seed"), (&second, "root")] {
+            let Some((from, to)) = leader_of(drawing, word) else { continue };
+            seen += 1;
+            for other in labels_of(drawing).into_iter().filter(|other| other.text != word) {
+                let dots = other.dots.at.iter().map(|at| nearest_on_segment(*at, from, to).0);
+                let near = dots.fold(f32::INFINITY, f32::min);
+                assert!(near >= 3.0, "{radius}: the line of \"{word}\" is {near} mm from \"{}\"", other.text);
+                if let Some(other) = leader_of(drawing, &other.text) {
+                    let near = segment_distance((from, to), other);
+                    assert!(near >= 3.0, "{radius}: the line of \"{word}\" is {near} mm from another");
+                }
+            }
         }
     }
+    assert!(seen > 1, "words have no leader lines");
 }
 
 /// A word at either end of an arrow is no name at a leader line.

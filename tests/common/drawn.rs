@@ -18,7 +18,6 @@ pub(crate) const LINES: lines::Params = lines::Params {
     whole_rings: false,
     of_drawing: false,
     widen_bars: false,
-    hands_marks_on: false,
-    heavy_strokes: None,
+    medium: lines::LineMedium::Print,
     takes_points: true,
 };

@@ -96,7 +96,7 @@ pub(super) struct RowPiece {
     pub(super) cells: Vec<Cell>,
     pub(super) closed: bool,
     /// Whether it is a whole line that leads from one line to another: an arrow or a bond between two shapes may be
-    /// short.
+    /// short. How short one may be that comes here, `lines/links` says.
     pub(super) is_link: bool,
     /// How many dots its line has from end to end where it only crosses others and goes on beyond them: an arm of a
     /// cross may be short.
@@ -295,7 +295,9 @@ impl OccupiedDots {
         out
     }
 
-    /// The pieces of a line that keep the gap.
+    /// The pieces of a line that keep the gap, but where they join others: at each end some dots may be nearer
+    /// ([`OccupiedDots::allow_junction`]), and of a line so short that those of both ends are all that it has, all of
+    /// them ([`OccupiedDots::short_link`]). Either way a whole line that joins others at both ends is a link.
     fn pieces(&self, of_line: &[Cell], closed: bool) -> Vec<RowPiece> {
         let (mut cells, mut distances) = (of_line.to_vec(), self.distances(of_line, closed));
         if distances.iter().all(Option::is_none) {
@@ -304,7 +306,7 @@ impl OccupiedDots {
         if let Some(ring) = closed.then(|| self.touching_ring(of_line, &distances)).flatten() {
             return vec![ring];
         }
-        if let Some(link) = self.link(of_line, &distances).filter(|_| !closed) {
+        if let Some(link) = self.short_link(of_line, &distances).filter(|_| !closed) {
             return vec![link];
         }
         if closed {
@@ -398,8 +400,9 @@ impl OccupiedDots {
     }
 
     /// A line from one to another that is so short that all its dots are near to one of them, without the dots on
-    /// these; none if it runs beside one, or is near to a third.
-    fn link(&self, cells: &[Cell], distances: &[Option<i32>]) -> Option<RowPiece> {
+    /// these; none if it runs beside one, or is near to a third. Its junctions are not looked at one by one: the dots
+    /// near to the line at its first end are also those near to the line at its last.
+    fn short_link(&self, cells: &[Cell], distances: &[Option<i32>]) -> Option<RowPiece> {
         let on_other = |distance: &&Option<i32>| **distance == Some(0);
         let (first, last) =
             (distances.iter().take_while(on_other).count(), distances.iter().rev().take_while(on_other).count());
@@ -444,9 +447,9 @@ impl OccupiedDots {
         cut.iter().any(is_met)
     }
 
-    /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and
-    /// the dots from the one beside it until the gap is reached are allowed, at most [`longest_approach`]. A
-    /// line that runs along the other is none. Says whether there is one.
+    /// The junction of the first end of a line: if its first dots touch another line, dots on the other line are
+    /// removed, and the dots from the one beside it until the gap is reached are allowed, at most [`longest_approach`].
+    /// Where it runs along the other there is none. Says whether there is one.
     fn allow_junction(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) -> bool {
         let near = distances.iter().take_while(|distance| distance.is_some()).count();
         let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));

@@ -4,7 +4,6 @@
 
 use crate::dots::params::polyline_of;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::Line;
 use crate::units::{MmPoint, MmRect};
@@ -49,25 +48,12 @@ fn lines_on_bases(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usiz
             segments.insert(Segment { a: *a, b: *b, half_width: 0.0, line, index, arc });
         }
     }
-    let mut on_bases = Vec::new();
-    for (stem, polyline) in polylines.iter().enumerate() {
-        for at in tips(polyline) {
-            segments.around(at, at, TOUCH, |segment| {
-                let (base, (distance, touched)) = (segment.line as usize, nearest_on_segment(at, segment.a, segment.b));
-                let arc = segment.arc + (touched - segment.a).length();
-                let is_between = || {
-                    let of_base = &polylines[base];
-                    of_base.closed || (corner..of_base.length() - corner).contains(&arc)
-                };
-                if base != stem && distance <= TOUCH && is_between() {
-                    on_bases.push((stem, base));
-                }
-            });
-        }
-    }
-    on_bases.sort_unstable();
-    on_bases.dedup();
-    on_bases
+    let is_between = |segment: &Segment, arc: f32| {
+        let base = &polylines[segment.line as usize];
+        base.closed || (corner..base.length() - corner).contains(&arc)
+    };
+    let tips_of = |(stem, polyline)| tips(polyline).into_iter().map(move |at| (stem, at));
+    segments.which_end_on(polylines.iter().enumerate().flat_map(tips_of), TOUCH, is_between)
 }
 
 /// Where a line may stand on others: at its ends, or at the corners of a ring.

@@ -48,3 +48,22 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn lines_end_on_others_where_these_may_be_bases() {
+    let mut nearby = Nearby::new(MmRect::new(MmPoint::zero(), MmPoint::new(40.0, 30.0)), 4.0);
+    let segment = |line: u32, a: (f32, f32), b: (f32, f32)| Segment {
+        a: a.into(),
+        b: b.into(),
+        half_width: 0.0,
+        line,
+        index: 0,
+        arc: 0.0,
+    };
+    nearby.insert(segment(0, (5.0, 20.0), (35.0, 20.0)));
+    nearby.insert(segment(1, (20.0, 5.0), (20.0, 19.95)));
+    let tips = || [(0, (5.0, 20.0)), (1, (20.0, 19.95)), (2, (5.0, 20.0))].map(|(line, at)| (line, at.into()));
+    assert_eq!(nearby.which_end_on(tips().into_iter(), 0.1, |_, _| true), [(1, 0), (2, 0)]);
+    let away_from_its_ends = |_: &Segment, arc: f32| (1.0..29.0).contains(&arc);
+    assert_eq!(nearby.which_end_on(tips().into_iter(), 0.1, away_from_its_ends), [(1, 0)]);
+}

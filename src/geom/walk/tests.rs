@@ -47,3 +47,18 @@ fn the_runs_of_a_ring_do_not_depend_on_where_it_begins() {
         assert_eq!(found, [vec![0, 1, 2], vec![3, 4], vec![5], vec![6, 7, 8, 9]]);
     }
 }
+
+#[test]
+fn between_two_places_of_a_ring_the_shorter_way_counts() {
+    let is = |s: f32, t: f32, ring_length: Option<f32>, way: f32| (arc_between(s, t, ring_length) - way).abs() < 1e-4;
+    assert!(is(98.0, 2.0, None, 96.0) && is(98.0, 2.0, Some(100.0), 4.0) && is(30.0, 60.0, Some(100.0), 30.0));
+}
+
+#[test]
+fn an_end_has_the_heading_of_its_last_stretch_and_a_short_line_that_of_all_of_it() {
+    let points = [(9.0, 4.0), (9.0, 3.0), (9.0, 0.0), (0.0, 0.0)].map(MmPoint::from);
+    let heading = |count: usize| heading_of_end(points[..count].iter().copied(), 2.0);
+    assert_eq!(heading(4), Some(MmVector::new(0.0, 1.0)));
+    assert_eq!(heading(2), Some(MmVector::new(0.0, 1.0)), "no point is so far");
+    assert_eq!(heading(1), None);
+}

@@ -23,7 +23,7 @@ fn room(points: &[(f32, f32)], closed: bool) -> Room {
 }
 
 fn named(anchor: MmRect) -> Wanted {
-    Wanted { text: "word".to_owned(), anchor, led_from: None, leader: None, is_nameless: false }
+    Wanted { text: "word".to_owned(), anchor, lost_leader: None, kept_leader: None, is_nameless: false }
 }
 
 fn at(x: f32, y: f32) -> Wanted {
@@ -127,7 +127,7 @@ fn a_leader_line_crosses_others_only_where_it_may() {
     assert_eq!(found(&label, false), None);
     let across = found(&label, true).expect("it may");
     assert!(across.attachment.crosses() && across.cost > 2000.0 && across.leader().is_some_and(|[_, to]| to == POINT));
-    let drawn = Wanted { led_from: Some(MmPoint::new(112.0, 100.0)), ..at(100.0, 100.0) };
+    let drawn = Wanted { lost_leader: Some(MmPoint::new(112.0, 100.0)), ..at(100.0, 100.0) };
     let drawn = found(&[drawn], true).expect("as the drawing leads to it");
     assert!(
         drawn.attachment.crosses() && (300.0..1000.0).contains(&drawn.cost),
@@ -195,7 +195,7 @@ fn the_name_of_an_angle_stays_between_its_legs() {
     let legs = room(&[(140.0, 120.0), (90.0, 120.0), (125.0, 60.0)], false);
     let anchor = MmRect::new(MmPoint::new(97.0, 112.0), MmPoint::new(101.0, 116.0));
     let join_at = |text: &str, place: MmRect, anchor: MmRect| {
-        let label = [Wanted { text: text.into(), anchor, led_from: None, leader: None, is_nameless: false }];
+        let label = [Wanted { text: text.into(), anchor, lost_leader: None, kept_leader: None, is_nameless: false }];
         placed(&label, place, &legs, &params()).map(|found| (found.leader().is_some(), found.attachment.crosses()))
     };
     let join_of = |text: &str, place: MmRect| join_at(text, place, anchor);
@@ -226,7 +226,7 @@ fn a_line_where_a_next_cell_would_be_is_worse_than_one_further_off() {
 #[test]
 fn a_leader_line_across_others_begins_so_far_before_them_that_it_is_felt() {
     let wall = room(&[(90.0, 50.0), (90.0, 150.0)], false);
-    let label = Wanted { led_from: Some(MmPoint::new(78.0, 100.0)), ..at(100.0, 100.0) };
+    let label = Wanted { lost_leader: Some(MmPoint::new(78.0, 100.0)), ..at(100.0, 100.0) };
     let found = |x: f32| {
         let found = placed(std::slice::from_ref(&label), box_at(x, 97.0), &wall, &params());
         found.expect("it can be led across")

@@ -7,7 +7,7 @@ use crate::units::MmPoint;
 fn text(text: &str, [x, y, width, height]: [f32; 4]) -> Wanted {
     let corner = MmPoint::new(x, y);
     let anchor = MmRect::new(corner, MmPoint::new(x + width, y + height));
-    Wanted { text: text.to_owned(), anchor, led_from: None, leader: None, is_nameless: false }
+    Wanted { text: text.to_owned(), anchor, lost_leader: None, kept_leader: None, is_nameless: false }
 }
 
 fn groups(wanted: &[Wanted]) -> Vec<(GroupDirection, Vec<usize>)> {

@@ -1,7 +1,6 @@
 //! Tests of `interrupted`.
 
 use super::*;
-use crate::labels::{Attachment, PlacedAs};
 
 fn line(strength: f32, points: &[(f32, f32)]) -> Line {
     let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
@@ -21,15 +20,7 @@ fn only_lines_of_a_grid_give_way_to_labels() {
     // an axis, a gridline, a faint curve, a line, two more gridlines
     assert_eq!(giving_way(&lines, 7.0), [false, true, false, false, true, true]);
     let place = MmRect::new(MmPoint::new(40.0, 46.0), MmPoint::new(50.0, 52.0));
-    let label = Placed {
-        place,
-        lines: Vec::new(),
-        lacking: Vec::new(),
-        abbreviation: None,
-        attachment: Attachment::Beside,
-        stands: PlacedAs::Alone,
-        is_bare: false,
-    };
+    let label = Placed::of_test(place);
     let params = Params::of_test(place);
     let mut left = lines.to_vec();
     assert_eq!(interrupt(&mut left, &[&label], &params), [0, 1, 1, 2, 3, 4, 5]);

@@ -24,7 +24,7 @@ fn moved_at(off: f32, (from, to): (f32, f32), lines: &[f32]) -> Vec<f32> {
     let number = |i: u16| {
         let y = 80.0 - 15.0 * f32::from(i) + off;
         let anchor = MmRect::new(MmPoint::new(20.0, y - 2.0), MmPoint::new(25.0, y + 2.0));
-        Wanted { text: (5 * i).to_string(), anchor, led_from: None, leader: None, is_nameless: false }
+        Wanted { text: (5 * i).to_string(), anchor, lost_leader: None, kept_leader: None, is_nameless: false }
     };
     let wanted: Vec<Wanted> = (0..5).map(number).collect();
     let all = at_their_lines(&wanted, &room);

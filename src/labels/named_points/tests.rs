@@ -11,7 +11,7 @@ fn ring(x: f32, y: f32, radius: f32) -> Line {
 
 fn text(text: &str, x: f32, y: f32) -> Wanted {
     let anchor = MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 4.0));
-    Wanted { text: text.into(), anchor, led_from: None, leader: None, is_nameless: false }
+    Wanted { text: text.into(), anchor, lost_leader: None, kept_leader: None, is_nameless: false }
 }
 
 #[test]

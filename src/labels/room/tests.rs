@@ -1,7 +1,7 @@
 //! Tests of `room`.
 
 use super::*;
-use crate::page::Run;
+use crate::page::{Class, Glyph, Run, Shape, Sign};
 
 fn params() -> Params {
     Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)))
@@ -90,4 +90,20 @@ fn the_lower_side_of_a_shape_has_nothing_below_it() {
     assert!(!is_low(50.0, 64.0), "inside, with the lower side below");
     assert!(!is_low(50.0, 80.0), "too far below");
     assert!(!is_low(60.0, 40.0) && !is_low(30.0, 70.0), "at a side");
+}
+
+#[test]
+fn dots_of_a_texture_cost_a_label_less_than_printed_signs() {
+    let sign = |x: f32| Glyph { at: MmPoint::new(x, 50.0), shape: Shape::Dot { diameter: 1.5 } };
+    let glyphs: Vec<Glyph> = (0..8).map(|number| sign(30.0 + 2.5 * number as f32)).collect();
+    let texture = Texture { class: Class::Grey, sign: Sign::Dot, colour: [120; 3], area: 90.0, glyphs };
+    let cost = |params: Params| {
+        let room = Room::new(&[], std::slice::from_ref(&texture), &params);
+        room.glyphs(MmRect::new(MmPoint::new(25.0, 45.0), MmPoint::new(55.0, 55.0)))
+    };
+    assert!((cost(params()) - 8.0).abs() < 0.01, "{}", cost(params()));
+    // a row of dots stands for 4 mm, and a printed sign for 11.2 mm2
+    let on_dots = |step: f32| cost(Params { least_texture: 6.0, step, ..params() });
+    assert!((on_dots(1.4) - 4.0).abs() < 0.01, "{}", on_dots(1.4));
+    assert!((on_dots(2.5) - 7.1).abs() < 0.1, "{}", on_dots(2.5));
 }

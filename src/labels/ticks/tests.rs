@@ -25,8 +25,8 @@ fn counts_of(ticks: &[usize], (from, to): (f32, f32)) -> Vec<i64> {
         .map(|i| Wanted {
             text: i.to_string(),
             anchor: MmRect::new(MmPoint::new(at(i) - 2.0, 27.0), MmPoint::new(at(i) + 2.0, 31.0)),
-            led_from: None,
-            leader: None,
+            lost_leader: None,
+            kept_leader: None,
             is_nameless: false,
         })
         .collect();
@@ -64,8 +64,8 @@ fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
         let number = |i: usize| Wanted {
             text: format!("{i} \u{20ac}"),
             anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),
-            led_from: None,
-            leader: None,
+            lost_leader: None,
+            kept_leader: None,
             is_nameless: false,
         };
         let wanted: Vec<Wanted> = (0..4).map(number).collect();

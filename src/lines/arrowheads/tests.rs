@@ -4,7 +4,7 @@ use super::shapes::LENGTHS;
 use super::*;
 use crate::lines::vertex::{FoundIn, SPACING};
 use crate::lines::{Line, weight};
-use crate::units::{MmPoint, MmVector};
+use crate::units::MmPoint;
 
 const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -12,11 +12,9 @@ fn contour(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
     let vertex = |&(x, y): &(f32, f32)| Vertex {
         at: MmPoint::new(x, y),
         strength: 60.0,
-        contrast: [0.0; 3],
         width: PARAMS.width_max,
-        stroke: 0.0,
         source: FoundIn::Vector,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     line.subdivide(SPACING);

@@ -39,8 +39,8 @@ pub(super) fn merge(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Par
 mod testing {
     use super::*;
     pub(super) use crate::lines::tests::area;
-    use crate::lines::vertex::{FoundIn, SPACING};
-    use crate::units::{MmPoint, MmVector};
+    use crate::lines::vertex::SPACING;
+    use crate::units::MmPoint;
 
     /// A line with vertices as close as those of lines in the making. `step` is the lightness on its right less that
     /// on its left.
@@ -49,10 +49,7 @@ mod testing {
             at: MmPoint::new(x, y),
             strength: step.abs(),
             contrast: [step, 0.0, 0.0],
-            width: 0.0,
-            stroke: 0.0,
-            source: FoundIn::Pixels,
-            displaced: MmVector::zero(),
+            ..Vertex::TEST
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(SPACING);

@@ -4,6 +4,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::arc_between;
 use crate::geom::{crossing, right_of};
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
@@ -114,8 +115,8 @@ impl<'a> OppositeSides<'a> {
 
     /// Whether a segment, this far away, is part of the vertex's own side: of the same line, and not beyond a bend.
     fn is_same_side(&self, (number, i): (usize, usize), segment: &Segment, distance: f32) -> bool {
-        let apart = (segment.arc - self.arcs[number][i]).abs();
-        let apart = if self.polylines[number].closed { apart.min(self.total(number) - apart) } else { apart };
+        let ring_length = self.polylines[number].closed.then(|| self.total(number));
+        let apart = arc_between(segment.arc, self.arcs[number][i], ring_length);
         segment.line as usize == number && apart < BEND * distance + BEND_LEAST
     }
 

@@ -68,7 +68,8 @@ fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params) -> Dr
     let mut drawn = DrawnLines::new(area, params);
     for line in lines {
         let number = drawn.begin(line);
-        drawn.finish(line, number);
+        let junctions = drawn.junctions_with_others(line, number);
+        drawn.finish(line, number, &junctions);
     }
     drawn
 }

@@ -7,7 +7,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
-use crate::lines::vertex::{FoundIn, Vertex};
+use crate::lines::vertex::{FoundIn, Tip, Vertex};
 use crate::units::MmRect;
 
 /// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
@@ -69,23 +69,13 @@ fn lines_on_bases(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Par
             }
         }
     }
-    let mut on_bases = Vec::new();
-    for (number, (line, _)) in lines.iter().enumerate() {
-        let mut stands_on = |base: usize| {
-            if base != number {
-                on_bases.push((number, base));
-            }
-        };
-        line.each_that_it_ends_on(&segments, TOUCH, &mut stands_on);
-        if params.of_drawing {
-            for at in line.view().corners_of_ring().into_iter().map(|corner| line.vertices[corner].at) {
-                segments.each_line_at(at, TOUCH, &mut stands_on);
-            }
-        }
-    }
-    on_bases.sort_unstable();
-    on_bases.dedup();
-    on_bases
+    let tips_of = |(stem, (line, _)): (usize, &(Polyline<Vertex>, Rank))| {
+        let corners = if params.of_drawing { line.view().corners_of_ring() } else { Vec::new() };
+        let corners = corners.into_iter().map(|corner| line.vertices[corner].at);
+        let ends = Tip::BOTH.into_iter().filter(|_| !line.closed).filter_map(|which| Some(which.of(line)?.at));
+        ends.chain(corners).map(|at| (stem, at)).collect::<Vec<_>>()
+    };
+    segments.which_end_on(lines.iter().enumerate().flat_map(tips_of), TOUCH, |_, _| true)
 }
 
 #[cfg(test)]

@@ -50,7 +50,7 @@ fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>)
             break;
         };
         // dots are apart where lines leave one another more steeply
-        let longest = match drawn.params.hands_marks_on {
+        let longest = match drawn.params.on_dots() {
             true => drawn.params.max_stub(),
             false => drawn.params.approach(0.5 * start.width, segment.half_width),
         };

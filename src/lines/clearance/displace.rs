@@ -31,11 +31,15 @@ pub(super) fn is_held(polyline: &Polyline<Vertex>, passage: &Passage, params: &P
     polyline.closed || params.of_drawing && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
 }
 
-/// The line moved away from those it is too near to; none if that asks for more than [`farthest`] somewhere, counted
-/// from where the line was before it was ever displaced: it may be judged, and displaced, in several rounds.
-pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+/// The line, which has this passage, moved away from those it is too near to; none if that asks for more than
+/// [`farthest`] somewhere, counted from where the line was before it was ever displaced: it may be judged, and
+/// displaced, in several rounds.
+pub(super) fn displaced(
+    polyline: &Polyline<Vertex>,
+    mut passage: Passage,
+    drawn: &DrawnLines<'_>,
+) -> Option<Polyline<Vertex>> {
     let mut polyline = polyline.clone();
-    let mut passage = drawn.passage(polyline.view());
     let farthest = farthest(&polyline, &passage, drawn.params);
     for round in 0..ROUNDS {
         if round > 0 {

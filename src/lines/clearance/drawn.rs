@@ -13,9 +13,10 @@
 use super::cluster::{are_apart, leaves};
 use super::near_line::NearLine;
 use super::near_map::{MARK, NearMap};
-use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, arc_between, back_and_forth};
+use super::passage::{Cluster, Junction, Meeting, Passage, SPIKE, TOUCH, back_and_forth};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::walk::arc_between;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
@@ -130,11 +131,16 @@ impl<'a> DrawnLines<'a> {
         self.lines[line as usize] = DrawnLine { path, closed: polyline.closed, joins: Vec::new() };
     }
 
-    /// A line is complete: others may join its ends, or its corners if it is a ring of a drawing.
-    pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32) {
+    /// The junctions of a line that was begun, with the other lines.
+    pub(super) fn junctions_with_others(&self, polyline: &Polyline<Vertex>, line: u32) -> Vec<Junction> {
+        self.passage_among(polyline.view(), |other| other != line).junctions
+    }
+
+    /// A line is complete, and has these junctions with the other lines: others may join its ends, or its corners if
+    /// it is a ring of a drawing.
+    pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32, junctions: &[Junction]) {
         if self.params.of_drawing {
-            for junction in self.passage_among(polyline.view(), |other| other != line).junctions {
-                let Junction { arc, line: other, line_arc, meeting, .. } = junction;
+            for &Junction { arc, line: other, line_arc, meeting, .. } in junctions {
                 let other_ends = meeting == Meeting::LineEnds;
                 self.lines[line as usize].joins.push(Joined { arc, other, other_arc: line_arc, other_ends });
                 let other_ends = meeting == Meeting::PolylineEnds;
@@ -375,11 +381,12 @@ impl<'a> DrawnLines<'a> {
 
     /// The state of every vertex of a polyline.
     pub(super) fn states(&self, polyline: &Polyline<Vertex>) -> Vec<LineState> {
-        if !polyline.vertices.iter().any(|vertex| self.may_be_near(vertex.at)) {
-            return vec![LineState::Free; polyline.vertices.len()];
-        }
-        let passage = self.passage(polyline.view());
-        let state = |(i, vertex): (usize, &Vertex)| self.state(vertex, passage.arcs[i], &passage);
+        self.states_on(polyline, &self.passage(polyline.view()))
+    }
+
+    /// [`DrawnLines::states`] of one with this passage.
+    pub(super) fn states_on(&self, polyline: &Polyline<Vertex>, passage: &Passage) -> Vec<LineState> {
+        let state = |(i, vertex): (usize, &Vertex)| self.state(vertex, passage.arcs[i], passage);
         polyline.vertices.iter().enumerate().map(state).collect()
     }
 

@@ -4,10 +4,11 @@ use super::drawn::DrawnLines;
 use super::self_distance::is_bend;
 use crate::geom::nearby::Segment;
 use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::walk::heading_of_end;
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::junction;
 use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
+use crate::lines::{junction, links};
 use crate::units::{MmPoint, MmVector};
 
 /// A line whose path comes this near to another, in join gaps, may be extended to it.
@@ -73,9 +74,12 @@ pub(super) fn extension(
     extension.keeps_clear(&added).then_some(added)
 }
 
-/// A line that is to lead from line to line, extended to what its ends point at where they do not lie on a line
-/// already; none if one of them does not lead to any.
-pub(super) fn between_lines(line: Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+/// A line that is drawn as a link or not at all ([`links`](crate::lines::links)), extended to what its ends point at
+/// where they do not lie on a line already; none if it cannot be a link, or one of them leads to no line.
+pub(super) fn as_link(line: Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+    if !links::can_be(&line, drawn.params) {
+        return None;
+    }
     let mut vertices = line.vertices;
     for _end in 0..2 {
         let tip = vertices.last()?.at;
@@ -202,10 +206,7 @@ impl Extension<'_> {
 
     /// The direction of the line that goes on with `added`.
     fn heading(&self, added: &[Vertex]) -> Option<MmVector> {
-        let mut back = added.iter().rev().chain(self.body.iter().rev());
-        let tip = back.next()?.at;
-        let inner = back.find(|vertex| (vertex.at - tip).length() >= HEADING).or(self.body.first())?.at;
-        (tip - inner).try_normalize()
+        heading_of_end(added.iter().rev().chain(self.body.iter().rev()).map(|vertex| vertex.at), HEADING)
     }
 }
 

@@ -22,17 +22,18 @@ mod split;
 
 pub(super) use apart::move_apart;
 pub(crate) use cluster::APART;
-pub(super) use passage::{TOUCH, arc_between};
+pub(super) use passage::TOUCH;
 pub(super) use queue::Cleared;
 pub(crate) use self_distance::{BEND, BEND_LEAST};
 
 use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};
 use self::extend::{Extended, extension};
+use self::passage::Junction;
 use self::queue::{Queue, QueuedLine};
 use self::self_distance::self_approach;
 use self::split::{PartEnds, split, without_stubs};
-use super::links::is_straight;
+use super::links;
 use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
@@ -45,7 +46,12 @@ use crate::units::MmRect;
 #[derive(Debug, PartialEq)]
 enum Decision {
     /// It is drawn.
-    Draw(Polyline<Vertex>),
+    Draw {
+        /// What is drawn.
+        line: Polyline<Vertex>,
+        /// Its junctions with the lines that are drawn.
+        junctions: Vec<Junction>,
+    },
     /// Its body is drawn; the rest comes back too near to the body, and is judged by itself.
     DrawBody {
         /// What is drawn.
@@ -74,7 +80,8 @@ pub(super) fn clear(
     area: MmRect,
     params: &Params,
 ) -> Vec<Cleared> {
-    let mut queue = Queue::new(polylines.len(), params);
+    let least = if params.of_drawing { links::shortest(params) } else { params.min_length };
+    let mut queue = Queue::new(polylines.len(), least, params);
     let saliencies = bases::raised(saliencies, &polylines, area, params);
     for ((polyline, rank), saliency) in polylines.into_iter().zip(saliencies) {
         // Where a line comes near itself its earlier part stays.
@@ -91,7 +98,7 @@ pub(super) fn clear(
             // a part of such a ring is nothing: it is left out; but one that a person drew is there as far as it can be
             Decision::Open(_) if is_whole_or_none && rank != Rank::Person => {}
             Decision::Split(_) if is_whole_or_none => {}
-            Decision::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
+            Decision::Draw { line, junctions } => cleared.push(draw(line, &junctions, rank, &mut drawn)),
             Decision::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));
                 queue.push(QueuedLine { polyline: rest, rank, round, is_part: true });
@@ -115,20 +122,19 @@ pub(super) fn clear(
 fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let keeps_its_place = keeps_its_place(&line, drawn.params);
     let QueuedLine { mut polyline, round, .. } = line;
-    if drawn.params.must_link(polyline.length()) {
-        match Some(polyline).filter(is_straight).and_then(|line| extend::between_lines(line, drawn)) {
-            Some(whole) => polyline = whole,
-            None => return Decision::Split(Vec::new()),
-        }
+    if links::must_be(&polyline, drawn.params) {
+        let Some(link) = extend::as_link(polyline, drawn) else { return Decision::Split(Vec::new()) };
+        polyline = link;
     }
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
-    if let Some(shorter) = without_stubs(&polyline, drawn) {
+    let passage = drawn.passage(polyline.view());
+    if let Some(shorter) = without_stubs(&polyline, &passage, drawn) {
         return Decision::Shorten(shorter);
     }
-    let states = drawn.states(&polyline);
+    let states = drawn.states_on(&polyline, &passage);
     if states.contains(&LineState::TooNear) {
-        let displaced = if keeps_its_place { None } else { displaced(&polyline, drawn) };
+        let displaced = if keeps_its_place { None } else { displaced(&polyline, passage, drawn) };
         return match displaced {
             Some(displaced) => Decision::Displace(displaced),
             None => {
@@ -138,7 +144,7 @@ fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision
         };
     }
     match self_approach(&polyline, drawn.params, own) {
-        None => Decision::Draw(polyline),
+        None => Decision::Draw { line: polyline, junctions: passage.junctions },
         Some(back) if polyline.closed => {
             // begun after the stretch that is too near, it comes last
             let mut open = polyline.opened_at(back.end % polyline.vertices.len());
@@ -182,11 +188,10 @@ fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>,
     }
 }
 
-/// Draws a line.
-fn draw(mut line: Polyline<Vertex>, rank: Rank, drawn: &mut DrawnLines<'_>) -> Cleared {
-    drawn.snap(&mut line);
+/// Draws a line that has these junctions with those that are drawn.
+fn draw(line: Polyline<Vertex>, junctions: &[Junction], rank: Rank, drawn: &mut DrawnLines<'_>) -> Cleared {
     let number = drawn.begin(&line);
-    finish(line, rank, number, drawn)
+    finish(line, junctions, rank, number, drawn)
 }
 
 /// Draws the body of a line that comes back to itself, extended along the rest to what it joins soon, itself perhaps.
@@ -208,12 +213,19 @@ fn draw_body(
             line.vertices.truncate(body);
         }
     }
-    finish(line, rank, number, drawn)
+    let junctions = drawn.junctions_with_others(&line, number);
+    finish(line, &junctions, rank, number, drawn)
 }
 
 /// Lets others join the ends of a line; what was cut off it no longer counts for its saliency.
-fn finish(line: Polyline<Vertex>, rank: Rank, number: u32, drawn: &mut DrawnLines<'_>) -> Cleared {
-    drawn.finish(&line, number);
+fn finish(
+    line: Polyline<Vertex>,
+    junctions: &[Junction],
+    rank: Rank,
+    number: u32,
+    drawn: &mut DrawnLines<'_>,
+) -> Cleared {
+    drawn.finish(&line, number, junctions);
     let saliency = saliency(&line, drawn.params);
     Cleared { saliency, rank, anchored: vec![false; line.vertices.len()], polyline: line }
 }

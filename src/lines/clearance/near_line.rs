@@ -1,7 +1,8 @@
 //! Whether a line may be as near to a drawn one as it is.
 
-use super::passage::{Cluster, Junction, Meeting, Passage, arc_between};
+use super::passage::{Cluster, Junction, Meeting, Passage};
 use crate::geom::nearby::Segment;
+use crate::geom::walk::arc_between;
 use crate::units::{MmPoint, MmVector};
 
 /// A segment that is near to a vertex.

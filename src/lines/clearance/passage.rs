@@ -2,6 +2,7 @@
 
 use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
+use crate::geom::walk::arc_between;
 use crate::units::{MmPoint, MmVector};
 
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
@@ -13,7 +14,7 @@ pub(super) const SPIKE: f32 = 1.0;
 const SAME: f32 = 0.01;
 
 /// A junction of a polyline with a drawn line.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Junction {
     /// How far along the polyline, mm.
     pub(super) arc: f32,
@@ -86,12 +87,6 @@ pub(super) struct Cluster {
     pub(super) line_ends: bool,
     /// How far the two junctions are apart, along the line between, mm.
     pub(super) apart: f32,
-}
-
-/// Length along a line between two arcs, mm; of a closed one, which is so long (`ring_length`), along the shorter arc.
-pub(in crate::lines) fn arc_between(s: f32, t: f32, ring_length: Option<f32>) -> f32 {
-    let apart = (s - t).abs();
-    ring_length.map_or(apart, |ring_length| apart.min(ring_length - apart))
 }
 
 impl Passage {

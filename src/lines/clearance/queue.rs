@@ -40,12 +40,14 @@ type DrawingOrder = (Rank, TotalOrder, Reverse<usize>);
 pub(super) struct Queue<'a> {
     heap: BinaryHeap<Ranked<DrawingOrder, QueuedLine>>,
     count: usize,
+    /// No shorter lines wait, mm.
+    least: f32,
     params: &'a Params,
 }
 
 impl<'a> Queue<'a> {
-    pub(super) fn new(capacity: usize, params: &'a Params) -> Self {
-        Self { heap: BinaryHeap::with_capacity(capacity), count: 0, params }
+    pub(super) fn new(capacity: usize, least: f32, params: &'a Params) -> Self {
+        Self { heap: BinaryHeap::with_capacity(capacity), count: 0, least, params }
     }
 
     /// Adds a line, unless it is too short or was judged too often.
@@ -57,8 +59,7 @@ impl<'a> Queue<'a> {
     /// [`Queue::push`] of a line that is as salient as this.
     pub(super) fn push_as(&mut self, line: QueuedLine, saliency: f32) {
         let QueuedLine { polyline, rank, round, .. } = &line;
-        let least = if self.params.of_drawing { self.params.min_link() } else { self.params.min_length };
-        if polyline.vertices.len() < 2 || polyline.length() < least || *round > MOST_ROUNDS {
+        if polyline.vertices.len() < 2 || polyline.length() < self.least || *round > MOST_ROUNDS {
             return;
         }
         let rank = (*rank, TotalOrder(f64::from(saliency)), Reverse(self.count));

@@ -7,6 +7,7 @@ use super::passage::TOUCH;
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::arc_between;
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
@@ -27,7 +28,7 @@ pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &
         return None;
     }
     let ring = polyline.view().goes_round();
-    let apart = |s: f32, t: f32| if ring { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
+    let apart = |s: f32, t: f32| arc_between(s, t, ring.then_some(total));
     // its own ends may lie on it
     let tips: Vec<f32> = if ring { Vec::new() } else { own_junctions(polyline, &arcs, params.max_stub(), own) };
     let mut found: Option<Range<usize>> = None;
@@ -66,8 +67,7 @@ pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &
 /// corner. Each is given as its arc and its point.
 pub(super) fn is_rival(polyline: &Polyline<Vertex>, arcs: &[f32], places: [(f32, MmPoint); 2], distance: f32) -> bool {
     let (ring, total) = (polyline.view().goes_round(), arcs.last().copied().unwrap_or(0.0));
-    let apart = (places[0].0 - places[1].0).abs();
-    let apart = if ring { apart.min(total - apart) } else { apart };
+    let apart = arc_between(places[0].0, places[1].0, ring.then_some(total));
     !is_bend(apart, distance) && !is_corner(polyline, arcs, ring, places)
 }
 

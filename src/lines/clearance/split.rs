@@ -5,9 +5,10 @@ use std::ops::Range;
 use super::branch::branch;
 use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
-use super::passage::Junction;
+use super::passage::{Junction, Passage};
 use crate::geom::polyline::Polyline;
-use crate::lines::params::{PagePart, Params};
+use crate::lines::links;
+use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::{Vertex, dot};
 
@@ -21,12 +22,15 @@ const WHOLE_DRAWN: f32 = 0.25;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
 /// blot. None if it has no stubs.
-pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+pub(super) fn without_stubs(
+    polyline: &Polyline<Vertex>,
+    passage: &Passage,
+    drawn: &DrawnLines<'_>,
+) -> Option<Polyline<Vertex>> {
     let near = |vertex: Option<&Vertex>| vertex.is_some_and(|vertex| drawn.may_be_near(vertex.at));
     if polyline.closed || !(near(polyline.vertices.first()) || near(polyline.vertices.last())) {
         return None;
     }
-    let passage = drawn.passage(polyline.view());
     let total = passage.arcs.last().copied().unwrap_or(0.0);
     // a line that is not yet apart from the other where it ends
     let stub = |junction: &Junction, end: f32, tip: Option<&Vertex>| {
@@ -137,22 +141,12 @@ fn pieces(
             piece.reverse();
         }
         let piece = Polyline::open(piece);
-        if piece.length() >= drawn.params.min_length || is_link(&piece, drawn) {
+        let is_link = || links::is_piece(&piece, drawn.params, |end| drawn.is_on_line(end));
+        if piece.length() >= drawn.params.min_length || is_link() {
             pieces.push(piece);
         }
     }
     pieces
-}
-
-/// Whether a piece of a line of a drawing that is too short for a line leads from line to line. In an overview it would
-/// say where something was, not what.
-fn is_link(piece: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> bool {
-    let touches = |end: Option<&Vertex>| end.is_some_and(|end| drawn.is_on_line(end.at));
-    drawn.params.of_drawing
-        && drawn.params.part == PagePart::Figure
-        && piece.length() >= drawn.params.min_link()
-        && touches(piece.vertices.first())
-        && touches(piece.vertices.last())
 }
 
 /// The stretches of vertices between those that are too near to lines.

@@ -1,8 +1,7 @@
 //! Tests of `clearance`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
-use crate::units::{MmPoint, MmVector};
+use crate::units::MmPoint;
 
 /// Clears lines by their own saliencies.
 pub(in crate::lines) fn clear_all(lines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, params: &Params) -> Vec<Cleared> {
@@ -17,9 +16,7 @@ pub(in crate::lines) fn polyline(points: &[(f32, f32)], closed: bool) -> Polylin
         strength: 60.0,
         contrast: [60.0, 0.0, 0.0],
         width: Params::TEST.width_max,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     polyline.subdivide(0.4);
@@ -31,7 +28,10 @@ pub(super) fn drawn(lines: &[&[(f32, f32)]]) -> DrawnLines<'static> {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
     let mut drawn = DrawnLines::new(area, &Params::TEST);
     lines.iter().for_each(|points| {
-        draw(polyline(points, false), Rank::Ordinary, &mut drawn);
+        let mut line = polyline(points, false);
+        drawn.snap(&mut line);
+        let junctions = drawn.passage(line.view()).junctions;
+        draw(line, &junctions, Rank::Ordinary, &mut drawn);
     });
     drawn
 }
@@ -96,9 +96,9 @@ fn a_line_from_one_line_to_another_may_be_short_and_goes_if_they_do() {
 
 #[test]
 fn a_line_that_is_apart_or_crosses_steeply_is_drawn() {
-    assert!(matches!(decision(&[(10.0, 60.0), (90.0, 60.0)], false), Decision::Draw(_)));
-    assert!(matches!(decision(&[(50.1, 20.1), (50.1, 80.0)], false), Decision::Draw(_)));
-    assert!(matches!(decision(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Decision::Draw(_)));
+    assert!(matches!(decision(&[(10.0, 60.0), (90.0, 60.0)], false), Decision::Draw { .. }));
+    assert!(matches!(decision(&[(50.1, 20.1), (50.1, 80.0)], false), Decision::Draw { .. }));
+    assert!(matches!(decision(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Decision::Draw { .. }));
 }
 
 /// The states of the vertices of a line where another runs along y = 50.
@@ -132,7 +132,7 @@ fn a_line_whose_two_ends_meet_on_another_will_be_a_ring_and_does_not_join_it() {
     assert_eq!(states(&drop, false)[0], LineState::TooNear);
     assert_eq!(states(&drop[..2], false)[0], LineState::Joined);
     let almost = [drop[0], drop[1], drop[2], (50.0, 50.05)];
-    assert!(!matches!(decision(&almost, false), Decision::Draw(_)), "its ends are drawn in one place");
+    assert!(!matches!(decision(&almost, false), Decision::Draw { .. }), "its ends are drawn in one place");
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Tests of `join`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
 use crate::units::MmPoint;
 
 fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
@@ -10,10 +9,7 @@ fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
         at: from.lerp(to, k as f32 / 20.0),
         strength: 30.0,
         contrast: [step, 0.0, 0.0],
-        width: 0.0,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     Polyline::open((0..=20).map(vertex).collect())
 }
@@ -45,10 +41,7 @@ fn an_arc_whose_ends_meet_is_a_ring() {
         at: MmPoint::new(10.0 * angle(k).cos(), 10.0 * angle(k).sin()),
         strength: 30.0,
         contrast: [20.0, 0.0, 0.0],
-        width: 0.0,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
     assert!(joined.len() == 1 && joined[0].closed);

@@ -1,19 +1,10 @@
 //! Tests of `junction`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
 
 #[test]
 fn a_ring_without_its_corner_is_closed_once() {
-    let vertex = |at: MmPoint| Vertex {
-        at,
-        strength: 60.0,
-        contrast: [60.0, 0.0, 0.0],
-        width: 1.5,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
-    };
+    let vertex = |at: MmPoint| Vertex { at, strength: 60.0, contrast: [60.0, 0.0, 0.0], width: 1.5, ..Vertex::TEST };
     let corners = [(10.0, 12.0), (10.0, 40.0), (40.0, 40.0), (40.0, 10.0), (12.0, 10.0)];
     let mut ring = Polyline::open(corners.map(|(x, y)| vertex(MmPoint::new(x, y))).to_vec());
     ring.subdivide(SPACING);

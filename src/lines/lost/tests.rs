@@ -1,19 +1,9 @@
 //! Tests of `lost`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
-use crate::units::MmVector;
 
 fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
-    let vertex = |(x, y): (f32, f32)| Vertex {
-        at: MmPoint::new(x, y),
-        strength: 20.0,
-        contrast: [0.0; 3],
-        width: 1.0,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
-    };
+    let vertex = |(x, y): (f32, f32)| Vertex { at: MmPoint::new(x, y), strength: 20.0, width: 1.0, ..Vertex::TEST };
     let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
     line.fill();
     line

@@ -10,9 +10,7 @@ fn line(places: &[(f32, f32)], closed: bool, contrast: f32) -> Polyline<Vertex> 
         strength: 50.0,
         contrast: [contrast, 0.0, 0.0],
         width: 1.0,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     Polyline { vertices: places.iter().map(vertex).collect(), closed }.resampled(0.5)
 }

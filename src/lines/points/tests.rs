@@ -1,9 +1,10 @@
 //! Points of drawings: which small rings and discs are points, and how they are drawn.
 
+use super::super::line::HeavyStrokes;
+use super::super::params::LineMedium;
 use super::super::tests::area;
 use super::super::vertex::{FoundIn, SPACING};
 use super::*;
-use crate::units::MmVector;
 
 const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -13,9 +14,8 @@ fn line(points: &[(f32, f32)], closed: bool, step: f32, source: FoundIn) -> Poly
         strength: 60.0,
         contrast: [step, 0.0, 0.0],
         width: PARAMS.width_max,
-        stroke: 0.0,
         source,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
     line.subdivide(SPACING);
@@ -134,7 +134,7 @@ fn points_beside_lines_are_drawn_like_those_on_them() {
     let lengths: Vec<f32> = drawn.rings.iter().map(Polyline::length).collect();
     let [on_line, beside] = lengths[..] else { panic!("one is too near to the axis: {lengths:?}") };
     assert!((on_line - beside).abs() < 0.01 && drawn.lost == 1);
-    let on_dots = Params { hands_marks_on: true, ..PARAMS };
+    let on_dots = Params { medium: LineMedium::Dots(HeavyStrokes { from: 40.0, width: 2.5 }), ..PARAMS };
     let alone = line(&arc((50.0, 70.0), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
     let mut lines = vec![axis(10.0, 90.0), disc(30.0, 0.0), alone];
     assert_eq!((take(&mut lines, &on_dots).len(), lines.len()), (1, 2), "there it is a shape");

@@ -1,21 +1,12 @@
 //! Tests of `saliency`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
 use crate::units::MmPoint;
 
 fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
     let vertex = |i: u32| {
         let (x, y) = at(i as f32 * 0.4);
-        Vertex {
-            at: MmPoint::new(x, y),
-            strength: 30.0,
-            contrast: [30.0, 0.0, 0.0],
-            width: 1.0,
-            stroke: 0.0,
-            source: FoundIn::Pixels,
-            displaced: MmVector::zero(),
-        }
+        Vertex { at: MmPoint::new(x, y), strength: 30.0, contrast: [30.0, 0.0, 0.0], width: 1.0, ..Vertex::TEST }
     };
     Polyline { vertices: (0..100).map(vertex).collect(), closed }
 }

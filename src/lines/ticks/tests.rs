@@ -2,20 +2,12 @@
 
 use super::*;
 use crate::lines::vertex::{FoundIn, SPACING};
-use crate::units::MmVector;
 
 pub(super) const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
 pub(super) fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
-    let vertex = |(x, y): (f32, f32)| Vertex {
-        at: MmPoint::new(x, y),
-        strength: 60.0,
-        contrast: [0.0; 3],
-        width: 0.0,
-        stroke: 0.0,
-        source: FoundIn::Vector,
-        displaced: MmVector::zero(),
-    };
+    let vertex =
+        |(x, y): (f32, f32)| Vertex { at: MmPoint::new(x, y), strength: 60.0, source: FoundIn::Vector, ..Vertex::TEST };
     let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
     line.subdivide(SPACING);
     line

@@ -3,15 +3,7 @@
 use super::*;
 
 fn line(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
-    let vertex = |&(x, y): &(f32, f32)| Vertex {
-        at: MmPoint::new(x, y),
-        strength: 30.0,
-        contrast: [0.0; 3],
-        width: 0.0,
-        stroke: 0.0,
-        source: FoundIn::Pixels,
-        displaced: MmVector::zero(),
-    };
+    let vertex = |&(x, y): &(f32, f32)| Vertex { at: MmPoint::new(x, y), strength: 30.0, ..Vertex::TEST };
     let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
     line.subdivide(0.25);
     line

@@ -1,8 +1,6 @@
 //! Tests of `weight`.
 
 use super::*;
-use crate::lines::vertex::FoundIn;
-use crate::units::MmVector;
 
 fn straight(strength: impl Fn(f32) -> f32) -> Line {
     let vertices = (0..=300)
@@ -10,10 +8,7 @@ fn straight(strength: impl Fn(f32) -> f32) -> Line {
             at: MmPoint::new(i as f32 * 0.2, 5.0),
             strength: strength(i as f32 * 0.2),
             contrast: [1.0, 0.0, 0.0],
-            width: 0.0,
-            stroke: 0.0,
-            source: FoundIn::Pixels,
-            displaced: MmVector::zero(),
+            ..Vertex::TEST
         })
         .collect();
     let mut polyline = Polyline::open(vertices);

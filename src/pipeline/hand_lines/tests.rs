@@ -10,7 +10,7 @@ fn what_lies_outside_of_the_figure_is_cut_off() {
         closed,
         is_disc: false,
     };
-    let parts = |points: &[[f32; 2]], closed: bool| line(points, closed).inside([100.0, 50.0]);
+    let parts = |points: &[[f32; 2]], closed: bool| line(points, closed).parts_inside([100.0, 50.0]);
     let whole = [[0.0, 0.0], [1.004, 1.0]];
     assert_eq!(parts(&whole, false), [line(&whole, false)], "half a stroke beyond the border stays");
     assert_eq!(parts(&[[0.2, 1.3], [0.8, 1.3]], false), []);
@@ -43,7 +43,7 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     let lines = ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect();
     let names = (0..5).map(|number| name(number == 0)).collect();
     let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: Vec::new(), areas: Vec::new(), names };
-    let edges = lines.edges_under_own(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
+    let edges = lines.contours_by_hand_first(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
     let row = |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
     assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
     let column =
@@ -56,6 +56,6 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
     assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
     let lines = lines.called(vec![name(false); 5]);
-    let none = lines.edges_under_own(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("the same shape");
-    assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
+    let none = lines.contours_by_hand_first(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("the same shape");
+    assert_eq!(none, lines.contours(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
 }

@@ -29,17 +29,17 @@ fn a_leader_line_that_lacks_its_tip_or_its_middle_is_torn() {
 
 #[test]
 fn those_left_out_are_told_by_their_texts() {
-    let text = |string: &str, led_over: bool| Text {
+    let text = |string: &str, lost_leader: bool| Text {
         string: string.to_owned(),
         place: MmRect::zero(),
         angle: 0.0,
         size: 5.0,
         hidden: false,
-        led_over: led_over.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
-        leader: None,
+        lost_leader: lost_leader.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
+        kept_leader: None,
         in_key: false,
     };
-    let note = told(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
+    let note = told_lost(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
     assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");
-    assert_eq!(told(&[text("vacuole", false)]), None);
+    assert_eq!(told_lost(&[text("vacuole", false)]), None);
 }

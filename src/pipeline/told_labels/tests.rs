@@ -8,21 +8,11 @@ fn a_label_that_stands_at_what_another_names_is_told() {
     let wanted = |text: &str, x: f32| Wanted {
         text: text.to_owned(),
         anchor: place(x),
-        led_from: None,
-        leader: None,
+        lost_leader: None,
+        kept_leader: None,
         is_nameless: false,
     };
-    let placed = |x: f32| {
-        Ok(Placed {
-            place: place(x),
-            lines: Vec::new(),
-            lacking: Vec::new(),
-            abbreviation: None,
-            attachment: Attachment::Beside,
-            stands: PlacedAs::Alone,
-            is_bare: false,
-        })
-    };
+    let placed = |x: f32| Ok(Placed::of_test(place(x)));
     let all = [wanted("11", 20.0), wanted("6", 80.0)];
     let told = nearer_to_others(&all, &[placed(60.0), placed(80.0)]).expect("a note").to_string();
     assert!(told.contains("than to their own: \"11\" near \"6\"; make the figure larger"), "{told}");

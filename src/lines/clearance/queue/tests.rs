@@ -5,7 +5,7 @@ use super::*;
 
 #[test]
 fn the_most_salient_comes_first_and_what_is_short_or_often_judged_not_at_all() {
-    let mut queue = Queue::new(4, &Params::TEST);
+    let mut queue = Queue::new(4, Params::TEST.min_length, &Params::TEST);
     let lengths = [12.0, 30.0, 7.0, 30.0];
     let line = |x: f32, round: u8| QueuedLine {
         polyline: polyline(&[(0.0, 0.0), (x, 0.0)], false),
@@ -18,16 +18,4 @@ fn the_most_salient_comes_first_and_what_is_short_or_often_judged_not_at_all() {
     let order: Vec<(u32, u8)> =
         std::iter::from_fn(|| queue.pop()).map(|line| (line.polyline.length().round() as u32, line.round)).collect();
     assert_eq!(order, [(30, 1), (30, 3), (12, 0)]);
-}
-
-#[test]
-fn of_a_drawing_what_may_lead_from_line_to_line_is_not_too_short() {
-    let params = Params { of_drawing: true, ..Params::TEST };
-    let mut queue = Queue::new(2, &params);
-    for x in [5.0, 3.0] {
-        let polyline = polyline(&[(0.0, 0.0), (x, 0.0)], false);
-        queue.push(QueuedLine { polyline, rank: Rank::Ordinary, round: 0, is_part: false });
-    }
-    assert_eq!(queue.pop().map(|line| line.polyline.length().round()), Some(5.0));
-    assert!(queue.pop().is_none());
 }

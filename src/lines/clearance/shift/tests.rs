@@ -9,11 +9,9 @@ fn polyline(points: &[[f32; 2]], closed: bool) -> Polyline<Vertex> {
     let vertex = |&[x, y]: &[f32; 2]| Vertex {
         at: MmPoint::new(x, y),
         strength: 10.0,
-        contrast: [0.0; 3],
         width: 1.0,
-        stroke: 0.0,
         source: FoundIn::Vector,
-        displaced: MmVector::zero(),
+        ..Vertex::TEST
     };
     Polyline { closed, vertices: points.iter().map(vertex).collect() }
 }

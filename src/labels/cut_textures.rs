@@ -1,0 +1,85 @@
+//! Textures make room for labels and their leader lines. What these leave of a texture beside them is left out where it
+//! would be felt as something else: as dots by themselves, as a line, or as another texture.
+
+use super::placed::{Params, Placed};
+use crate::geom::components;
+use crate::page::{Glyph, Texture};
+use crate::units::{MmPoint, MmRect};
+
+/// Takes the signs out of a texture that labels and their leader lines need blank, and what is left of it in strips, in
+/// few rows and by itself beside them.
+pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Params) {
+    let before = std::mem::take(&mut texture.glyphs);
+    let is_apart = |glyph: &Glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius());
+    let mut left: Vec<Glyph> = before.iter().filter(|glyph| is_apart(glyph)).copied().collect();
+    if left.len() < before.len() {
+        leave_out_strips(&mut left, &before, texture.area / before.len() as f32, placed);
+    }
+    if left.len() < before.len() && params.least_texture > 0.0 {
+        leave_out_few_rows(&mut left, placed, params.least_texture);
+    }
+    texture.glyphs = without_stray(left, &before, placed);
+}
+
+/// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so
+/// near to a label they are read as letters.
+const COMPANY: usize = 2;
+const AROUND: f32 = 9.0;
+const NEAR_LABEL: f32 = 12.0;
+/// Signs no further apart than this are of one part of a texture, mm: the widest steps of its rows, across.
+const SIDE_BY_SIDE: f32 = 5.7;
+
+/// The glyphs of a texture without those that are left alone beside labels, or farther off by what labels took of those
+/// that were there `before`.
+fn without_stray(glyphs: Vec<Glyph>, before: &[Glyph], placed: &[&Placed]) -> Vec<Glyph> {
+    let company = |glyph: &Glyph, all: &[Glyph]| {
+        let near = all.iter().filter(|other| (other.at - glyph.at).length() <= AROUND);
+        near.take(COMPANY + 1).count() > COMPANY
+    };
+    let is_stray = |glyph: &Glyph| is_near(glyph, placed) || company(glyph, before);
+    let kept: Vec<bool> = glyphs.iter().map(|glyph| company(glyph, &glyphs) || !is_stray(glyph)).collect();
+    let mut kept = kept.into_iter();
+    glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
+}
+
+fn is_near(glyph: &Glyph, placed: &[&Placed]) -> bool {
+    placed.iter().any(|label| label.distance(glyph.at) < NEAR_LABEL)
+}
+
+/// How far around a sign others are of its part of a texture, in steps of that; and the share of a whole circle of them
+/// that a part of three rows has, and one of two has not.
+const STEPS_AROUND: f32 = 2.5;
+const BROAD: f32 = 0.6;
+
+/// Leaves out what labels leave of a texture in strips of one or two rows beside them, as between a label and a line:
+/// signs in a row are felt as a line. `before` are all signs of the texture, each for `area` mm2.
+fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: &[&Placed]) {
+    let reach = STEPS_AROUND * area.sqrt();
+    let far = |glyph: &Glyph| placed.iter().map(|label| label.distance(glyph.at)).fold(f32::INFINITY, f32::min);
+    let near = |all: &[Glyph]| -> Vec<MmPoint> {
+        all.iter().filter(|glyph| far(glyph) < NEAR_LABEL + 2.0 * reach).map(|glyph| glyph.at).collect()
+    };
+    let least = BROAD * std::f32::consts::PI * STEPS_AROUND * STEPS_AROUND;
+    // whether a sign is within reach of one with so many around it
+    let broad = |all: &[MmPoint]| -> Vec<MmPoint> {
+        let around =
+            |at: &&MmPoint| all.iter().filter(|other| (**other - **at).length() <= reach).count() as f32 >= least;
+        all.iter().filter(around).copied().collect()
+    };
+    let (of_left, of_before) = (broad(&near(left)), broad(&near(before)));
+    let is_in = |of: &[MmPoint], at: MmPoint| of.iter().any(|other| (*other - at).length() <= reach);
+    left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
+}
+
+/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
+fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
+    let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
+    let parts = components::of_points(&points, SIDE_BY_SIDE, |between| between.length() <= SIDE_BY_SIDE);
+    components::retain(glyphs, &parts, |glyphs, part| {
+        let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
+        extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
+    });
+}
+
+#[cfg(test)]
+mod tests;

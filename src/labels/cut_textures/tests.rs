@@ -1,0 +1,61 @@
+//! Tests of `cut_textures`.
+
+use super::*;
+use crate::page::{Class, Shape, Sign};
+
+/// Distance of signs and of their rows, mm.
+const STEP: f32 = 3.4;
+
+/// So many rows of signs, all across 100 mm, the first at y = 20.
+fn rows(count: u32) -> Texture {
+    let at = |row: u32, column: u32| MmPoint::new(STEP * column as f32, 20.0 + STEP * row as f32);
+    let glyphs = (0..count).flat_map(|row| (0..30).map(move |column| at(row, column)));
+    let glyphs: Vec<Glyph> = glyphs.map(|at| Glyph { at, shape: Shape::Dot { diameter: 1.0 } }).collect();
+    let area = STEP * STEP * glyphs.len() as f32;
+    Texture { class: Class::Grey, sign: Sign::Dot, colour: [120; 3], area, glyphs }
+}
+
+/// What a label of 40 mm, or one as wide as the texture, leaves of it from y = `top` on.
+fn left(mut texture: Texture, top: f32, is_wide: bool, least_texture: f32) -> Vec<MmPoint> {
+    let (from, to) = if is_wide { (-5.0, 105.0) } else { (30.0, 70.0) };
+    let label = Placed::of_test(MmRect::new(MmPoint::new(from, top), MmPoint::new(to, top + 6.0)));
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(110.0, 150.0));
+    make_room(&mut texture, &[&label], &Params { least_texture, ..Params::of_test(area) });
+    texture.glyphs.iter().map(|glyph| glyph.at).collect()
+}
+
+/// How many signs are above a label, in its middle.
+fn above(left: &[MmPoint], top: f32) -> usize {
+    left.iter().filter(|at| at.y < top && (42.0..58.0).contains(&at.x)).count()
+}
+
+#[test]
+fn strips_of_one_or_two_rows_beside_a_label_go_and_broader_parts_stay() {
+    // the first two rows, at 20 and 23.4 mm, are left between the label and the edge of the texture
+    let top = 27.5;
+    let two = left(rows(30), top, false, 0.0);
+    assert_eq!(above(&two, top), 0);
+    assert!(two.iter().any(|at| at.y < top && at.x < 15.0), "far from the label they stay");
+    assert!(two.iter().any(|at| at.y > top + 9.0 && (42.0..58.0).contains(&at.x)), "below it there are many rows");
+    let top = 41.0;
+    assert!(above(&left(rows(30), top, false, 0.0), top) > 0, "five rows above it stay");
+}
+
+#[test]
+fn a_texture_that_was_two_rows_before_stays_beside_a_label() {
+    let top = 31.0;
+    // a third row, which the label takes, is far from most of them
+    let mut texture = rows(2);
+    texture.glyphs.push(Glyph { at: MmPoint::new(50.0, top), ..texture.glyphs[0] });
+    assert_eq!(above(&left(texture, top, false, 0.0), top), 10);
+}
+
+#[test]
+fn on_dots_parts_that_are_too_low_go_as_well() {
+    // three rows above a label as wide as the texture
+    let top = 33.0;
+    let left = |least: f32| left(rows(14), top, true, least);
+    assert!(above(&left(0.0), top) > 0);
+    assert_eq!(above(&left(12.0), top), 0);
+    assert!(left(12.0).iter().any(|at| at.y > top), "below it there are more rows");
+}
