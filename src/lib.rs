@@ -113,7 +113,8 @@
 //!   copies those that other threads may write, such as the buffer of an array.
 //! * Work is shared with the pool of threads. A process that was forked after the first call has no such threads and
 //!   would wait for ever: start workers anew (Python: the start method `spawn`), or fork before the first call.
-//!   Deep drawings need a stack of 2 MB in the calling thread, as threads of Rust have.
+//!   The deepest drawings that are taken need a stack of 1 MB in the calling thread, as WebAssembly has; threads of
+//!   Rust have two.
 //! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
 //!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
 //!   settings cannot be asked for again; a class that has properties keeps what it was given. What is given as a value

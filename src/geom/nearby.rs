@@ -171,8 +171,11 @@ impl<U: Copy> Nearby<U> {
 
     /// Adds the segments of a polyline, which is the line of this number and twice `half_width` wide.
     pub fn insert_line<V: Located<Unit = U>>(&mut self, line: u32, polyline: PolylineRef<'_, V>, half_width: f32) {
+        let mut arc = 0.0;
         for (index, (a, b)) in (0..).zip(polyline.segments()) {
-            self.insert(Segment { a: a.at(), b: b.at(), half_width, line, index, arc: 0.0 });
+            let (a, b) = (a.at(), b.at());
+            self.insert(Segment { a, b, half_width, line, index, arc });
+            arc += (b - a).length();
         }
     }
 

@@ -6,7 +6,6 @@ use super::finding::FoundBreach;
 use super::limits::{MOST_TEXTURES, MediumLimits, RuleLimits};
 use super::marks::{Mark, MarkOutline, PagePart};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURE_SIGN, TEXTURES};
-use crate::classes::Class;
 use crate::page::{Medium, Names, Page, Shape, TextRole, Texture};
 use crate::units::{MmPoint, MmRect};
 
@@ -36,13 +35,13 @@ pub(super) fn black(page: &Page, limits: &RuleLimits) -> Option<FoundBreach> {
     (share > max_black).then(|| FoundBreach::of_page(BLACK, Some(100.0 * share), what()))
 }
 
-/// Areas too small for fingers to learn a texture in. What they know from a larger area of the page they find again in a
-/// smaller one, such as the lowest bars of a chart.
+/// Areas too small for fingers to learn a texture in. What they know from a larger area of the page they find again in
+/// a smaller one, such as the lowest bars of a chart.
 fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a RuleLimits) -> impl Iterator<Item = FoundBreach> + 'a {
     let textures = &page.figure.textures;
     let is_small = |texture: &Texture| texture.area < limits.texture_area - 0.5;
-    let is_known = move |class: Class| textures.iter().any(|texture| texture.class == class && !is_small(texture));
-    let small = textures.iter().enumerate().filter(move |(_, texture)| !is_known(texture.class));
+    let is_known = move |of: &Texture| textures.iter().any(|texture| texture.class == of.class && !is_small(texture));
+    let small = textures.iter().enumerate().filter(move |(_, texture)| !is_known(texture));
     small.filter_map(|(number, texture)| {
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
         let name = PagePart::Texture(number as u32).name(page, names);

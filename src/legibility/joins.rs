@@ -56,7 +56,7 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
             }
         };
         // an end first: where it also crosses, by a rounding, it is an end all the same
-        for (own, tip, arc) in paths.feet(number) {
+        for (own, tip, arc) in paths.tips(number) {
             index.around(tip, tip, own.half_width + widest + touch, |other| {
                 let (distance, _, there) = nearest(other, tip);
                 if distance <= own.half_width + other.half_width + touch {
@@ -91,8 +91,25 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
     };
     let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
     let mut kept: Vec<Vec<Join>> = found.iter().enumerate().map(kept).collect();
+    add_corners(&mut kept, paths, index);
     add_clusters(&mut kept, paths, least + 2.0 * widest);
     kept
+}
+
+/// The corners of rings that stand on other lines, whichever way these go on there.
+fn add_corners(joins: &mut [Vec<Join>], paths: &Paths, index: &Nearby) {
+    let widest = paths.widest();
+    for (number, found) in joins.iter_mut().enumerate() {
+        for (own, corner, arc) in paths.corners_of_ring(number) {
+            index.around(corner, corner, own.half_width + widest, |other| {
+                let (distance, _, there) = nearest(other, corner);
+                let line = paths.paths[other.line as usize].line;
+                if other.line as usize != number && distance <= own.half_width + other.half_width {
+                    found.push(Join { arc, other: other.line, there, line, by_third: None });
+                }
+            });
+        }
+    }
 }
 
 /// A path that ends on another no farther than two lines may be apart from where a third one joins that, and does not

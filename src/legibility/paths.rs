@@ -132,11 +132,11 @@ impl Paths {
         index
     }
 
-    /// Where a path may stand on others, with the places along it: at its ends, or at the corners of a ring of strokes.
-    pub(super) fn feet(&self, path: usize) -> Vec<(Segment, MmPoint, f32)> {
+    /// The corners of a ring of strokes, with their places along it: it may stand on other lines with them.
+    pub(super) fn corners_of_ring(&self, path: usize) -> Vec<(Segment, MmPoint, f32)> {
         let Path { closed, kind, length, .. } = self.paths[path];
         if !closed || kind != PathKind::Stroke {
-            return self.tips(path);
+            return Vec::new();
         }
         let segments = self.segments_of(path);
         let at = |arc: f32| {

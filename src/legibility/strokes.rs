@@ -138,8 +138,8 @@ pub(crate) const fn longest_cut(gap: u32) -> u32 {
 }
 
 /// Whether a line of dots is an arm of a cross: at one end it goes on beyond a third line, after a gap on both sides of
-/// that, and both arms together are long enough. Where they lead is also taken outside of the gap: within it they may bend
-/// towards the line, as the two arms of an angle do.
+/// that, and both arms together are long enough. Where they lead is also taken outside of the gap: within it they may
+/// bend towards the line, as the two arms of an angle do.
 fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
     let gap = (line_gap as f32 + 0.5) * pitch;

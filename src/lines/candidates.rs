@@ -11,7 +11,7 @@ use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::ticks::crossbars;
 use super::vertex::{Vertex, nearby};
-use super::{arrowheads, centreline, faint, few, join, junction, links, saliency, ticks, weight};
+use super::{arrowheads, centreline, faint, few, join, junction, links, saliency, standing, ticks, weight};
 use crate::edges::{ChainRange, Edges, FaintStrokes};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -51,7 +51,9 @@ impl LineCandidates {
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
-        let mut polylines = join::join(polylines, params.join_gap);
+        let mut standing = if params.of_drawing { standing::standing(&polylines, area, params) } else { Vec::new() };
+        standing::part_plates(&mut polylines, &mut standing, params);
+        let mut polylines = join::join(polylines, params.join_gap, &standing);
         let lengthens = params.of_drawing && !is_overview;
         let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
         let mut short = LossTally::new(area);
@@ -66,7 +68,7 @@ impl LineCandidates {
         let whole = if params.of_drawing { links::short_ones(&polylines, area, params) } else { None };
         let polylines = centreline::merge(polylines, area, params);
         // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-        let polylines = join::join(polylines, params.join_gap);
+        let polylines = join::join(polylines, params.join_gap, &standing);
         let is_long = |polyline: &Polyline<Vertex>| polyline.length() >= params.min_length;
         let (mut polylines, mut rest): (Vec<_>, Vec<_>) = polylines.into_iter().partition(is_long);
         if params.of_drawing {

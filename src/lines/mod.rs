@@ -29,6 +29,7 @@ mod params;
 mod points;
 mod row_marks;
 mod saliency;
+mod standing;
 mod ticks;
 mod vertex;
 mod weight;

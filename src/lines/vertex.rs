@@ -128,6 +128,14 @@ impl Tip {
         }
     }
 
+    /// The same, to be changed.
+    pub(super) fn of_mut(self, line: &mut Polyline<Vertex>) -> Option<&mut Vertex> {
+        match self {
+            Self::First => line.vertices.first_mut(),
+            Self::Last => line.vertices.last_mut(),
+        }
+    }
+
     /// That at the other end.
     pub(super) fn other(self) -> Self {
         match self {

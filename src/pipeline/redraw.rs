@@ -12,16 +12,17 @@ use super::overview::{draw_overview, told_by_hand, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
-use super::textures::{blank_ground, draw_textures, told_bare};
+use super::textures::{blank_ground, draw_textures, take_unlearned, told_bare};
 use super::told_lines::{left_out, told_left_out};
 use super::words::Words;
 use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::lines::{Line, Pen, Run, arrows};
+use crate::listing::list;
 use crate::page::layout::Layout;
 use crate::page::spread;
-use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole};
+use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole, Texture};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
@@ -106,11 +107,14 @@ pub(super) fn marks(
     let (classes, of_ground) = areas_of(page, own, plan);
     notes.extend(of_ground);
     request.go_on()?;
-    let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes
-        .extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, false, plan)));
+    let mut textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
+    let of_drawing = !LeftOut::of(page).of_photograph;
+    // of a drawing they are told among those that have no sign
+    notes.extend(without_unlearned(&mut textures, plan.profile().colours.min_area).filter(|_| !of_drawing));
+    let told = |classes| told_bare(classes, &textures, &drawn.lines, &layout, of_drawing, plan);
+    notes.extend(classes.as_ref().and_then(told));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
-    let left_out = left_out(&drawn.lost, overview.lost.rings, !LeftOut::of(page).of_photograph);
+    let left_out = left_out(&drawn.lost, overview.lost.rings, of_drawing);
     let (said, told) = sheet_of_set(PageSays::of(left_out), page, &layout, plan);
     notes.extend(told);
     Ok(DrawnMarks {
@@ -125,6 +129,18 @@ pub(super) fn marks(
         texts,
         notes,
     })
+}
+
+/// Drops the textures of colours of which no area is as large as `least`, square mm, any more; tells of it.
+fn without_unlearned(textures: &mut Vec<Texture>, least: f32) -> Option<Note> {
+    let gone = take_unlearned(textures, least, |_| true);
+    let names: Vec<&str> = gone.iter().map(|class| class.name()).collect();
+    let told = format!(
+        "the textures of {}, as no area of it is as large as {least} square mm (colours.min_area) any more, in which \
+         fingers learn a texture; on larger paper there is room",
+        list(&names, "and")
+    );
+    (!gone.is_empty()).then_some(Note::NotOnPage(About::Areas, told))
 }
 
 /// The lines of a page that are told otherwise where they are not drawn: heads of arrows, and those that lie outside of

@@ -5,7 +5,7 @@ use super::bars::Chart;
 use super::given::blank_cells;
 use super::legend::LegendEntry;
 use super::progress::Watch;
-use super::textures::{draw_textures, told_bare};
+use super::textures::{draw_textures, take_unlearned, told_bare};
 use crate::classes::{Class, Classes, Region};
 use crate::edges::Edges;
 use crate::lines::Line;
@@ -107,19 +107,14 @@ pub(super) fn textured(
     let (mut classes, bars) = areas.unzip();
     let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
     let mut notes = Vec::new();
-    drop_too_small(&mut textures, plan.profile().colours.min_area);
     if let (Some(classes), Some(bars)) = (&mut classes, bars) {
+        let is_of_bars = |class: Class| bars.iter().any(|bar| bar.class == class);
+        take_unlearned(&mut textures, plan.profile().colours.min_area, is_of_bars);
         notes.extend(made_alike(&bars, classes, &mut textures, legend, layout.figure));
     }
     let bare = classes.as_ref().and_then(|classes| told_bare(classes, &textures, lines, layout, of_drawing, plan));
     notes.extend(bare);
     (textures, notes)
-}
-
-/// Drops the textures of low bars that no area of at least `least`, square mm, has: fingers learn a texture there.
-fn drop_too_small(textures: &mut Vec<Texture>, least: f32) {
-    let known: Vec<Class> = textures.iter().filter(|of| of.area >= least).map(|of| of.class).collect();
-    textures.retain(|texture| known.contains(&texture.class));
 }
 
 /// Makes the bars of a series alike where one series lacks textures, or one has hardly any: no bar of it has one. Where

@@ -1,5 +1,7 @@
 //! From sorted colours to the textures of the figure: which areas have one, and what the maker is told of the others.
 
+use std::collections::BTreeSet;
+
 use lyon::geom::euclid::Box2D;
 
 use super::dots;
@@ -234,6 +236,17 @@ fn told_bare_on_dots(
          (dots.texture_rows); a larger figure has"
     );
     Some(Note::NotOnPage(About::Areas, told))
+}
+
+/// Takes the textures that no area of at least `least`, square mm, has out of those of which `counts` is true: fingers
+/// learn a texture there, and find it again in smaller areas. Gives the colours that go.
+pub(super) fn take_unlearned(
+    textures: &mut Vec<Texture>,
+    least: f32,
+    counts: impl Fn(Class) -> bool,
+) -> BTreeSet<Class> {
+    let known: BTreeSet<Class> = textures.iter().filter(|of| of.area >= least).map(|of| of.class).collect();
+    textures.extract_if(.., |of| counts(of.class) && !known.contains(&of.class)).map(|of| of.class).collect()
 }
 
 pub(super) fn draw_textures(

@@ -44,5 +44,46 @@ fn pages_of_random_scenes_and_noise_pass() {
     assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// An area that is large enough on A3, and too small on A4.
+#[test]
+fn a_page_on_smaller_paper_passes_and_says_which_texture_it_lost() {
+    let drawing = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 600'><rect x='20' y='20' width='760' \
+                   height='560' fill='none' stroke='#000'/><rect x='100' y='100' width='55' height='55' \
+                   fill='#d00'/></svg>";
+    let [large, small] = ["swell-a3", "swell-a4"].map(|name| Profile::named(name).expect("it is built in"));
+    let options = tactograph::Options::new(large).title("square");
+    let page = tactograph::convert(drawing.as_bytes(), &options).expect("a page").page;
+    assert_eq!(page.figure.textures.len(), 1, "on A3 it is large enough");
+    let options = tactograph::RenderOptions::new().profile(small.clone());
+    let rendered = tactograph::render(page.to_svg(), &options).expect("it has room");
+    assert!(errors(&rendered.page, &small).is_empty() && rendered.page.figure.textures.is_empty());
+    let told: Vec<String> = rendered.notes.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|note| note.contains("texture")), "{told:?}");
+}
+
+/// Drawings of school subjects, most cut down to the few lines that once made a page with errors: all in
+/// `tests/check/drawings`.
+#[test]
+fn pages_of_drawings_pass() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/check/drawings");
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).expect("the folder").map(|file| file.expect("a file").path()).collect();
+    files.sort();
+    assert!(files.len() >= 19, "{} drawings", files.len());
+    let mut faults = Vec::new();
+    for name in ["swell-a4", "index-basic-d", "viewplus-columbia", "braillerap"] {
+        let profile = Profile::named(name).expect("it is built in");
+        for file in &files {
+            let bytes = std::fs::read(file).expect("the drawing");
+            let title = file.file_stem().expect("a name").to_string_lossy();
+            let options = tactograph::Options::new(profile.clone()).title(title);
+            let drawing = tactograph::convert(&bytes, &options).expect("a page");
+            let pages = std::iter::once(&drawing.page).chain(&drawing.overview);
+            faults.extend(pages.flat_map(|page| errors(page, &profile)).map(|error| format!("{name}: {error}")));
+        }
+    }
+    assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
+}
+
 /// How many of them: a few seconds' work. `tools/src/bin/checking.rs` looks at 200.
 const SCENES: u64 = 40;

@@ -48,7 +48,7 @@ pub(in crate::dots) fn on_grid(
         }
     }
     let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
-    taken.drop_loose(&mut drawn, &has_points, params);
+    taken.drop_loose(&mut drawn, &has_points, grid, params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
     let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
@@ -223,16 +223,11 @@ impl OccupiedDots {
 
     /// Takes all dots of short pieces of which points on other lines have hidden the dots that they led to: those of
     /// the lines that a link joined, or of the other arm of a cross.
-    fn drop_loose(&mut self, drawn: &mut [DrawnPiece], has_points: &[bool], params: &Params) {
+    fn drop_loose(&mut self, drawn: &mut [DrawnPiece], has_points: &[bool], grid: &Grid, params: &Params) {
         let reach = longest_cut(self.gap as u32) as i32 + 1;
         let ends = |piece: &RowPiece| [piece.cells.first().copied(), piece.cells.last().copied()];
-        let is_short = |piece: &RowPiece| {
-            let steps = piece
-                .cells
-                .windows(2)
-                .map(|pair| polyline::length(&[0, 1].map(|i| MmPoint::new(pair[i][0] as f32, pair[i][1] as f32))));
-            steps.sum::<f32>() * params.pitch + ROUNDED_OFF < params.min_length
-        };
+        let is_short =
+            |piece: &RowPiece| polyline::length(&centres(&piece.cells, grid)) + ROUNDED_OFF < params.min_length;
         loop {
             let is_loose = |number: usize, DrawnPiece { line, piece }: &DrawnPiece| {
                 let is_other = |near: &Cell| self.lines.get(near).is_some_and(|of| *of != number);

@@ -26,6 +26,7 @@ use crate::units::{MmPoint, MmRect, MmVector};
 pub use finished::{Arrow, arrows};
 pub(super) use place::{DrawnHeads, draw};
 pub use shapes::is_triangle;
+pub(super) use shorten::shortened;
 
 /// Short contours so near to a head are parts of it, mm.
 const CRUMB: f32 = 0.6;

@@ -8,8 +8,8 @@ use crate::geom::polyline::Polyline;
 use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
 
-/// Puts a vertex into a line where another one ends on it, or in a drawing the corner of a ring lies on it, so that they
-/// still join after simplification.
+/// Puts a vertex into a line where another one ends on it, or in a drawing the corner of a ring lies on it, so that
+/// they still join after simplification.
 pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     // line, vertex before, distance from it, position
     let mut anchors: Vec<(usize, usize, f32, MmPoint)> = Vec::new();

@@ -99,19 +99,18 @@ fn of_a_tick_under_a_hollow_point_nothing_sticks_out() {
 #[test]
 fn a_line_that_sticks_out_of_a_hollow_point_is_as_long_as_a_line_or_leads_to_another() {
     let parts = |length: f32, beside: f32| {
-        let stick = line(&[(20.0, 50.0), (20.0 + length, 50.0)], false, 0.0, FoundIn::Vector);
+        let mut lines = vec![axis(10.0, 50.0 + length), disc(50.0, 0.0)];
+        let points = take(&mut lines, &PARAMS);
         let other = line(&[(beside, 20.0), (beside, 80.0)], false, 0.0, FoundIn::Vector);
-        let mut rings = vec![line(&arc((20.0, 50.0), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector)];
-        let points = take(&mut rings, &PARAMS);
-        let drawn = draw(&points, &[&stick, &other], area(), &PARAMS);
+        let drawn = draw(&points, &[&lines[0], &other], area(), &PARAMS);
         assert!(drawn.rings.len() == 1, "{drawn:?}");
-        let parts = drawn.parts(0, &stick, &vec![false; stick.vertices.len()], &PARAMS);
-        (parts.len(), drawn.stubs(&[&stick, &other], &PARAMS).len())
+        let parts = drawn.parts(0, &lines[0], &vec![false; lines[0].vertices.len()], &PARAMS);
+        (parts.len(), drawn.stubs(&[&lines[0], &other], &PARAMS).len())
     };
     let least = 0.5 * PARAMS.max_spacing() + PARAMS.min_length;
-    assert_eq!(parts(least + 1.0, 90.0), (1, 0));
-    assert_eq!(parts(least - 1.0, 90.0), (0, 1));
-    assert_eq!(parts(least - 1.0, 20.0 + least - 1.0), (1, 0), "from the point to another line");
+    assert_eq!(parts(least + 1.0, 90.0), (2, 0));
+    assert_eq!(parts(least - 1.0, 90.0), (1, 1));
+    assert_eq!(parts(least - 1.0, 50.0 + least - 1.0), (2, 0), "from the point to another line");
 }
 
 #[test]

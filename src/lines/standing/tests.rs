@@ -1,0 +1,52 @@
+//! Tests of `standing`.
+
+use super::super::join::join;
+use super::super::tests::area;
+use super::*;
+
+const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
+
+fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
+    let [from, to] = [from, to].map(|(x, y)| MmPoint::new(x, y));
+    let vertex = |k: u32| Vertex { at: from.lerp(to, k as f32 / 20.0), ..Vertex::TEST };
+    Polyline::open((0..=20).map(vertex).collect())
+}
+
+/// The wires of a capacitor and its plates, of this length and so far apart.
+fn capacitor(length: f32, apart: f32) -> Vec<Polyline<Vertex>> {
+    let (low, high) = (50.0 - 0.5 * apart, 50.0 + 0.5 * apart);
+    let plate = |y: f32| line((50.0 - 0.5 * length, y), (50.0 + 0.5 * length, y));
+    vec![line((50.0, 10.0), (50.0, low)), plate(low), plate(high), line((50.0, high), (50.0, 90.0))]
+}
+
+#[test]
+fn wires_that_end_on_plates_are_not_joined_over_the_gap() {
+    let wires = |lines: Vec<Polyline<Vertex>>| {
+        let standing = standing(&lines, area(), &PARAMS);
+        let joined = join(lines, 3.0, &standing);
+        joined.iter().filter(|line| line.length() > 30.0).count()
+    };
+    assert_eq!(wires(capacitor(12.0, 2.0)), 2);
+    let [first, _, _, second] = &capacitor(12.0, 2.0)[..] else { panic!("four lines") };
+    assert_eq!(wires(vec![first.clone(), second.clone()]), 1, "a line with a gap");
+    // both on one line, which a stroke across has parted
+    let across =
+        vec![line((50.0, 10.0), (50.0, 49.98)), line((30.0, 50.0), (70.0, 50.0)), line((50.0, 50.02), (50.0, 90.0))];
+    assert_eq!(wires(across), 2, "the line across, and both halves as one");
+}
+
+#[test]
+fn plates_are_moved_apart_with_their_wires_until_there_is_room() {
+    let parted = |length: f32, apart: f32| {
+        let mut lines = capacitor(length, apart);
+        let mut standing = standing(&lines, area(), &PARAMS);
+        part_plates(&mut lines, &mut standing, &PARAMS);
+        let at = |line: usize, vertex: usize| lines[line].vertices[vertex].at;
+        assert!((at(0, lines[0].vertices.len() - 1).y - at(1, 0).y).abs() < 1e-3, "the wire ends on its plate");
+        at(2, 0).y - at(1, 0).y
+    };
+    let spacing = PARAMS.max_spacing();
+    assert!(parted(12.0, 0.6 * spacing) >= spacing);
+    assert!((parted(12.0, spacing + 1.0) - spacing - 1.0).abs() < 1e-3, "there is room");
+    assert!((parted(60.0, 0.6 * spacing) - 0.6 * spacing).abs() < 1e-3, "lines by themselves");
+}
