@@ -4,7 +4,7 @@
 
 use super::arrowheads::shortened;
 use super::junction::heading;
-use super::params::{Params, RING_FARTHEST};
+use super::params::Params;
 use super::vertex::{Tip, Vertex, nearby};
 use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
@@ -20,6 +20,9 @@ const LONGEST: f32 = 3.0;
 /// Wires lead straight towards one another (the cosine); their direction is taken over this length, mm.
 const TOWARDS: f32 = 0.9;
 const HEADING: f32 = 1.5;
+/// A plate is moved by at most this, mm: that there are two says more than where exactly they lie. Chosen by us: on a
+/// grid of 2 mm a gap of one is made wide enough.
+const FARTHEST: f32 = 3.0;
 /// More than two lines have to be apart, mm, so that they need not be moved again.
 const MORE: f32 = 0.05;
 
@@ -55,7 +58,7 @@ pub(super) fn standing(polylines: &[Polyline<Vertex>], area: MmRect, params: &Pa
 /// Moves two short lines on which the ends of others stand that lead towards one another apart, with these ends, so
 /// that there is room for both.
 pub(super) fn part_plates(polylines: &mut [Polyline<Vertex>], standing: &mut [Standing], params: &Params) {
-    let spacing = params.max_spacing() + MORE;
+    let spacing = params.max_clearance() + MORE;
     let is_plate = |polylines: &[Polyline<Vertex>], of: &Standing| {
         let plate = &polylines[of.base as usize];
         let alone = standing.iter().filter(|other| other.base == of.base).count() == 1;
@@ -72,7 +75,7 @@ pub(super) fn part_plates(polylines: &mut [Polyline<Vertex>], standing: &mut [St
                 heading(wire, of.which, HEADING).is_some_and(|way| sign * way.dot(ahead) >= TOWARDS)
                     && wire.length() - shift >= params.min_length
             };
-            if a.line == b.line || !(0.0..=RING_FARTHEST).contains(&shift) || !leads(&a, 1.0) || !leads(&b, -1.0) {
+            if a.line == b.line || !(0.0..=FARTHEST).contains(&shift) || !leads(&a, 1.0) || !leads(&b, -1.0) {
                 continue;
             }
             for (of, step) in [(first, ahead * -shift), (second, ahead * shift)] {

@@ -45,7 +45,7 @@ fn plates_are_moved_apart_with_their_wires_until_there_is_room() {
         assert!((at(0, lines[0].vertices.len() - 1).y - at(1, 0).y).abs() < 1e-3, "the wire ends on its plate");
         at(2, 0).y - at(1, 0).y
     };
-    let spacing = PARAMS.max_spacing();
+    let spacing = PARAMS.max_clearance();
     assert!(parted(12.0, 0.6 * spacing) >= spacing);
     assert!((parted(12.0, spacing + 1.0) - spacing - 1.0).abs() < 1e-3, "there is room");
     assert!((parted(60.0, 0.6 * spacing) - 0.6 * spacing).abs() < 1e-3, "lines by themselves");
