@@ -169,7 +169,7 @@ fn the_top_of_a_bar_on_a_gridline_is_its_own() {
     let share = overview.place.width() / place.width();
     let at = |at: MmPoint| overview.place.min + (at - place.min) * share;
     assert!(far(at(on_page(800.0, BASE - 180.0)), &overview.lines, None) > NEAR, "it has no gridlines");
-    assert!(told(&drawing).contains("gridlines are in the figure only"), "{}", told(&drawing));
+    assert!(told(&drawing).contains("gridlines, are not in the overview"), "{}", told(&drawing));
 }
 
 /// Where no shape is large enough for the overview, gridlines are none either.

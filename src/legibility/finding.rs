@@ -107,8 +107,10 @@ impl FoundBreach {
 fn place_of(at: MmPoint, page: &Page) -> String {
     let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(page.sheet[0], page.sheet[1]));
     let within = |place: MmRect| place.contains_inclusive(at);
+    // an overview of dots has a sheet to itself, on which it is the figure
+    let figure = if page.part_of_set() == "overview" { "the overview" } else { "the figure" };
     let (area, whole) = match &page.overview {
-        _ if within(page.figure.place) => (page.figure.place, "the figure"),
+        _ if within(page.figure.place) => (page.figure.place, figure),
         Some(overview) if within(overview.place) => (overview.place, "the overview"),
         _ => (sheet, "the sheet"),
     };

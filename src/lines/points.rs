@@ -76,7 +76,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
     let mut points: Vec<Point> = Vec::new();
-    let mut alone: Vec<(usize, Point)> = Vec::new();
+    let (mut alone, mut pointed_at): (Vec<(usize, Point)>, Vec<(usize, Point, PointArm)>) = Default::default();
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = points.iter().any(|other| (other.at - point.at).length() <= other.radius.max(point.radius));
@@ -90,23 +90,26 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             true => !point.is_filled && !params.is_dot(around),
             false => around >= params.min_length,
         };
-        let is_pointed_at = matches!(arms[..], [PointArm { kind: Approach::End { .. }, .. }]);
-        if !again && (!is_on_line || has_room && is_pointed_at) {
-            alone.push((number, point));
-            continue;
+        match arms[..] {
+            [arm @ PointArm { kind: Approach::End { .. }, .. }] if has_room && is_on_line => {
+                pointed_at.push((number, point, arm));
+                continue;
+            }
+            _ if !again && !is_on_line => {
+                alone.push((number, point));
+                continue;
+            }
+            _ => {}
         }
         taken[number] = true;
         if again {
             continue;
         }
-        for arm in &arms {
-            if let Approach::End { which } = arm.kind {
-                extend_to(&mut polylines[arm.line], which, point.at);
-            }
-        }
+        arms.iter().for_each(|arm| arm.lead_to(point.at, polylines));
         let through = arms.iter().find(|arm| arm.kind == Approach::Through).map(|arm| arm.line);
         points.push(Point { series: through, ..point });
     }
+    alone.extend(take_leaves(pointed_at, &mut points, &mut taken, polylines, params));
     name_series(&mut points);
     let mut beside = like_those_alone(&mut points, &alone, params);
     beside.retain(|(number, _)| !taken[*number]);
@@ -117,12 +120,35 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             points.push(point);
         }
     }
-    let mut number = 0;
-    polylines.retain(|_| {
-        number += 1;
-        !taken[number - 1]
-    });
+    let mut taken = taken.into_iter();
+    polylines.retain(|_| taken.next() == Some(false));
     points
+}
+
+/// Takes those of the shapes that one line points at that are like points on lines, as the leaves of a tree are like
+/// its other nodes. Gives the others.
+fn take_leaves(
+    pointed_at: Vec<(usize, Point, PointArm)>,
+    points: &mut Vec<Point>,
+    taken: &mut [bool],
+    polylines: &mut [Polyline<Vertex>],
+    params: &Params,
+) -> Vec<(usize, Point)> {
+    let on_lines = points.clone();
+    let mut others = Vec::new();
+    for (number, point, arm) in pointed_at {
+        if params.on_dots() || !on_lines.iter().any(|other| is_like(&point, other)) {
+            others.push((number, point));
+            continue;
+        }
+        taken[number] = true;
+        // the outline of a disc beside its stroke
+        if !points.iter().any(|other| (other.at - point.at).length() <= other.radius) {
+            arm.lead_to(point.at, polylines);
+            points.push(point);
+        }
+    }
+    others
 }
 
 /// Of points that are no series each is by itself.
@@ -171,6 +197,15 @@ struct PointArm {
 enum Approach {
     Through,
     End { which: Tip },
+}
+
+impl PointArm {
+    /// Makes the line lead to this place, the middle of the point, if it ends at the point.
+    fn lead_to(&self, at: MmPoint, polylines: &mut [Polyline<Vertex>]) {
+        if let Approach::End { which } = self.kind {
+            extend_to(&mut polylines[self.line], which, at);
+        }
+    }
 }
 
 /// The lines that lead to the middle of a point.

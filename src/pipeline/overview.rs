@@ -222,7 +222,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
 /// What the maker is told of gridlines that an overview has not.
 fn told_gridlines(lines: usize) -> Option<Note> {
     // how many says little: bars part them
-    let told = "thin, pale gridlines are in the figure only, as they would hide the shapes of the overview";
+    let told = "thin, pale lines, such as gridlines, are not in the overview, as they would hide its shapes";
     (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))
 }
 

@@ -184,6 +184,17 @@ fn rows_of_dots_are_not_broken_lines() {
     assert!(!has(&checked, "broken-line", ""), "{checked}");
 }
 
+/// On dots it is the figure of a sheet of its own.
+#[test]
+fn places_of_an_overview_are_called_so() {
+    let overview = page::of_sample("coffee.png", "index-basic-d").overview.clone().expect("there is one");
+    let checked = check(overview.to_svg(), &PageOptions::new()).expect("it can be read");
+    assert!(
+        has(&checked, "broken-line", "of the overview, ") && !checked.to_string().contains("of the figure"),
+        "{checked}"
+    );
+}
+
 #[test]
 fn colours_and_letters_are_found() {
     let grey = changed("bars.svg", |svg| svg.replacen("stroke=\"#000000\"", "stroke=\"#777777\"", 1));

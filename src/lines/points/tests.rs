@@ -57,6 +57,19 @@ fn what_lies_beside_a_line_or_is_pointed_at_or_is_no_disc_stays() {
 }
 
 #[test]
+fn a_ring_at_which_one_line_ends_is_a_point_if_it_is_like_others_on_lines() {
+    let node = |x: f32, radius: f32| line(&arc((x, 50.0), radius, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
+    let points = |leaf: f32| {
+        let mut lines = vec![axis(10.0, 28.0), node(30.0, 2.0), axis(32.0, 70.0 - leaf), node(70.0, leaf)];
+        let points = take(&mut lines, &PARAMS);
+        let drawn = draw(&points, &lines.iter().filter(|line| !line.closed).collect::<Vec<_>>(), area(), &PARAMS);
+        (points.len(), drawn.lost)
+    };
+    assert_eq!(points(2.0), (2, 0));
+    assert_eq!(points(3.5), (1, 0), "a shape that the line points at");
+}
+
+#[test]
 fn discs_on_lines_are_rings_where_others_beside_lines_are() {
     let away = |step: f32| line(&arc((60.0, 30.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector);
     let taken = |others: &[Polyline<Vertex>]| {
