@@ -76,7 +76,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
     let mut points: Vec<Point> = Vec::new();
-    let (mut alone, mut pointed_at): (Vec<(usize, Point)>, Vec<(usize, Point, PointArm)>) = Default::default();
+    let (mut alone, mut pointed_at) = (Vec::new(), Vec::new());
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = points.iter().any(|other| (other.at - point.at).length() <= other.radius.max(point.radius));
