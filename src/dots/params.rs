@@ -34,6 +34,20 @@ pub(super) const LEAST_DOTS: usize = 3;
 /// What rounding may take off a length, mm.
 pub(super) const ROUNDED_OFF: f32 = 1e-3;
 
+#[cfg(test)]
+impl Params {
+    /// An Index, but for the heavy lines, from which tests differ in what they are about.
+    pub(super) const TEST: Self = Self {
+        pitch: 2.0,
+        diameter: 1.6,
+        line_gap: 2,
+        heavy_from: 50.0,
+        whole_rows: false,
+        has_heights: false,
+        min_length: 12.5,
+    };
+}
+
 impl Params {
     /// How far a line may be from the contours that it stands for, and so from the marks on these, mm.
     pub fn farthest_moved(&self) -> f32 {

@@ -8,6 +8,10 @@ use crate::units::{MmPoint, MmRect};
 
 /// Runs whose ends are this near go on in one another, mm: numbers of a page have two digits after the point.
 const SAME: f32 = 0.02;
+/// At a corner a ring turns by at least 30 degrees (the cosine), over a short and a longer length, mm, as lines of
+/// drawings have it (`profile/plan` ties the two).
+pub(crate) const RING_CORNER: f32 = 0.866;
+pub(crate) const RING_CORNER_ARMS: [f32; 2] = [0.15, 1.0];
 
 /// Joined strokes of one line, in order.
 #[derive(Debug)]
@@ -164,11 +168,6 @@ impl Paths {
         }
     }
 }
-
-/// At a corner a ring turns by at least 30 degrees (the cosine), over a short and a longer length, mm, as lines of
-/// drawings have it (`profile/plan` ties the two).
-pub(crate) const RING_CORNER: f32 = 0.866;
-pub(crate) const RING_CORNER_ARMS: [f32; 2] = [0.15, 1.0];
 
 impl Path {
     /// The length along it between two of its places, the shorter arc of a ring.

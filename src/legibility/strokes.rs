@@ -144,9 +144,10 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
     let gap = (line_gap as f32 + 0.5) * pitch;
     let is_near = |a: MmPoint, b: MmPoint| (a.x - b.x).abs().max((a.y - b.y).abs()) <= gap;
+    let row = |line: usize| lines[line].row().map_or(&[][..], |row| &row.points);
     // a row without the dots of its ends that are near to other lines than these two
     let clear = |line: usize, but: usize| -> Vec<MmPoint> {
-        let row = lines[line].row().map_or(&[][..], |row| &row.points);
+        let row = row(line);
         let others = || lines.iter().enumerate().filter(|(other, _)| ![line, but].contains(other));
         let is_clear = |at: &MmPoint| !others().any(|(_, other)| points(other).any(|dot| is_near(dot, *at)));
         let range = row.iter().position(is_clear).zip(row.iter().rposition(is_clear));
@@ -171,7 +172,6 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
             })
         })
     };
-    let row = |line: usize| lines[line].row().map_or(&[][..], |row| &row.points);
     let ends = |line: usize| [row(line).first(), row(line).last()].into_iter().flatten();
     let is_in_reach = |other: usize| ends(other).any(|b| ends(number).any(|a| (*b - *a).length() <= reach));
     (0..lines.len()).any(|other| {

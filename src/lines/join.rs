@@ -1,7 +1,7 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
 use super::faint::is_faint;
-use super::standing::Standing;
+use super::standing::StandingEnds;
 use super::vertex::{Vertex, dot};
 use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Polyline;
@@ -26,18 +26,15 @@ const BEND: f32 = 4.0;
 
 /// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet. Of ends that are
 /// `standing` on lines only those on one line are joined over it.
-pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32, standing: &[Standing]) -> Vec<Polyline<Vertex>> {
+pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32, standing: &StandingEnds) -> Vec<Polyline<Vertex>> {
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
     // a gridline is no part of the axis at whose end it begins
     let faint: Vec<bool> = polylines.iter().map(is_faint).collect();
-    let base = |end: &End<Mm>| {
-        let found = standing.iter().find(|standing| (standing.at - end.at).length() <= TOUCHING);
-        found.map(|standing| standing.base)
-    };
+    let base = |end: &End<Mm>| standing.base(end.at, TOUCHING);
     let is_parted = |a: &End<Mm>, b: &End<Mm>| (b.at - a.at).length() > TOUCHING && base(a) != base(b);
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
         let cost = cost(a, b, &lengths, gap).filter(|_| faint[a.polyline] == faint[b.polyline])?;
-        (standing.is_empty() || !is_parted(a, b)).then_some(cost)
+        (!is_parted(a, b)).then_some(cost)
     });
     let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
     threads.into_iter().filter_map(|thread| concatenate(&thread, &mut left)).collect()

@@ -115,14 +115,18 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     beside.retain(|(number, _)| !taken[*number]);
     for (number, point) in beside {
         taken[number] = true;
-        // the outline of a disc beside its stroke
-        if !points.iter().any(|other| (other.at - point.at).length() <= other.radius) {
+        if !is_drawn_twice(&point, &points) {
             points.push(point);
         }
     }
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
     points
+}
+
+/// Whether a point is the outline of one of these beside its stroke.
+fn is_drawn_twice(point: &Point, points: &[Point]) -> bool {
+    points.iter().any(|other| (other.at - point.at).length() <= other.radius)
 }
 
 /// Takes those of the shapes that one line points at that are like points on lines, as the leaves of a tree are like
@@ -142,8 +146,7 @@ fn take_leaves(
             continue;
         }
         taken[number] = true;
-        // the outline of a disc beside its stroke
-        if !points.iter().any(|other| (other.at - point.at).length() <= other.radius) {
+        if !is_drawn_twice(&point, points) {
             arm.lead_to(point.at, polylines);
             points.push(point);
         }

@@ -4,12 +4,12 @@
 
 use super::arrowheads::shortened;
 use super::junction::heading;
-use super::params::Params;
+use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex, nearby};
-use crate::geom::nearby::Segment;
+use crate::geom::nearby::{Index, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::units::{MmPoint, MmRect};
+use crate::units::{Mm, MmPoint, MmRect};
 
 /// An end this near to another line stands on it, mm.
 const TOUCHES: f32 = 0.05;
@@ -17,9 +17,8 @@ const TOUCHES: f32 = 0.05;
 const GOES_ON: f32 = 2.0;
 /// Plates are no longer than so many least lengths of lines: longer ones are lines by themselves.
 const LONGEST: f32 = 3.0;
-/// Wires lead straight towards one another (the cosine); their direction is taken over this length, mm.
+/// Wires lead straight towards one another (the cosine).
 const TOWARDS: f32 = 0.9;
-const HEADING: f32 = 1.5;
 /// A plate is moved by at most this, mm: that there are two says more than where exactly they lie. Chosen by us: on a
 /// grid of 2 mm a gap of one is made wide enough.
 const FARTHEST: f32 = 3.0;
@@ -28,16 +27,60 @@ const MORE: f32 = 0.05;
 
 /// An end of a line that stands on another.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Standing {
+struct Standing {
     line: usize,
     which: Tip,
-    pub(super) at: MmPoint,
+    at: MmPoint,
     /// The number of the line on which it stands.
-    pub(super) base: u32,
+    base: u32,
+}
+
+/// The ends of lines that stand on others, by place; none in a photograph.
+#[derive(Debug, Default)]
+pub(super) struct StandingEnds {
+    ends: Vec<Standing>,
+    by_place: Option<Index<usize, Mm>>,
+}
+
+impl StandingEnds {
+    /// Those of the lines of a drawing, of which plates are moved apart.
+    pub(super) fn of(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) -> Self {
+        if !params.of_drawing {
+            return Self::default();
+        }
+        let mut ends = standing(polylines, area, params);
+        part_plates(polylines, &mut ends, area, params);
+        let by_place = (!ends.is_empty()).then(|| by_place(&ends, 0..ends.len(), area, params));
+        Self { ends, by_place }
+    }
+
+    /// The number of the line on which an end stands that is no farther than `reach` from a place, if one does: the
+    /// lines are those among which the ends were found.
+    pub(super) fn base(&self, at: MmPoint, reach: f32) -> Option<u32> {
+        let mut first: Option<usize> = None;
+        self.by_place.as_ref()?.around(at, at, reach, |&number| {
+            if (self.ends[number].at - at).length() <= reach {
+                first = Some(first.map_or(number, |first| first.min(number)));
+            }
+        });
+        first.map(|number| self.ends[number].base)
+    }
+}
+
+/// Those ends whose numbers are given, by place.
+fn by_place(
+    ends: &[Standing],
+    numbers: impl IntoIterator<Item = usize>,
+    area: MmRect,
+    params: &Params,
+) -> Index<usize, Mm> {
+    let mut index = Index::new(area, params.max_spacing());
+    numbers.into_iter().for_each(|number| index.put_at(ends[number].at, number));
+    index
 }
 
 /// The ends of lines that stand on others.
-pub(super) fn standing(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Standing> {
+fn standing(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Standing> {
     let lines = nearby(polylines.iter(), area, params);
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
     let ends = polylines.iter().enumerate().filter(|(_, line)| !line.closed);
@@ -57,37 +100,61 @@ pub(super) fn standing(polylines: &[Polyline<Vertex>], area: MmRect, params: &Pa
 
 /// Moves two short lines on which the ends of others stand that lead towards one another apart, with these ends, so
 /// that there is room for both.
-pub(super) fn part_plates(polylines: &mut [Polyline<Vertex>], standing: &mut [Standing], params: &Params) {
+fn part_plates(polylines: &mut [Polyline<Vertex>], ends: &mut [Standing], area: MmRect, params: &Params) {
     let spacing = params.max_clearance() + MORE;
-    let is_plate = |polylines: &[Polyline<Vertex>], of: &Standing| {
-        let plate = &polylines[of.base as usize];
-        let alone = standing.iter().filter(|other| other.base == of.base).count() == 1;
-        alone && !plate.closed && plate.length() <= LONGEST * params.min_length
+    let mut count_on = vec![0_usize; polylines.len()];
+    ends.iter().for_each(|end| count_on[end.base as usize] += 1);
+    let is_plate = |of: &usize| {
+        let base = ends[*of].base as usize;
+        let plate = &polylines[base];
+        count_on[base] == 1 && !plate.closed && plate.length() <= LONGEST * params.min_length
     };
-    let plates: Vec<usize> = (0..standing.len()).filter(|&of| is_plate(polylines, &standing[of])).collect();
-    for (k, &first) in plates.iter().enumerate() {
-        for &second in &plates[k + 1..] {
-            let [a, b] = [standing[first], standing[second]];
-            let (gap, shift) = (b.at - a.at, 0.5 * (spacing - (b.at - a.at).length()));
-            let Some(ahead) = gap.try_normalize() else { continue };
-            let leads = |of: &Standing, sign: f32| {
-                let wire = &polylines[of.line];
-                heading(wire, of.which, HEADING).is_some_and(|way| sign * way.dot(ahead) >= TOWARDS)
-                    && wire.length() - shift >= params.min_length
-            };
-            if a.line == b.line || !(0.0..=FARTHEST).contains(&shift) || !leads(&a, 1.0) || !leads(&b, -1.0) {
-                continue;
-            }
-            for (of, step) in [(first, ahead * -shift), (second, ahead * shift)] {
-                let Standing { line, which, base, .. } = standing[of];
-                polylines[line] = shortened(&polylines[line], which, shift);
-                polylines[base as usize].vertices.iter_mut().for_each(|vertex| vertex.at += step);
-                // the wire may lead there at a small angle
-                if let Some(end) = which.of_mut(&mut polylines[line]) {
-                    end.at = standing[of].at + step;
-                    standing[of].at = end.at;
-                }
-            }
+    let plates: Vec<usize> = (0..ends.len()).filter(is_plate).collect();
+    if plates.len() < 2 {
+        return;
+    }
+    let index = by_place(ends, plates.iter().copied(), area, params);
+    for first in plates {
+        // both may have been moved already
+        let (at, reach, mut near) = (ends[first].at, spacing + 2.0 * FARTHEST, Vec::new());
+        index.around(at, at, reach, |&second| near.extend((second > first).then_some(second)));
+        near.sort_unstable();
+        for second in near {
+            part(first, second, polylines, ends, spacing, params);
+        }
+    }
+}
+
+/// Moves the plates of two ends apart if the ends face one another and are nearer than `spacing`.
+fn part(
+    first: usize,
+    second: usize,
+    polylines: &mut [Polyline<Vertex>],
+    ends: &mut [Standing],
+    spacing: f32,
+    params: &Params,
+) {
+    let [a, b] = [ends[first], ends[second]];
+    let gap = b.at - a.at;
+    let shift = 0.5 * (spacing - gap.length());
+    let Some(ahead) = gap.try_normalize() else { return };
+    let leads = |of: &Standing, sign: f32| {
+        let wire = &polylines[of.line];
+        heading(wire, of.which, HEADING).is_some_and(|way| sign * way.dot(ahead) >= TOWARDS)
+            && wire.length() - shift >= params.min_length
+    };
+    if a.line == b.line || !(0.0..=FARTHEST).contains(&shift) || !leads(&a, 1.0) || !leads(&b, -1.0) {
+        return;
+    }
+    for (of, step) in [(first, ahead * -shift), (second, ahead * shift)] {
+        let end = &mut ends[of];
+        let Standing { line, which, base, .. } = *end;
+        polylines[line] = shortened(&polylines[line], which, shift);
+        polylines[base as usize].vertices.iter_mut().for_each(|vertex| vertex.at += step);
+        end.at += step;
+        // the wire may lead there at a small angle
+        if let Some(tip) = which.of_mut(&mut polylines[line]) {
+            tip.at = end.at;
         }
     }
 }

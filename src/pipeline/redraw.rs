@@ -136,8 +136,8 @@ fn without_unlearned(textures: &mut Vec<Texture>, least: f32) -> Option<Note> {
     let gone = take_unlearned(textures, least, |_| true);
     let names: Vec<&str> = gone.iter().map(|class| class.name()).collect();
     let told = format!(
-        "the textures of {}, as no area of it is as large as {least} square mm (colours.min_area) any more, in which \
-         fingers learn a texture; on larger paper there is room",
+        "the textures of these colours, as none has an area of {least} square mm any more (colours.min_area), in which \
+         fingers learn a texture: {}; on larger paper there is room",
         list(&names, "and")
     );
     (!gone.is_empty()).then_some(Note::NotOnPage(About::Areas, told))

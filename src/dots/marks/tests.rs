@@ -6,15 +6,7 @@ use crate::dots::cell::CellBox;
 use crate::lines::{HeadMark, Height, Line, Run};
 use crate::units::MmRect;
 
-const PARAMS: Params = Params {
-    pitch: 2.0,
-    diameter: 1.6,
-    line_gap: 2,
-    heavy_from: 50.0,
-    whole_rows: false,
-    has_heights: false,
-    min_length: 12.5,
-};
+const PARAMS: Params = Params::TEST;
 
 /// All of the grid.
 const SHEET: MmRect = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(200.0, 200.0));

@@ -31,7 +31,9 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     for &(number, at) in &corners {
         // of two corners in one place that of the later ring goes to the other
         let is_earlier_corner = |line: usize| {
-            line < number && corners.iter().any(|(of, near)| *of == line && (*near - at).length() <= TOUCH)
+            let from = corners.partition_point(|(of, _)| *of < line);
+            let own = corners[from..].iter().take_while(|(of, _)| *of == line);
+            line < number && own.into_iter().any(|(_, near)| (*near - at).length() <= TOUCH)
         };
         drawn.segments().around(at, at, TOUCH, |segment| {
             let (distance, _) = nearest_on_segment(at, segment.a, segment.b);
@@ -67,7 +69,7 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     }
 }
 
-/// The corners of rings, with the numbers of these.
+/// The corners of rings, with the numbers of these, in their order.
 fn corners_of_rings(cleared: &[Cleared]) -> Vec<(usize, MmPoint)> {
     let of_ring = |(number, line): (usize, &Cleared)| {
         let polyline = &line.polyline;

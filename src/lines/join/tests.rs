@@ -17,7 +17,7 @@ fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
 #[test]
 fn pieces_of_a_straight_line_become_one_whichever_way_they_run() {
     let pieces = vec![straight((0., 0.), (8., 0.), 20.0), straight((18., 0.), (10., 0.), -20.0)];
-    let joined = join(pieces, 3.0, &[]);
+    let joined = join(pieces, 3.0, &StandingEnds::default());
     assert_eq!(joined.len(), 1);
     assert!((joined[0].length() - 18.0).abs() < 1e-3 && !joined[0].closed);
     assert!(joined[0].vertices.iter().all(|v| v.contrast[0] > 0.0), "the second piece was turned round");
@@ -27,11 +27,11 @@ fn pieces_of_a_straight_line_become_one_whichever_way_they_run() {
 #[test]
 fn what_has_other_colours_or_another_direction_stays_apart() {
     let other_colours = vec![straight((0., 0.), (8., 0.), 20.0), straight((10., 0.), (18., 0.), -20.0)];
-    assert_eq!(join(other_colours, 3.0, &[]).len(), 2);
+    assert_eq!(join(other_colours, 3.0, &StandingEnds::default()).len(), 2);
     let aside = vec![straight((0., 0.), (8., 0.), 20.0), straight((8., 2.5), (8., 12.), 20.0)];
-    assert_eq!(join(aside, 3.0, &[]).len(), 2);
+    assert_eq!(join(aside, 3.0, &StandingEnds::default()).len(), 2);
     let far = vec![straight((0., 0.), (8., 0.), 20.0), straight((11.5, 0.), (18., 0.), 20.0)];
-    assert_eq!(join(far, 3.0, &[]).len(), 2);
+    assert_eq!(join(far, 3.0, &StandingEnds::default()).len(), 2);
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn an_arc_whose_ends_meet_is_a_ring() {
         contrast: [20.0, 0.0, 0.0],
         ..Vertex::TEST
     };
-    let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0, &[]);
+    let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0, &StandingEnds::default());
     assert!(joined.len() == 1 && joined[0].closed);
     assert!(joined[0].vertices.first() != joined[0].vertices.last());
 }

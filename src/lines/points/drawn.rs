@@ -88,22 +88,23 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
         let Some((at, line, radius)) = place(point) else { continue };
         let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
         let beside = radius + params.min_gap + half;
-        // a line that passes through the middle may be near it there, not where it comes back
-        let mut near: Vec<(u32, f32)> = Vec::new();
+        // lines near to it, by number, with the place along each and how far off that is
+        let mut near: Vec<(u32, f32, f32)> = Vec::new();
         segments.around_point(at, beside, |segment| {
             let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
             if !faint[segment.line as usize] && distance < beside {
-                near.push((segment.line, segment.arc + (nearest - segment.a).length()));
+                near.push((segment.line, segment.arc + (nearest - segment.a).length(), distance));
             }
         });
-        let passes = |(line, arc): (u32, f32)| {
-            let through = segments.nearest_of_line(at, PASSES * radius, line).filter(|_| !point.is_alone);
-            through.is_some_and(|(_, nearest, segment)| {
-                let there = segment.arc + (nearest - segment.a).length();
-                arc_between(arc, there, ring_lengths[line as usize]) <= RETURNS * beside
-            })
+        // one that passes through the middle may be near it there, not where it comes back beside it
+        let passes = |&(line, arc, _): &(u32, f32, f32)| {
+            let along = |other: f32| arc_between(arc, other, ring_lengths[line as usize]);
+            let is_through = |&(other, there, distance): &(u32, f32, f32)| {
+                other == line && distance <= PASSES * radius && along(there) <= RETURNS * beside
+            };
+            !point.is_alone && near.iter().any(is_through)
         };
-        if drawn.discs.iter().any(is_near) || !near.into_iter().all(passes) {
+        if drawn.discs.iter().any(is_near) || !near.iter().all(passes) {
             continue;
         }
         has_room[number] = true;

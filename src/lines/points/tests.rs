@@ -127,6 +127,24 @@ fn a_line_that_sticks_out_of_a_hollow_point_is_as_long_as_a_line_or_leads_to_ano
 }
 
 #[test]
+fn a_line_may_pass_through_a_point_twice_and_not_come_back_beside_it() {
+    let lost = |end: (f32, f32)| {
+        let back = line(
+            &[(10.0, 50.0), (60.0, 50.0), (90.0, 50.0), (90.0, 90.0), (60.0, 90.0), end],
+            false,
+            0.0,
+            FoundIn::Vector,
+        );
+        let mut lines = vec![back, disc(60.0, 0.0)];
+        let points = take(&mut lines, &PARAMS);
+        assert_eq!(points.len(), 1);
+        draw(&points, &[&lines[0]], area(), &PARAMS).lost
+    };
+    assert_eq!(lost((60.0, 50.0)), 0, "both ways lead to its middle");
+    assert_eq!(lost((60.0, 56.0)), 1, "the end is beside it");
+}
+
+#[test]
 fn points_without_room_are_counted() {
     let mut lines = vec![axis(10.0, 90.0), disc(30.0, 60.0), disc(36.0, 60.0), disc(70.0, 60.0)];
     let points = take(&mut lines, &PARAMS);

@@ -21,8 +21,8 @@ fn capacitor(length: f32, apart: f32) -> Vec<Polyline<Vertex>> {
 
 #[test]
 fn wires_that_end_on_plates_are_not_joined_over_the_gap() {
-    let wires = |lines: Vec<Polyline<Vertex>>| {
-        let standing = standing(&lines, area(), &PARAMS);
+    let wires = |mut lines: Vec<Polyline<Vertex>>| {
+        let standing = StandingEnds::of(&mut lines, area(), &PARAMS);
         let joined = join(lines, 3.0, &standing);
         joined.iter().filter(|line| line.length() > 30.0).count()
     };
@@ -39,8 +39,7 @@ fn wires_that_end_on_plates_are_not_joined_over_the_gap() {
 fn plates_are_moved_apart_with_their_wires_until_there_is_room() {
     let parted = |length: f32, apart: f32| {
         let mut lines = capacitor(length, apart);
-        let mut standing = standing(&lines, area(), &PARAMS);
-        part_plates(&mut lines, &mut standing, &PARAMS);
+        StandingEnds::of(&mut lines, area(), &PARAMS);
         let at = |line: usize, vertex: usize| lines[line].vertices[vertex].at;
         assert!((at(0, lines[0].vertices.len() - 1).y - at(1, 0).y).abs() < 1e-3, "the wire ends on its plate");
         at(2, 0).y - at(1, 0).y

@@ -11,15 +11,7 @@ fn line(strength: f32, points: &[(f32, f32)]) -> Line {
 }
 
 fn params() -> Params {
-    Params {
-        pitch: 2.5,
-        diameter: 1.6,
-        line_gap: 1,
-        heavy_from: 50.0,
-        whole_rows: false,
-        has_heights: false,
-        min_length: 5.0,
-    }
+    Params { pitch: 2.5, line_gap: 1, min_length: 5.0, ..Params::TEST }
 }
 
 /// Lines without marks.

@@ -92,18 +92,9 @@ fn a_link_goes_with_the_dots_that_it_led_to() {
         let base = |(line, cells)| DrawnPiece { line, piece: RowPiece::cut_out(cells) };
         let mut drawn: Vec<DrawnPiece> = bases.into_iter().enumerate().map(base).collect();
         drawn.push(DrawnPiece { line: 2, piece });
-        let params = Params {
-            pitch: 2.0,
-            diameter: 1.6,
-            line_gap: 2,
-            heavy_from: 50.0,
-            whole_rows: false,
-            has_heights: false,
-            min_length: 12.0,
-        };
         let steps: Vec<f32> = (0..40).map(|step| 2.0 * step as f32).collect();
         let grid = Grid { columns: steps.clone(), rows: steps };
-        taken.drop_loose(&mut drawn, &[false; 3], &grid, &params);
+        taken.drop_loose(&mut drawn, &[false; 3], &grid, &Params::TEST);
         (drawn[2].piece.cells.len(), link.iter().filter(|cell| taken.lines.contains_key(*cell)).count())
     };
     assert_eq!(left([row(0, -9..9), row(5, -9..9)]), (4, 4));

@@ -17,15 +17,8 @@ fn a_second_row_keeps_the_gap_from_other_lines() {
 
 #[test]
 fn a_second_row_that_is_to_be_whole_is_on_the_side_that_has_room_or_nowhere() {
-    let params = Params {
-        pitch: 2.0,
-        diameter: 1.5,
-        line_gap: 1,
-        heavy_from: 9.0,
-        whole_rows: true,
-        has_heights: false,
-        min_length: 5.0,
-    };
+    let params =
+        Params { diameter: 1.5, line_gap: 1, heavy_from: 9.0, whole_rows: true, min_length: 5.0, ..Params::TEST };
     let wall = || RowPiece::cut_out(row(0, 0..20));
     // lines that end beside it above and below
     let rows = |ends: &[Cell], whole_rows: bool| {
