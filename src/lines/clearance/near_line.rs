@@ -47,9 +47,11 @@ impl NearLine<'_> {
         let least = |length: f32| length * approach_sine(self.approach, self.clearance) - FLAT;
         let comes_away = |length: f32| !self.of_drawing || self.distance >= least(length);
         let is_close = |length: f32| length <= self.approach && comes_away(length);
-        // nor does one that ends on a line join what is near to it farther on, round a bend
-        let is_beside =
-            |j: &Junction| !self.of_drawing || of_polyline(j).max(of_line(j)) <= ROUND_A_BEND * self.approach;
+        // nor does one that ends on a line join what is near to it farther on, round a bend; a ring is one shape
+        let are_open = self.line_ring_length.is_none() && self.passage.ring_length.is_none();
+        let is_beside = |j: &Junction| {
+            !self.of_drawing || !are_open || of_polyline(j).max(of_line(j)) <= ROUND_A_BEND * self.approach
+        };
         let joins = |j: &Junction| j.line == self.segment.line && is_close(from_junction(j)) && is_beside(j);
         self.passage.junctions.iter().any(joins) || self.meets_in_cluster()
     }
@@ -74,8 +76,8 @@ impl NearLine<'_> {
 /// bend. What keeps beside the line for longer, as the first bar of a chart beside its axis, does not leave it.
 const FLAT: f32 = 1.0;
 
-/// Of two lines of a drawing that join, places farther than this from there along either do not belong to the junction,
-/// in approaches: beside a straight line they are no farther than one.
+/// Of two open lines of a drawing that join, places farther than this from there along either do not belong to the
+/// junction, in approaches: beside a straight line they are no farther than one.
 const ROUND_A_BEND: f32 = 2.0;
 
 /// The sine of the flattest angle at which a straight line has its clearance after an approach.
