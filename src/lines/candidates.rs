@@ -10,7 +10,7 @@ use super::outlines::{Outlines, Rank};
 use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::standing::StandingEnds;
-use super::ticks::crossbars;
+use super::ticks::{alone, crossbars};
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, few, join, junction, links, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges, FaintStrokes};
@@ -133,6 +133,7 @@ fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Para
         (true, Some(_)) | (false, _) => ticks::lengthen(polylines, area, params),
     }
     crossbars::lengthen(polylines, area, params);
+    alone::lengthen(polylines, area, params);
     scales
 }
 

@@ -1,6 +1,7 @@
 //! Ticks of a scale, as of an axis, a ruler or a clock, that are shorter than the least line. They are meant all
 //! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
 
+pub(super) mod alone;
 pub(super) mod crossbars;
 
 use super::junction::{extend_to, heading};

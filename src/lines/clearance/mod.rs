@@ -122,15 +122,16 @@ pub(super) fn clear(
 fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let keeps_its_place = keeps_its_place(&line, drawn.params);
     let QueuedLine { mut polyline, round, .. } = line;
-    if links::must_be(&polyline, drawn.params) {
-        let Some(link) = extend::as_link(polyline, drawn) else { return Decision::Split(Vec::new()) };
-        polyline = link;
-    }
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
-    let passage = drawn.passage(polyline.view());
+    let mut passage = drawn.passage(polyline.view());
     if let Some(shorter) = without_stubs(&polyline, &passage, drawn) {
         return Decision::Shorten(shorter);
+    }
+    if links::must_be(&polyline, drawn.params) {
+        let Some(mut link) = extend::as_link(polyline, drawn) else { return Decision::Split(Vec::new()) };
+        drawn.snap(&mut link);
+        (passage, polyline) = (drawn.passage(link.view()), link);
     }
     let states = drawn.states_on(&polyline, &passage);
     if states.contains(&LineState::TooNear) {

@@ -198,3 +198,20 @@ fn an_outline_goes_before_a_more_salient_line_and_a_long_stroke_before_both() {
     let drawn = clear([Rank::Ordinary, Rank::Outline, Rank::Stroke]);
     assert_eq!(drawn.last(), Some(&(Rank::Stroke, 30)), "the stroke is whole");
 }
+
+#[test]
+fn a_link_that_goes_a_little_beyond_the_rings_that_it_joins_ends_on_them() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let params = Params { of_drawing: true, ..Params::TEST };
+    let circle = |x: f32, radius: f32| {
+        let at = |step: i32| (std::f32::consts::TAU * step as f32 / 60.0).sin_cos();
+        let points: Vec<(f32, f32)> = (0..60).map(|k| (x + radius * at(k).1, 50.0 + radius * at(k).0)).collect();
+        polyline(&points, true)
+    };
+    let bond = polyline(&[(37.9, 50.0), (45.6, 50.0)], false);
+    let lines = [circle(30.0, 8.5), circle(58.5, 13.0), bond].map(|line| (line, Rank::Ordinary));
+    let cleared = clear_all(lines.to_vec(), area, &params);
+    assert_eq!(cleared.len(), 3);
+    let bond = &cleared[2].polyline;
+    assert!((bond.length() - 7.0).abs() < 0.1, "{}", bond.length());
+}

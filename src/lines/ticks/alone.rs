@@ -1,0 +1,67 @@
+//! Straight strokes that stand alone, as the hours of a clock face that do not touch its rim: one that is a little too
+//! short for a line is drawn longer, about its middle, where it has room.
+
+use super::{MARGIN, Tick, is_straight, longer};
+use crate::geom::polyline::Polyline;
+use crate::lines::links;
+use crate::lines::params::Params;
+use crate::lines::vertex::{Vertex, nearby};
+use crate::units::MmRect;
+
+/// Makes strokes that are shorter than a line, yet not shorter than a link, as long as a line has to be, if no other
+/// line is near.
+pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
+    let lengths = links::shortest(params)..params.min_length;
+    let is_short = |line: &Polyline<Vertex>| lengths.contains(&line.length()) && is_straight(line);
+    let short: Vec<usize> = (0..polylines.len()).filter(|&number| is_short(&polylines[number])).collect();
+    if short.is_empty() {
+        return;
+    }
+    let clearance = params.max_clearance();
+    let mut all = nearby(polylines.iter(), area, params);
+    for number in short {
+        let stroke = &polylines[number];
+        let length = stroke.length();
+        let tick = Tick { number, base: number, length, stands: [None, None] };
+        let mut longer = longer(stroke, &tick, params.min_length + MARGIN - length);
+        longer.fill();
+        let is_free = |vertex: &Vertex| {
+            let is_other = |line: u32| line as usize != number;
+            area.contains(vertex.at) && all.nearest(vertex.at, clearance, |near| is_other(near.line)).is_none()
+        };
+        if longer.vertices.iter().all(is_free) {
+            all.insert_line(number as u32, longer.view(), 0.0);
+            polylines[number] = longer;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{PARAMS, line};
+    use super::*;
+    use crate::lines::tests::area;
+
+    /// The lengths of two strokes, the second so far right of the first, in tenths of a mm.
+    fn strokes(first: f32, second: f32, apart: f32) -> [i32; 2] {
+        let upright = |x: f32, length: f32| line((x, 50.0 - 0.5 * length), (x, 50.0 + 0.5 * length));
+        let mut lines = vec![upright(40.0, first), upright(40.0 + apart, second)];
+        lengthen(&mut lines, area(), &PARAMS);
+        [0, 1].map(|number| (10.0 * lines[number].length()).round() as i32)
+    }
+
+    #[test]
+    fn strokes_that_stand_alone_are_as_long_as_a_line() {
+        assert_eq!(strokes(7.0, 5.0, 10.0), [82, 82]);
+        assert_eq!(strokes(7.0, 3.0, 10.0), [82, 30], "a crumb");
+        assert_eq!(strokes(7.0, 12.0, 10.0), [82, 120], "long enough");
+        assert_eq!(strokes(7.0, 7.0, 4.0), [70, 70], "too near to one another");
+    }
+
+    #[test]
+    fn a_plus_sign_stays_one() {
+        let mut lines = vec![line((40.0, 50.0), (47.0, 50.0)), line((43.5, 46.5), (43.5, 53.5))];
+        lengthen(&mut lines, area(), &PARAMS);
+        assert!(lines.iter().all(|line| (line.length() - 7.0).abs() < 1e-3));
+    }
+}
