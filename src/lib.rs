@@ -133,7 +133,8 @@
 //!   [`Profile::keys`] with [what each takes](Key::choices), [`medium::Device::ALL`], [`Rule::all`],
 //!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is about;
 //!   [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences change, and
-//!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Errors that want another remedy have another id; all
+//!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Notes of one id that are made for several reasons have
+//!   a [`Reason`] each ([`Note::reason`]). Errors that want another remedy have another id; all
 //!   faults of a profile are one error ([`Error::Profile`]).
 //! * A profile that a form changed by [`Profile::set`] is kept as [`Profile::to_toml`] writes it.
 //!
@@ -146,8 +147,8 @@
 //! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr) and written with
 //!   [`Display`](std::fmt::Display): [`Crop`], [`Position`], [`SheetGrid`], [`marks::Sign`].
 //! * What the library gives, and nobody gives to it by its name, has a `name` or an `id`: [`Stage`], [`About`],
-//!   [`Severity`], [`marks::Height`] and [`marks::TextRole`] with `ALL`, [`felt::FeltAs`], [`Error`], [`Note`],
-//!   [`Rule`].
+//!   [`Reason`], [`Severity`], [`marks::Height`] and [`marks::TextRole`] with `ALL`, [`felt::FeltAs`], [`Error`],
+//!   [`Note`], [`Rule`].
 //! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) and `named` too.
 //!
 //! # Words
@@ -224,7 +225,7 @@ pub use contours::{Polyline, Trace};
 pub use description::Description;
 pub use error::Error;
 pub use legibility::{Checked, Finding, Rule, Severity, Verdict};
-pub use note::{About, Note};
+pub use note::{About, Note, Reason};
 pub use page::{Class, Page};
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;

@@ -2,10 +2,13 @@
 
 mod order;
 mod phrases;
+mod reason;
 
 use crate::braille::Code;
 use crate::error::id_table;
 use crate::listing::{counted, first_few};
+pub use reason::Reason;
+
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, shade, short, sides,
     simplified, turned,
@@ -51,17 +54,17 @@ pub enum Note {
     #[error("left out of the page: {0}")]
     LeftOut(String),
     /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
-    #[error("left out of the page: {1}")]
-    NotOnPage(About, String),
+    #[error("left out of the page: {2}")]
+    NotOnPage(About, Reason, String),
     /// Something on the page is not in its PNG; says what, why and what to do.
-    #[error("not in the PNG: {0}")]
-    NotInPng(&'static str),
+    #[error("not in the PNG: {1}")]
+    NotInPng(Reason, &'static str),
     /// Something on a page is taken otherwise than it looks; says what, where and as what.
-    #[error("{1}")]
-    TakenAs(About, String),
+    #[error("{2}")]
+    TakenAs(About, Reason, String),
     /// Something on the page is as it was given and breaks a rule of legibility; says what, where and what to do.
-    #[error("{1}")]
-    Faulty(About, String),
+    #[error("{2}")]
+    Faulty(About, Reason, String),
     /// Of a document only the first page was taken, as no page was asked for.
     #[error("this is page 1 of {pages}; ask for another by its number")]
     FirstPageOnly {
@@ -198,8 +201,8 @@ pub enum Note {
     )]
     Abbreviated(Vec<(String, String)>),
     /// A key is asked for, and there is none; says why.
-    #[error("there is no key, as {0}")]
-    NoKey(&'static str),
+    #[error("there is no key, as {1}")]
+    NoKey(Reason, &'static str),
     /// The texts of the picture were to be labels, and it has none.
     #[error(
         "there are no texts for labels: none was found in this picture, there is no font for them, or its letters \
@@ -211,6 +214,8 @@ pub enum Note {
     LabelsLeftOut {
         /// What they say.
         texts: Vec<String>,
+        /// Why, for programs.
+        reason: Reason,
         /// Why, in words.
         why: &'static str,
     },
@@ -382,7 +387,21 @@ impl Note {
     /// What on the page it is about, of the kinds `not-on-page`, `taken-as` and `faulty`.
     pub fn about(&self) -> Option<About> {
         match self {
-            Self::NotOnPage(about, _) | Self::TakenAs(about, _) | Self::Faulty(about, _) => Some(*about),
+            Self::NotOnPage(about, ..) | Self::TakenAs(about, ..) | Self::Faulty(about, ..) => Some(*about),
+            _ => None,
+        }
+    }
+
+    /// Why it is made, of the kinds that have several reasons: `not-on-page`, `taken-as`, `faulty`, `labels-left-out`,
+    /// `no-key` and `not-in-png`.
+    pub fn reason(&self) -> Option<Reason> {
+        match self {
+            Self::NotOnPage(_, reason, _)
+            | Self::TakenAs(_, reason, _)
+            | Self::Faulty(_, reason, _)
+            | Self::LabelsLeftOut { reason, .. }
+            | Self::NoKey(reason, _)
+            | Self::NotInPng(reason, _) => Some(*reason),
             _ => None,
         }
     }

@@ -57,7 +57,7 @@ pub use hand_lines::HandLines;
 pub use kept_lines::LineName;
 pub use key::{Key, KeySheets};
 pub use label::{Label, Position};
-pub use progress::{Event, Progress, Stage, Watch};
+pub use progress::{Event, Progress, Stage, Watch, run_stage};
 pub use read_key::{KeyWanted, key_of_page};
 pub use redraw::{OldPage, dots_left_out};
 pub use request::{Fit, Request};
@@ -75,7 +75,6 @@ use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{DrawnMarks, FromPerson, draw, find};
 use finish::{PageSays, finished, origin, told_empty, too_black};
-use progress::run;
 use request::OverviewSize;
 use words::{OnPage, WrittenWords};
 
@@ -197,7 +196,7 @@ fn compose(
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
-    let (page, overview, key) = run(watch, Stage::Page, || {
+    let (page, overview, key) = run_stage(watch, Stage::Page, || {
         let OnPage { braille, notes: of_words, .. } = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();

@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex};
 use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
-    Calibration, Checked, Class, Crop, Description, DotFormat, Dpi, Drawing, Embossing, Error, Event, Fault, Felt,
-    Finding, Fonts, Key, KeySheets, Label, Length, Limits, MmPoint, MmRect, Note, Options, Page, PageOptions, Picture,
-    Position, Profile, RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
+    Class, Crop, DotFormat, Dpi, Drawing, Embossing, Error, Event, Fault, Fonts, Label, Limits, MmPoint, MmRect, Note,
+    Options, Page, PageOptions, Picture, Position, Profile, RenderOptions, Rule, Size, Stage, Tracing, write_dots,
+    write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -17,37 +17,22 @@ fn can_be_wrapped<T: Send + Sync + 'static>() {}
 
 #[test]
 fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
-    can_be_wrapped::<Options>();
-    can_be_wrapped::<RenderOptions>();
-    can_be_wrapped::<PageOptions>();
-    can_be_wrapped::<Profile>();
-    can_be_wrapped::<Label>();
-    can_be_wrapped::<Drawing>();
-    can_be_wrapped::<Sheets>();
-    can_be_wrapped::<Page>();
-    can_be_wrapped::<Traced>();
-    can_be_wrapped::<Trace>();
-    can_be_wrapped::<Felt>();
-    can_be_wrapped::<felt::Report>();
-    can_be_wrapped::<Checked>();
-    can_be_wrapped::<Description>();
-    can_be_wrapped::<Calibration>();
-    can_be_wrapped::<Fonts>();
-    can_be_wrapped::<Note>();
-    can_be_wrapped::<Error>();
-    can_be_wrapped::<Event>();
-    can_be_wrapped::<Fault>();
-    can_be_wrapped::<Finding>();
-    can_be_wrapped::<Rule>();
-    can_be_wrapped::<Key>();
-    can_be_wrapped::<KeySheets>();
-    can_be_wrapped::<Crop>();
-    can_be_wrapped::<Position>();
-    can_be_wrapped::<Length>();
-    can_be_wrapped::<Embossing>();
-    can_be_wrapped::<Limits>();
-    can_be_wrapped::<Tracing>();
-    can_be_wrapped::<Box<dyn std::error::Error + Send + Sync>>();
+    // all but `Picture`, which borrows pixels; `tests/tidy/face.rs` compares them with `src/lib.rs`
+    macro_rules! can_be_wrapped {
+        ($($type:ty),+ $(,)?) => { $(can_be_wrapped::<$type>();)+ };
+    }
+    use tactograph::*;
+    can_be_wrapped!(Options, PageOptions, RenderOptions, Tracing, Fonts, Limits, Profile, BuiltIn, Key, Value);
+    can_be_wrapped!(NumberRange, Fault, Crop, Position, Label, SheetGrid, KeySheets, Depth, Dpi, Embossing);
+    can_be_wrapped!(Format, DotFormat, DrawingFormat, Drawing, Sheets, Page, Text, Traced, Trace, Polyline);
+    can_be_wrapped!(Felt, Checked, Finding, Rule, Severity, Verdict, Description, Calibration, Class);
+    can_be_wrapped!(Event, Stage, Error, Note, About, Reason, Length, Mm, MmPoint, MmRect, Px, PxPoint, Size);
+    can_be_wrapped!(marks::BrailleText, marks::Dots, marks::Figure, marks::Glyph, marks::Height, marks::Line);
+    can_be_wrapped!(marks::Overview, marks::Parts, marks::Pen, marks::PrintText, marks::Run, marks::Shape);
+    can_be_wrapped!(marks::Sign, marks::TextRole, marks::Texture);
+    can_be_wrapped!(medium::Device, medium::DotArea, medium::DotMedium, medium::Grid, medium::Medium);
+    can_be_wrapped!(medium::Pitches, medium::Print, felt::Areas, felt::FeltAs, felt::OfClass, felt::Report);
+    can_be_wrapped!(felt::Textures, Box<dyn std::error::Error + Send + Sync>);
 }
 
 /// What a class of another language gives as often as it is asked for.
@@ -210,19 +195,31 @@ fn progress_is_told_of_and_tracing_takes_the_same_options() {
     assert_eq!(part.size, Size::new(60, 90));
 }
 
+/// Hears of progress, and keeps the shares of the work that were done.
+fn listener() -> (impl Fn(Event) + Send + Sync + 'static, impl Fn() -> Vec<f32>) {
+    let told = Arc::new(Mutex::new(Vec::new()));
+    let heard = Arc::clone(&told);
+    let listen = move |event| {
+        if let Event::Done(share) = event {
+            heard.lock().expect("nobody panicked").push(share);
+        }
+    };
+    let shares = move || {
+        let shares = told.lock().expect("nobody panicked").clone();
+        assert!(shares.is_sorted() && shares.len() > 2, "{shares:?}");
+        assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)) && shares.last() == Some(&1.0), "{shares:?}");
+        shares
+    };
+    (listen, shares)
+}
+
 #[test]
 fn the_share_of_the_work_that_is_done_never_goes_back() {
     let shares = |work: &dyn Fn(&Options)| {
-        let told = Arc::new(Mutex::new(Vec::new()));
-        let heard = Arc::clone(&told);
-        work(&options().progress(move |event| {
-            if let Event::Done(share) = event {
-                heard.lock().expect("nobody panicked").push(share);
-            }
-        }));
-        let shares = told.lock().expect("nobody panicked").clone();
-        assert!(shares.is_sorted() && shares.len() > 3, "{shares:?}");
-        assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)) && shares.last() == Some(&1.0), "{shares:?}");
+        let (listen, shares) = listener();
+        work(&options().progress(listen));
+        let shares = shares();
+        assert!(shares.len() > 3, "{shares:?}");
         shares
     };
     let photo = std::fs::read("samples/chelsea.png").expect("a sample");
@@ -235,6 +232,17 @@ fn the_share_of_the_work_that_is_done_never_goes_back() {
         let shares = shares(&|options| drop(tactograph::trace(&photo, &tracing, options).expect("contours")));
         // what no trace takes is not waited for
         assert!(shares[shares.len() - 2] > 0.7, "{tracing:?}: {shares:?}");
+    }
+}
+
+#[test]
+fn rendering_tells_how_far_it_is() {
+    let svg = tactograph::convert(&png(), &options()).expect("a page").page.to_svg();
+    let embosser = Profile::named("index-basic-d").expect("it is built in");
+    for rendering in [RenderOptions::new(), RenderOptions::new().profile(embosser)] {
+        let (listen, shares) = listener();
+        tactograph::render(&svg, &rendering.progress(listen)).expect("a page");
+        shares();
     }
 }
 

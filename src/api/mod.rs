@@ -2,6 +2,7 @@
 //!
 //! Everything is done below, in the pipeline and the writers; here profiles are checked and options handed on.
 
+mod caller;
 mod checking;
 mod feeling;
 mod fonts;
@@ -23,7 +24,7 @@ use crate::page::spread::SheetGrid;
 use crate::picture::{Picture, PixelSource};
 use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
-use crate::pipeline::{self, Drawing, Event, Progress, Request, Stage, Watch};
+use crate::pipeline::{self, Drawing, Request, Stage, Watch};
 use crate::profile::{Plan, Profile};
 use crate::{Error, calibration, reading};
 
@@ -161,7 +162,7 @@ fn with_request<T>(
     options.given.check_parts(&options.fit)?;
     let plan = options.given.plan(&options.profile)?;
     let fonts = || options.fonts.database();
-    let cancelled = || options.is_cancelled();
+    let cancelled = || options.caller.has_cancelled();
     let request = Request {
         plan: &plan,
         limits: options.limits,
@@ -172,14 +173,5 @@ fn with_request<T>(
         cancelled: &cancelled,
     };
     request.go_on()?;
-    let mut progress = Progress::until(last);
-    let done = work(&request, &mut |event| {
-        options.tell(event);
-        let share = progress.after(event);
-        if matches!(event, Event::End(_) | Event::Skip(..)) {
-            options.tell(Event::Done(share));
-        }
-    })?;
-    options.tell(Event::Done(1.0));
-    Ok(done)
+    options.caller.watched(last, |watch| work(&request, watch))
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use super::caller::Caller;
 use super::fonts::Fonts;
 use crate::braille::{Code, Translate};
 use crate::page::{LANGUAGE, Page, PartShown};
@@ -13,7 +14,7 @@ use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
 use crate::reading::{self, Reading, TypedText};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a
 /// default that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough
@@ -47,13 +48,8 @@ pub struct Options {
     pub(super) limits: Limits,
     pub(super) fonts: Fonts,
     pub(super) given: Given,
-    progress: Option<Arc<Progress>>,
-    cancelled: Option<Arc<Cancelled>>,
+    pub(super) caller: Caller,
 }
-
-type Progress = dyn Fn(Event) + Send + Sync;
-/// Whether work is no longer wanted.
-pub(super) type Cancelled = dyn Fn() -> bool + Send + Sync;
 
 /// What a picture without a name and a title is called.
 const NAMELESS: &str = "picture";
@@ -77,8 +73,7 @@ impl Options {
             limits: Limits::default(),
             fonts: Fonts::none(),
             given: Given::default(),
-            progress: None,
-            cancelled: None,
+            caller: Caller::default(),
         }
     }
 
@@ -336,7 +331,7 @@ impl Options {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn progress(mut self, told: impl Fn(Event) + Send + Sync + 'static) -> Self {
-        self.progress = Some(Arc::new(told));
+        self.caller.on_progress(told);
         self
     }
 
@@ -360,7 +355,7 @@ impl Options {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        self.cancelled = Some(Arc::new(asked));
+        self.caller.on_question(asked);
         self
     }
 
@@ -379,16 +374,6 @@ impl Options {
     /// The profile.
     pub fn profile(&self) -> &Profile {
         &self.profile
-    }
-
-    pub(super) fn tell(&self, event: Event) {
-        if let Some(told) = &self.progress {
-            told(event);
-        }
-    }
-
-    pub(super) fn is_cancelled(&self) -> bool {
-        self.cancelled.as_ref().is_some_and(|asked| asked())
     }
 
     /// The picture's name as it is written into the page.
@@ -463,7 +448,7 @@ fn not_written(texts: &[TypedText]) -> Option<Note> {
         count => format!("{count} texts that were typed, the first \"{string}\" at {:.0}, {:.0} mm", at.x, at.y),
     };
     let why = "lines and areas are taken from a corrected page, and no words; give them as labels";
-    Some(Note::NotOnPage(About::Texts, format!("{texts}: {why}")))
+    Some(Note::NotOnPage(About::Texts, Reason::WordsOfPage, format!("{texts}: {why}")))
 }
 
 impl fmt::Debug for Options {

@@ -2,9 +2,8 @@
 
 use std::fmt;
 use std::ops::RangeInclusive;
-use std::sync::Arc;
 
-use super::options::Cancelled;
+use super::caller::Caller;
 use crate::profile::{Plan, Profile};
 use crate::{Error, touch};
 
@@ -32,7 +31,7 @@ pub struct PageOptions {
     pub(super) profile: Option<Profile>,
     pub(super) language: Option<String>,
     pub(super) finger: f32,
-    cancelled: Option<Arc<Cancelled>>,
+    caller: Caller,
 }
 
 /// Fingertip of most adults, mm: that by which a check judges textures.
@@ -44,7 +43,7 @@ impl PageOptions {
 
     /// The page by its own profile, in its own language, with a fingertip of 1 mm.
     pub fn new() -> Self {
-        Self { profile: None, language: None, finger: USUAL_FINGER, cancelled: None }
+        Self { profile: None, language: None, finger: USUAL_FINGER, caller: Caller::default() }
     }
 
     /// Whose numbers a check, and the last sentence of a description, hold the page against. Default: those of the
@@ -80,7 +79,7 @@ impl PageOptions {
     /// filters is rendered without a question; one whose filters would take more than about 10 s is refused
     /// ([`Error::TooComplex`]).
     pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        self.cancelled = Some(Arc::new(asked));
+        self.caller.on_question(asked);
         self
     }
 
@@ -89,7 +88,7 @@ impl PageOptions {
     /// # Errors
     /// If the caller has cancelled.
     pub(super) fn go_on(&self) -> Result<(), Error> {
-        if self.cancelled.as_ref().is_some_and(|asked| asked()) { Err(Error::Cancelled) } else { Ok(()) }
+        self.caller.go_on()
     }
 
     /// The plan of the profile that was asked for, or of the page's own.

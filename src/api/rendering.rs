@@ -3,15 +3,17 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::options::Cancelled;
+use super::caller::Caller;
 use crate::braille::Translate;
 use crate::listing::first_few;
 use crate::page::{BrailleText, InSet, MediumParams, Page};
-use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, KeyWanted, OldPage, Request};
+use crate::pipeline::{
+    self, Adapted, Drawing, Event, Fit, KeySheets, KeyWanted, OldPage, Request, Stage, Watch, run_stage,
+};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading::{self, Reading};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// How a page is rendered. A builder, owned and cheap to clone as [`Options`](crate::Options); what is not set has a
 /// default.
@@ -22,7 +24,7 @@ pub struct RenderOptions {
     profile: Option<Profile>,
     key: KeySheets,
     translate: Option<Arc<Translate>>,
-    cancelled: Option<Arc<Cancelled>>,
+    caller: Caller,
 }
 
 impl RenderOptions {
@@ -52,15 +54,19 @@ impl RenderOptions {
         self
     }
 
-    /// Is asked between stages whether the result is still wanted, as
-    /// [`Options::cancelled`](crate::Options::cancelled) is. Default: it is always wanted.
-    pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        self.cancelled = Some(Arc::new(asked));
+    /// Is told of stages and of the share of the work that is done, as [`Options::progress`](crate::Options::progress)
+    /// is: [`Stage::Decode`] is the page that is read, and only a page that is laid out anew has stages between that
+    /// and [`Stage::Page`]. Default: nobody is told.
+    pub fn progress(mut self, told: impl Fn(Event) + Send + Sync + 'static) -> Self {
+        self.caller.on_progress(told);
         self
     }
 
-    fn is_cancelled(&self) -> bool {
-        self.cancelled.as_ref().is_some_and(|asked| asked())
+    /// Is asked between stages whether the result is still wanted, as
+    /// [`Options::cancelled`](crate::Options::cancelled) is. Default: it is always wanted.
+    pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.caller.on_question(asked);
+        self
     }
 }
 
@@ -101,15 +107,13 @@ impl fmt::Debug for RenderOptions {
 /// its `figure.min_side` there;
 /// [`Error::OffSheet`] if a mark would lie off the sheet; [`Error::Cancelled`].
 pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing, Error> {
-    rendered(svg.as_ref(), options)
+    options.caller.watched(Stage::Page, |watch| rendered(svg.as_ref(), options, watch))
 }
 
-fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
-    let mut read = reading::read(svg)?;
+fn rendered(svg: &[u8], options: &RenderOptions, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
+    let mut read = run_stage(watch, Stage::Decode, || reading::read(svg))?;
     let mut notes = std::mem::take(&mut read.notes);
-    if options.is_cancelled() {
-        return Err(Error::Cancelled);
-    }
+    options.caller.go_on()?;
     let (own, refused) = Profile::of_origin(&read.page.origin)?;
     notes.extend(refused);
     let own = Plan::new(&own)?;
@@ -122,8 +126,8 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     let adapted = pipeline::adapted(&read, &own, options.translate.as_deref())?;
     let page = AdaptedPage { options, read: &read, own: &own, adapted: &adapted, was_mirrored, turned_over };
     match &options.profile {
-        None => page.as_it_is(notes),
-        Some(profile) => page.laid_out_anew(profile, notes),
+        None => run_stage(watch, Stage::Page, || page.as_it_is(notes)),
+        Some(profile) => page.laid_out_anew(profile, notes, watch),
     }
 }
 
@@ -160,7 +164,7 @@ impl AdaptedPage<'_> {
         notes.extend(more.iter().chain(of_places).cloned());
         notes.extend(overview_stays(of_overview.as_deref(), page, read));
         let wanted = KeyWanted { key: options.key, abbreviates: *abbreviates, is_changed: read.is_changed };
-        let cancelled = || options.is_cancelled();
+        let cancelled = || options.caller.has_cancelled();
         let request = self.request(own, *was_mirrored, &cancelled);
         let key = pipeline::key_of_page(page, wanted, options.translate.as_deref(), &request)?;
         notes.extend(key.notes);
@@ -171,7 +175,7 @@ impl AdaptedPage<'_> {
     }
 
     /// For another paper or device.
-    fn laid_out_anew(&self, profile: &Profile, mut notes: Vec<Note>) -> Result<Drawing, Error> {
+    fn laid_out_anew(&self, profile: &Profile, mut notes: Vec<Note>, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
         let Self { options, read, own, adapted, was_mirrored, .. } = *self;
         let Adapted { page, lines, notes: more, of_overview, .. } = adapted;
         let mut profile = profile.clone();
@@ -183,16 +187,16 @@ impl AdaptedPage<'_> {
         // no paper is printed on its back
         let mirrored = was_mirrored && matches!(plan.medium(), MediumParams::Dots { .. });
         if was_mirrored && !mirrored {
-            notes.push(Note::TakenAs(About::Marks, FROM_THE_BACK.to_owned()));
+            notes.push(Note::TakenAs(About::Marks, Reason::Mirrored, FROM_THE_BACK.to_owned()));
         }
         // words are placed anew, wherever they stand on the page
-        notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
+        notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, ..)));
         notes.extend(more.iter().cloned());
         notes.extend(overview_drawn_of(of_overview.as_deref(), page, &plan));
         notes.extend(placed_anew(&read.moved_texts));
-        let (old, cancelled) = (OldPage { page, lines, plan: own }, || options.is_cancelled());
+        let (old, cancelled) = (OldPage { page, lines, plan: own }, || options.caller.has_cancelled());
         let request = self.request(&plan, mirrored, &cancelled);
-        let mut drawing = pipeline::redraw(old, options.key, options.translate.as_deref(), &request, &mut |_| ())?;
+        let mut drawing = pipeline::redraw(old, options.key, options.translate.as_deref(), &request, watch)?;
         // words of a person stay, those of ours are of the new page
         let own_words = (!pipeline::is_made(page)).then_some(page.description.as_str());
         drawing.page = drawing.page.called(None, own_words, Some(&page.language));
@@ -219,7 +223,7 @@ fn overview_stays(unlike: Option<&str>, page: &Page, read: &Reading) -> Option<N
                page out anew for its device, which draws it of the figure";
     let told = unlike.map(|told| format!("the overview is as it was: {told}; change it there too, or delete it"));
     let told = told.or_else(|| has_own_sheet.then(|| own.to_owned()));
-    told.map(|told| Note::TakenAs(About::Overview, told))
+    told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewStays, told))
 }
 
 /// What is told of the overview of a page that is laid out anew, which is drawn of the one that the page has.
@@ -237,7 +241,7 @@ fn overview_drawn_of(unlike: Option<&str>, page: &Page, plan: &Plan) -> Option<N
              it there, and it is drawn of the figure"
         )
     });
-    told.map(|told| Note::TakenAs(About::Overview, told))
+    told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewOfPage, told))
 }
 
 /// What is told of words that a person moved on a page that is laid out anew.
@@ -249,7 +253,7 @@ fn placed_anew(moved: &[String]) -> Option<Note> {
             "{named} {was} moved on the page, and {it_has} anew here: words stay where they were moved to only on the \
              page's own paper or device"
         );
-        Note::TakenAs(About::Braille, told)
+        Note::TakenAs(About::Braille, Reason::PlacedAnew, told)
     })
 }
 

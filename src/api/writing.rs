@@ -8,7 +8,7 @@ use crate::output::dots::{gcode, pef};
 use crate::output::png::{Depth, Dpi};
 use crate::output::{DotFormat, DrawingFormat, Embossing, Format, json, pdf, png, svg, write_dots};
 use crate::page::Page;
-use crate::{Error, Note};
+use crate::{Error, Note, Reason};
 
 impl Page {
     /// An SVG drawing in true millimetres, with a layer for each texture, for the lines, the frame and the overview:
@@ -46,7 +46,7 @@ impl Page {
     pub fn not_in_png(&self, fonts: &Fonts) -> Option<Note> {
         let why = "words in print (braille.print): there are no fonts for them; install one, or write a PDF";
         let lacks = !self.print.is_empty() && fonts.database().is_empty();
-        lacks.then_some(Note::NotInPng(why))
+        lacks.then_some(Note::NotInPng(Reason::NoFonts, why))
     }
 
     /// The page in a format of drawings that is chosen while the program runs. `dpi`, `depth` and `fonts` are for PNG.

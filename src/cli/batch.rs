@@ -253,7 +253,7 @@ fn work(
 
 fn labels_left_out(note: &Note) -> Option<(Vec<String>, &'static str)> {
     match note {
-        Note::LabelsLeftOut { texts, why } => Some((texts.clone(), *why)),
+        Note::LabelsLeftOut { texts, why, .. } => Some((texts.clone(), *why)),
         _ => None,
     }
 }

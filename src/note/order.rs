@@ -21,14 +21,14 @@ impl Note {
             Self::FirstPageOnly { .. } => 0,
             Self::Faulty(..) | Self::TooDense { .. } => 1,
             // of an overview only, which a reader has beside the figure
-            Self::NotOnPage(About::Overview, _)
-            | Self::TakenAs(About::Overview, _)
+            Self::NotOnPage(About::Overview, ..)
+            | Self::TakenAs(About::Overview, ..)
             | Self::ShapesNotInOverview(_)
             | Self::LinesNotInOverview { .. }
             | Self::NoRoomForOverview => 5,
             // the page says something else
-            Self::TakenAs(About::Leaders | About::Braille, _) | Self::InOtherCells(_) | Self::MixedAreas { .. } => 2,
-            Self::NotOnPage(About::Widths | About::Print, _) => 4,
+            Self::TakenAs(About::Leaders | About::Braille, ..) | Self::InOtherCells(_) | Self::MixedAreas { .. } => 2,
+            Self::NotOnPage(About::Widths | About::Print, ..) => 4,
             // it lacks something
             Self::NotOnPage(..)
             | Self::LabelsLeftOut { .. }

@@ -17,7 +17,7 @@ use crate::profile::Plan;
 use crate::reading::Reading;
 use crate::units::MmRect;
 use crate::wording::Wording;
-use crate::{About, Error, Note, dots, legibility};
+use crate::{About, Error, Note, Reason, dots, legibility};
 
 /// A page as its paper or device takes it.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
         let limits = plan.limits();
         of_overview = legibility::overview_as_told(&page, &names, &limits);
         let of_braille = legibility::braille_as_told(&page, &names, &limits);
-        of_places.extend(of_braille.map(|told| Note::Faulty(About::Braille, told)));
+        of_places.extend(of_braille.map(|told| Note::Faulty(About::Braille, Reason::BrailleFaulty, told)));
     }
     if is_made(&read.page) {
         let wording = Wording::nearest(&page.description_language);
@@ -102,12 +102,16 @@ fn right_signs(parts: &mut Parts, page: &Page, plan: &Plan) -> Vec<Note> {
     let have = |count: usize| if count == 1 { "area has" } else { "areas have" };
     let told = |count: usize| {
         let told = format!("{count} {} another colour now, and the texture was drawn anew", have(count));
-        Note::TakenAs(About::Areas, told)
+        Note::TakenAs(About::Areas, Reason::AreaRecoloured, told)
     };
     let told_lost = |count: usize| {
         let (have, room) = (have(count), if count == 1 { "it has" } else { "they have" });
         let why = format!("{room} no room for its signs clear of lines; say in a label what the colour means");
-        Note::NotOnPage(About::Areas, format!("the textures of areas: {count} {have} another colour now, and {why}"))
+        Note::NotOnPage(
+            About::Areas,
+            Reason::NoRoomForTexture,
+            format!("the textures of areas: {count} {have} another colour now, and {why}"),
+        )
     };
     let bare = classes.len() - drawn;
     (drawn > 0).then(|| told(drawn)).into_iter().chain((bare > 0).then(|| told_lost(bare))).collect()
@@ -122,7 +126,7 @@ fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
     let noun = if count == 1 { "line is" } else { "lines are" };
     let [least, most] = [range[0].max(0.0), range[1]];
     let told = || format!("{count} {noun} drawn {least:.2} to {most:.2} mm wide, the range of the profile");
-    (count > 0).then(|| Note::TakenAs(About::Widths, told()))
+    (count > 0).then(|| Note::TakenAs(About::Widths, Reason::WidthOutOfRange, told()))
 }
 
 /// Makes strokes on a page of dots dots, behind the rows of dots that are there; tells how many, and which are lost.
@@ -156,7 +160,11 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
         }
     };
     let noun = if count == 1 { "line" } else { "lines" };
-    let told = Note::TakenAs(About::Lines, format!("{count} {noun} on a page of dots made dots, {how}"));
+    let told = Note::TakenAs(
+        About::Lines,
+        Reason::StrokesAsDots,
+        format!("{count} {noun} on a page of dots made dots, {how}"),
+    );
     names.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
     parts.figure.lines.extend(drawn);
     std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
@@ -258,5 +266,5 @@ fn without_crowded_signs(page: Page, plan: &Plan) -> Result<(Page, Option<Note>)
         _ => format!("; of {areas} areas too little is left for a texture"),
     };
     let told = format!("{count} {signs} of textures that {are} too near to a line that was drawn or moved{whole}");
-    Ok((Page::new(parts)?, Some(Note::NotOnPage(About::Signs, told))))
+    Ok((Page::new(parts)?, Some(Note::NotOnPage(About::Signs, Reason::SignNearLine, told))))
 }

@@ -3,7 +3,7 @@
 use super::bars::Chart;
 use super::decisions::Decisions;
 use super::given::{Given, blank, blank_cells};
-use super::progress::{Event, Stage, Watch, run};
+use super::progress::{Event, Stage, Watch, run_stage};
 use super::series::{self, ColouredBar};
 use super::small_areas;
 use super::subject;
@@ -16,7 +16,7 @@ use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::regions::OutlineAreas;
 use crate::units::{MmRect, MmVector, PageTransform, Size};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// What is left without a colour reaches so far beyond its outline, mm: half of a stroke.
 const AROUND: f32 = 0.8;
@@ -122,7 +122,7 @@ fn without_remnants(classes: &mut Classes, boxes: &[[f32; 4]], layout: &Layout, 
         ),
     };
     let why = format!("beside what is erased {it_is} smaller than {least} square mm (colours.min_area)");
-    Some(Note::NotOnPage(About::Areas, format!("{areas}, as {why}, in which fingers tell a texture")))
+    Some(Note::NotOnPage(About::Areas, Reason::AreaCut, format!("{areas}, as {why}, in which fingers tell a texture")))
 }
 
 /// The colours of a picture, sorted for each of these least areas, in shares of that of the profile.
@@ -142,7 +142,7 @@ pub(super) fn sort_colours<const N: usize>(
         watch(Event::Skip(Stage::Hues, "the picture is grey"));
     }
     let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
-    Some(run(watch, Stage::Classes, || {
+    Some(run_stage(watch, Stage::Classes, || {
         let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
         let params = plan.classes(px_per_mm);
         classes::sort_for(raster, &contours, &params, shares.map(|share| share * params.min_area))

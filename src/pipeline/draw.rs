@@ -17,7 +17,7 @@ use super::margins::Lettered;
 use super::named::NamedThings;
 use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview};
-use super::progress::{Event, Stage, Watch, in_parallel, run};
+use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series;
@@ -34,7 +34,7 @@ use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct DrawnMarks {
@@ -228,6 +228,7 @@ fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
         let what_to_do = format!("give title and labels again, as {they_are} not taken from there");
         Note::NotOnPage(
             About::Braille,
+            Reason::WordsOfPage,
             format!("{texts} braille {noun} of the page that the lines are of; {what_to_do}"),
         )
     })
@@ -240,7 +241,8 @@ fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
     let short: usize = short.sum();
     let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-    (short > 0).then(|| Note::NotOnPage(About::Lines, format!("{short} {noun} of those given, as {why}")))
+    (short > 0)
+        .then(|| Note::NotOnPage(About::Lines, Reason::TooShort, format!("{short} {noun} of those given, as {why}")))
 }
 
 /// The contours of a picture, and what is decided about the lines that are drawn of them.
@@ -319,7 +321,7 @@ fn edges_of_drawn(
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
     let edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
-    Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, told))))
+    Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told))))
 }
 
 /// How large the overview of a picture is laid out.
@@ -376,7 +378,7 @@ pub(super) fn draw_lines(
         "there are no contours"
     } else {
         let transform = PageTransform::new(edges.size, layout.figure);
-        return run(watch, Stage::Lines, || {
+        return run_stage(watch, Stage::Lines, || {
             let (outlines, areas) = outlines_of_figure(edges, lines_of.regions(), &transform, plan);
             let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
                 let params = lines::Params { detail, ..plan.lines() };
@@ -441,5 +443,9 @@ fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     let (wanted, width) = (fit.width?, layout.figure.width());
     let why = "the room beside it is for the drawing's own words; give the words as labels, or ask for more";
     let told = format!("the figure is {width:.0} mm wide and not {wanted:.0}, as {why}");
-    (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
+    (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(
+        About::Marks,
+        Reason::NarrowerForWords,
+        told,
+    ))
 }

@@ -13,7 +13,7 @@ use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::reading::DrawnArea;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
-use crate::{About, Note, dots, textures};
+use crate::{About, Note, Reason, dots, textures};
 
 /// Side of the cells in which areas are drawn, mm: as small as the blank beside signs.
 const CELL: f32 = 0.5;
@@ -23,8 +23,13 @@ const APART: f32 = 1.0;
 /// Most areas that are drawn on a page. Chosen by us: a fingertip's area (13 x 13 mm) fits 300 times on A4; thousands
 /// would keep a computer busy for long.
 const MOST: usize = 1000;
-const TOO_MANY: &str = "more than 1000, the most on a page";
+const TOO_MANY: Why = (Reason::TooManyAreas, "more than 1000, the most on a page");
 const _: () = assert!(MOST == 1000);
+const COVERED: Why = (Reason::AreaCovered, "under others");
+const TOO_NARROW: Why = (Reason::AreaTooNarrow, "too narrow for a texture");
+
+/// Why an area has no texture, for programs and for the maker.
+type Why = (Reason, &'static str);
 
 /// What becomes of drawn areas.
 struct DrawnAreas {
@@ -33,7 +38,7 @@ struct DrawnAreas {
     /// The middle of each of them.
     middles: Vec<MmPoint>,
     /// The others, each with its middle and why.
-    lost: Vec<(MmPoint, &'static str)>,
+    lost: Vec<(MmPoint, Why)>,
 }
 
 impl DrawnAreas {
@@ -56,9 +61,11 @@ impl DrawnAreas {
             let count: usize = inside.iter().map(|(_, columns)| columns.len()).sum();
             let why = match class {
                 _ if number >= MOST => Some(TOO_MANY),
-                None => Some("too light for a colour"),
-                _ if count == 0 => Some("outside the figure"),
-                _ if count as f32 * cell < plan.profile().colours.min_area => Some("too small for a texture"),
+                None => Some((Reason::AreaTooLight, "too light for a colour")),
+                _ if count == 0 => Some((Reason::AreaOutside, "outside the figure")),
+                _ if count as f32 * cell < plan.profile().colours.min_area => {
+                    Some((Reason::AreaTooSmall, "too small for a texture"))
+                }
                 Some(_) => None,
             };
             if let (Some(class), None) = (class, why) {
@@ -90,11 +97,16 @@ impl DrawnAreas {
         let Self { lost, .. } = self;
         let laid = areas - lost.len();
         let areas = |count: usize| if count == 1 { "1 drawn area".to_owned() } else { format!("{count} drawn areas") };
-        let told = (laid > 0)
-            .then(|| Note::TakenAs(About::Areas, format!("{} filled with the texture of its colour", areas(laid))));
-        let gone = lost.first().map(|(at, why)| {
+        let told = (laid > 0).then(|| {
+            Note::TakenAs(
+                About::Areas,
+                Reason::AreaFilled,
+                format!("{} filled with the texture of its colour", areas(laid)),
+            )
+        });
+        let gone = lost.first().map(|(at, (reason, why))| {
             let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(lost.len()), at.x, at.y);
-            Note::NotOnPage(About::Areas, told)
+            Note::NotOnPage(About::Areas, *reason, told)
         });
         told.into_iter().chain(gone).collect()
     }
@@ -126,7 +138,7 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
         }
         for (region, at) in drawn.middles.iter().enumerate().filter(|(region, _)| !is_laid[*region]) {
             let hidden = drawn.classes.regions[region].cells == 0;
-            drawn.lost.push((*at, if hidden { "under others" } else { "too narrow for a texture" }));
+            drawn.lost.push((*at, if hidden { COVERED } else { TOO_NARROW }));
         }
         parts.figure.textures.extend(textures);
         parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
@@ -150,7 +162,7 @@ pub fn areas_of(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<
     }
     let hidden = regions.iter().zip(&drawn.middles).filter(|(region, _)| region.cells == 0);
     let hidden: Vec<MmPoint> = hidden.map(|(_, at)| *at).collect();
-    drawn.lost.extend(hidden.into_iter().map(|at| (at, "under others")));
+    drawn.lost.extend(hidden.into_iter().map(|at| (at, COVERED)));
     all.regions.extend(regions.iter().cloned());
     (all, drawn.told(areas.len()))
 }

@@ -1,6 +1,6 @@
 //! The contours of a picture that was read.
 
-use super::progress::{Event, Stage, Watch, run};
+use super::progress::{Event, Stage, Watch, run_stage};
 use super::read::Content;
 use crate::edges::{self, Edges, Ridges};
 use crate::page::layout::Layout;
@@ -19,17 +19,17 @@ pub(super) fn edges_of(
 ) -> Edges {
     let raster = &picture.raster;
     if let Some(drawing) = &picture.drawing {
-        return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
+        return run_stage(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
     }
     // only pixels of one colour are of no kind
     let Some(kind) = content.kind() else { return Edges::none(raster.size()) };
     let Some(detail) = regions.filter(|_| !kind.is_drawing) else {
-        return run(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
+        return run_stage(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
     };
-    let ridges = run(watch, Stage::Edges, || Ridges::of(raster, kind, params));
+    let ridges = run_stage(watch, Stage::Edges, || Ridges::of(raster, kind, params));
     let Some(ridges) = ridges else { return Edges::none(raster.size()) };
-    let grouped = run(watch, Stage::Regions, || ridges.grouped(detail));
-    run(watch, Stage::Edges, || ridges.contours(grouped))
+    let grouped = run_stage(watch, Stage::Regions, || ridges.grouped(detail));
+    run_stage(watch, Stage::Edges, || ridges.contours(grouped))
 }
 
 /// The contours of a picture; none where the page needs none.

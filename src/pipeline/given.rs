@@ -16,7 +16,7 @@ use crate::raster::decode;
 use crate::reading::DrawnArea;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// What a person gives beside the picture.
 #[derive(Debug, Clone, Default)]
@@ -65,9 +65,9 @@ fn of_file(note: &Note, file: &str) -> Note {
         format!("{what} (said of the file of {file}{places})")
     };
     match note {
-        Note::NotOnPage(about, what) => Note::NotOnPage(*about, said(what)),
-        Note::TakenAs(about, what) => Note::TakenAs(*about, said(what)),
-        Note::Faulty(about, what) => Note::Faulty(*about, said(what)),
+        Note::NotOnPage(about, reason, what) => Note::NotOnPage(*about, *reason, said(what)),
+        Note::TakenAs(about, reason, what) => Note::TakenAs(*about, *reason, said(what)),
+        Note::Faulty(about, reason, what) => Note::Faulty(*about, *reason, said(what)),
         other => other.clone(),
     }
 }
@@ -149,7 +149,7 @@ impl Given {
             let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
             let why = "of what is given as lines no areas are taken; draw them on a page, and give that as areas";
             let told = format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}");
-            Note::NotOnPage(About::Areas, told)
+            Note::NotOnPage(About::Areas, Reason::AreasBesideLines, told)
         };
         (count > 0).then(told)
     }
@@ -176,7 +176,7 @@ impl Given {
             "the page given as lines or areas is of a picture of {other} pixels, and this one has {size}: look whether \
              both show the same"
         );
-        Some(Note::TakenAs(About::Lines, told))
+        Some(Note::TakenAs(About::Lines, Reason::OtherPicture, told))
     }
 
     /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on

@@ -12,7 +12,7 @@ use crate::page::{Page, PartShown};
 use crate::profile::Plan;
 use crate::reading::DrawnArea;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform, PxPoint, Size};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 use line::HandLine;
 
 /// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
@@ -188,7 +188,7 @@ impl HandLines {
         };
         let told =
             format!("{mm} mm of lines outside of the figure{names}; move them into it, or make another page of them");
-        (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, told))
+        (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, Reason::OutsideFigure, told))
     }
 
     /// How many lines are shorter than a length in the figure, as shares of its width.

@@ -8,7 +8,7 @@ use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{PageTransform, PxPoint, PxVector};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// A contour that is interrupted over less than this, px, crosses a bar and is none of its sides.
 const CROSSES: f32 = 4.0 * SAME;
@@ -188,21 +188,21 @@ impl BarStyle {
         let joined = bars.map(|how| {
             let why = "as there is no room for more; their heights are right";
             let what_to_do = if of_overview { "" } else { "; a larger figure, or one on several sheets, has more" };
-            Note::TakenAs(about, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
+            Note::TakenAs(about, Reason::BarsJoined, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
         });
         let low = (self.low > 0).then(|| {
             let bars = if self.low == 1 { "1 bar" } else { &format!("{} bars", self.low) };
             let what =
                 format!("{place}{bars} of the chart, too low for an outline that fingers can tell from the base");
-            Note::NotOnPage(about, what)
+            Note::NotOnPage(about, Reason::BarTooLow, what)
         });
         let at_axis = self.is_at_axis.then(|| {
             let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
-            Note::TakenAs(about, told)
+            Note::TakenAs(about, Reason::BarAtAxis, told)
         });
         let grid = (!self.has_gridlines).then(|| {
             let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
-            Note::NotOnPage(about, told)
+            Note::NotOnPage(about, Reason::ChartGrid, told)
         });
         joined.into_iter().chain(at_axis).chain(grid).chain(low).collect()
     }

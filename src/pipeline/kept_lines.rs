@@ -7,7 +7,7 @@ use crate::lines::{GONE, Line, Run};
 use crate::listing::list;
 use crate::page::Names;
 use crate::units::{MmPoint, MmRect, MmVector};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// A line as it is told.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -127,7 +127,7 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
         1 => format!("{named}, {}", why("the lines")),
         _ => format!("{count} lines, {named}: {}", why("them")),
     };
-    Some(Note::NotOnPage(About::Lines, told))
+    Some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
 }
 
 #[cfg(test)]

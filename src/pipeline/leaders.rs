@@ -13,7 +13,7 @@ use crate::lines::{self, Line, Pen};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// A leader line ends so near to its text, mm: print stands up to 4 mm beside it. Of braille it is
 /// [`LEADER_FROM_BRAILLE`](crate::legibility::LEADER_FROM_BRAILLE).
@@ -128,7 +128,7 @@ fn told_to_nothing(names: &[&str]) -> Option<Note> {
          larger",
         named(names)
     );
-    Some(Note::TakenAs(About::Leaders, told))
+    Some(Note::TakenAs(About::Leaders, Reason::LeadsToNothing, told))
 }
 
 /// The contours of an overview: it has no words, and a leader line to nothing would be felt as a part of the drawing.
@@ -151,7 +151,7 @@ pub(super) fn told_without(overview: Option<&Edges>, figure: &Edges) -> Option<N
     };
     let told =
         format!("{lines} of words in the figure only, as {they_lead} to no word in the overview, which has none");
-    Some(Note::TakenAs(About::Overview, told))
+    Some(Note::TakenAs(About::Overview, Reason::LeadersNotInOverview, told))
 }
 
 /// What the maker is told of those that are left out.
@@ -165,7 +165,11 @@ fn told_lost(texts: &[Text]) -> Option<Note> {
     };
     let why = "no room as a whole beside other lines; the label stands at what it names instead, or has a leader line \
                of its own";
-    Some(Note::NotOnPage(About::Leaders, format!("{lines} of {}: {they_have} {why}", named(&names))))
+    Some(Note::NotOnPage(
+        About::Leaders,
+        Reason::NoRoomForLeader,
+        format!("{lines} of {}: {they_have} {why}", named(&names)),
+    ))
 }
 
 /// The leader lines of texts that become labels.

@@ -12,7 +12,7 @@ use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::lab::pixel;
 use crate::units::{MmRect, PageTransform, PxPoint};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// Sides of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
 const PATCH: std::ops::RangeInclusive<f32> = 1.5..=12.0;
@@ -131,7 +131,7 @@ pub(super) fn moved_to_key(
     let names: Vec<&str> = entries.iter().map(|entry| entry.text.as_str()).collect();
     let why = "its patches have no room for textures, and blank they would say something else; the key has it";
     let told = format!("the legend in the figure ({}), as {why}", named(&names));
-    Some(Note::NotOnPage(About::Areas, told))
+    Some(Note::NotOnPage(About::Areas, Reason::LegendInKey, told))
 }
 
 /// The patches that were taken out of a drawing.
@@ -211,19 +211,22 @@ pub(super) fn told(entries: &[LegendEntry], figure: &Figure, has_key: bool) -> V
     let texts = |is: &dyn Fn(&LegendEntry) -> bool| -> Vec<&str> {
         entries.iter().filter(|entry| is(entry)).map(|entry| entry.text.as_str()).collect()
     };
-    let note = |texts: &[&str], why: &str| {
+    let note = |texts: &[&str], reason: Reason, why: &str| {
         (!texts.is_empty()).then(|| {
             let told = format!("what the colours of the legend mean ({}), as {why}", named(texts));
-            Note::NotOnPage(About::Areas, format!("{told}; write each word with a label at its own area"))
+            Note::NotOnPage(About::Areas, reason, format!("{told}; write each word with a label at its own area"))
         })
     };
     if !has_key {
-        return note(&texts(&|_| true), "there is no key that tells it").into_iter().collect();
+        return note(&texts(&|_| true), Reason::LegendWithoutKey, "there is no key that tells it")
+            .into_iter()
+            .collect();
     }
     let shares = |entry: &LegendEntry| entries.iter().filter(|other| other.class == entry.class).count() > 1;
-    let lost =
-        note(&texts(&|entry| !occurs(entry.class) && !entry.has_blank), "no texture of such a colour is on the page");
-    let shared = note(&texts(&|entry| occurs(entry.class) && shares(entry)), "these colours have one texture");
+    let lost = texts(&|entry| !occurs(entry.class) && !entry.has_blank);
+    let lost = note(&lost, Reason::LegendWithoutTexture, "no texture of such a colour is on the page");
+    let shared = texts(&|entry| occurs(entry.class) && shares(entry));
+    let shared = note(&shared, Reason::LegendSharesTexture, "these colours have one texture");
     lost.into_iter().chain(shared).collect()
 }
 
@@ -260,7 +263,7 @@ pub(super) fn told_lines(edges: &Edges, raster: &Raster, layout: &Layout, plan: 
             names.len(),
             list(&names, "and")
         );
-        Note::TakenAs(About::Lines, told)
+        Note::TakenAs(About::Lines, Reason::ColoursOfLines, told)
     })
 }
 

@@ -13,7 +13,7 @@ use crate::geom::simplify::simplify;
 use crate::lines::{Lines, Lost, LostMarks, LostScale};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// A mark ends on a line that is so near to its end, mm: most lines are moved by less (see
 /// `lines::Params::farthest_moved`).
@@ -188,7 +188,7 @@ fn told_of_scale(scale: &LostScale) -> Note {
             ordinal(every)
         ),
     };
-    Note::NotOnPage(About::Lines, format!("{told}; a larger figure has more room"))
+    Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, format!("{told}; a larger figure has more room"))
 }
 
 fn ordinal(number: usize) -> String {
@@ -209,7 +209,7 @@ pub(super) fn told_of_overview(marks: &LostMarks) -> Option<Note> {
     let told = listed(&LostMarks { ticks: 0, ..*marks })?;
     let (are, they_are) = if arcs + corners == 1 { ("is", "it is") } else { ("are", "they are") };
     let told = format!("{told} {are} in the figure only, as {they_are} too short for fingers in the overview");
-    Some(Note::TakenAs(About::Overview, told))
+    Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told))
 }
 
 /// Marks by their kinds, such as "2 short ticks and 1 arc of an angle"; none where there are none.
@@ -235,7 +235,7 @@ fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {
         "marks shorter than {least:.0} mm are too short for fingers; say in a label what they mean, draw them longer, \
          or make the figure larger"
     );
-    Some(Note::NotOnPage(About::Lines, format!("{all} ({at}): {why}")))
+    Some(Note::NotOnPage(About::Lines, Reason::MarksTooShort, format!("{all} ({at}): {why}")))
 }
 
 #[cfg(test)]

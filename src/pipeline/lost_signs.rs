@@ -12,7 +12,7 @@ use crate::labels::NEAR;
 use crate::lines::{Line, Lines, LostSign, is_triangle};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect, PageTransform};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are
 /// followed, and where they are cut is felt.
@@ -145,7 +145,7 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
             "there is no room for {them} beside other lines; say in the title or a label which way {line_leads}, or \
              make the figure larger"
         );
-        Note::NotOnPage(About::Lines, format!("{heads} ({}): {why}", places(&heads_lost)))
+        Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, format!("{heads} ({}): {why}", places(&heads_lost)))
     });
     told_of_shapes(&others, &all, are_labels).into_iter().chain(arrows).collect()
 }
@@ -179,7 +179,7 @@ fn told_of_shapes(lost: &[LostSign], all: &[(&str, MmRect)], are_labels: bool) -
     let labelled = if are_labels && !names.is_empty() { ", so a label may name what is not felt" } else { "" };
     let what = format!("{shapes} ({beside}), in part or as a whole");
     let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger");
-    Some(Note::NotOnPage(About::Lines, format!("{what}: {why}")))
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{what}: {why}")))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::decisions::{Decisions, OutlinedRegions};
 use super::given::with_room;
-use super::progress::{Stage, Watch, run};
+use super::progress::{Stage, Watch, run_stage};
 use crate::edges::Edges;
 use crate::lines::Outlines;
 use crate::page::Medium;
@@ -35,7 +35,7 @@ pub(super) fn regions_of_figure(
         let first: Vec<u32> = decisions.subjects.iter().copied().chain(main_thing).collect();
         tree.chosen(mm_per_px, &params, &first, &[])
     };
-    Some(run(watch, Stage::Regions, choose))
+    Some(run_stage(watch, Stage::Regions, choose))
 }
 
 /// The outlines of the regions of a figure, where `transform` puts it, and the areas inside them.

@@ -9,7 +9,7 @@ use super::kept_lines;
 use super::lines_of_part::LinesOfPart;
 use super::lost_marks;
 use super::outlines::outlines_of_overview;
-use super::progress::{Event, Stage, Watch, run};
+use super::progress::{Event, Stage, Watch, run_stage};
 use super::request::{OverviewSize, scale_of_photograph};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
@@ -18,7 +18,7 @@ use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmRect, PageTransform};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
@@ -47,7 +47,7 @@ pub(super) fn draw_overview(
         Some(_) if edges.is_empty() => "there are no contours",
         Some(place) => {
             let figure = OverviewSource { edges, regions: lines_of.regions(), layout, plan };
-            return run(watch, Stage::Overview, || figure.overview(place, lines_of, size));
+            return run_stage(watch, Stage::Overview, || figure.overview(place, lines_of, size));
         }
     };
     watch(Event::Skip(Stage::Overview, reason));
@@ -223,7 +223,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
 fn told_gridlines(lines: usize) -> Option<Note> {
     // how many says little: bars part them
     let told = "thin, pale lines, such as gridlines, are not in the overview, as they would hide its shapes";
-    (lines > 0).then(|| Note::TakenAs(About::Overview, told.to_owned()))
+    (lines > 0).then(|| Note::TakenAs(About::Overview, Reason::GridNotInOverview, told.to_owned()))
 }
 
 /// What the maker of a photograph's page of few shapes is told of lines of the figure that the overview lacks: there it
@@ -237,8 +237,13 @@ pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &La
     let (noun, it_has) = if count == 1 { ("line", "it has") } else { ("lines", "they have") };
     let why =
         format!("{it_has} no room there, or would be too short; ask for fewer shapes, or do without the overview");
-    (count > 0)
-        .then(|| Note::NotOnPage(About::Overview, format!("{count} {noun} of the figure in the overview: {why}")))
+    (count > 0).then(|| {
+        Note::NotOnPage(
+            About::Overview,
+            Reason::NoRoomInOverview,
+            format!("{count} {noun} of the figure in the overview: {why}"),
+        )
+    })
 }
 
 /// What the maker is told of closed lines that a person drew and that are not in the overview, the largest first:
@@ -274,7 +279,11 @@ pub(super) fn told_by_hand<'l>(
     };
     let named = first_few(&missing, MOST_NAMED, said);
     let why = format!("there is no room for {them} there; draw {them} simpler, or do without the overview");
-    Some(Note::NotOnPage(About::Overview, format!("{shapes}, in the overview: {named}: {why}")))
+    Some(Note::NotOnPage(
+        About::Overview,
+        Reason::ByHandNotInOverview,
+        format!("{shapes}, in the overview: {named}: {why}"),
+    ))
 }
 
 /// Most closed lines that are named.

@@ -7,7 +7,7 @@ use crate::geom::polygon::distance_to_box;
 use crate::page::{BrailleText, Medium, Page, Parts, PrintText, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// Sizes of letters that are tried, mm: 3 is 8.5 points, as captions are printed; 2.5 is 7.
 const SIZES: [f32; 2] = [3.0, 2.5];
@@ -41,13 +41,14 @@ pub(super) fn left_out<'p>(pages: impl Iterator<Item = &'p Page>, plan: &Plan) -
     let mut seen = BTreeSet::new();
     lost.retain(|text| seen.insert(text.clone()));
     let no_room = "there is no room in print beside their braille (braille.print)";
-    let no_room = (!lost.is_empty()).then(|| format!("{} in print, as {no_room}", lost.join(", ")));
+    let no_room =
+        (!lost.is_empty()).then(|| (Reason::NoRoomForPrint, format!("{} in print, as {no_room}", lost.join(", "))));
     let mirrored = mirrored.then(|| {
-        "words in print (braille.print), as the page is mirrored: it is pressed from its back, where they would be \
-         read in a mirror"
-            .to_owned()
+        let told = "words in print (braille.print), as the page is mirrored: it is pressed from its back, where they \
+                    would be read in a mirror";
+        (Reason::Mirrored, told.to_owned())
     });
-    no_room.into_iter().chain(mirrored).map(|told| Note::NotOnPage(About::Print, told)).collect()
+    no_room.into_iter().chain(mirrored).map(|(reason, told)| Note::NotOnPage(About::Print, reason, told)).collect()
 }
 
 /// Brings the words in print of a page that somebody changed beside their braille again, where that was moved, and adds
@@ -99,11 +100,11 @@ pub(super) fn follow(parts: &mut Parts, new: usize, plan: &Plan) -> Vec<Note> {
     parts.print.extend(added);
     let moved = (!moved.is_empty()).then(|| {
         let told = format!("the words in print {} follow their braille, which was moved", moved.join(", "));
-        Note::TakenAs(About::Print, told)
+        Note::TakenAs(About::Print, Reason::PrintFollows, told)
     });
     let lost = (!lost.is_empty()).then(|| {
         let why = "there is no room in print beside their braille (braille.print)";
-        Note::NotOnPage(About::Print, format!("{} in print, as {why}", lost.join(", ")))
+        Note::NotOnPage(About::Print, Reason::NoRoomForPrint, format!("{} in print, as {why}", lost.join(", ")))
     });
     moved.into_iter().chain(lost).collect()
 }

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Stage {
-    /// Bytes to pixels.
+    /// Bytes to pixels; of a page that is rendered, to its marks.
     Decode,
     /// Text in the pixels is found, and left out.
     Text,
@@ -143,7 +143,8 @@ pub enum Event {
 /// the threads that they run on, one at a time.
 pub type Watch<'a> = dyn FnMut(Event) + Send + 'a;
 
-pub(super) fn run<T>(watch: &mut Watch<'_>, stage: Stage, work: impl FnOnce() -> T) -> T {
+/// Does a stage and tells `watch` of it.
+pub fn run_stage<T>(watch: &mut Watch<'_>, stage: Stage, work: impl FnOnce() -> T) -> T {
     watch(Event::Begin(stage));
     let result = work();
     watch(Event::End(stage));

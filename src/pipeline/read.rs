@@ -1,6 +1,6 @@
 //! A picture is decoded, and the text in its pixels taken out of it.
 
-use super::progress::{Event, Stage, Watch, run};
+use super::progress::{Event, Stage, Watch, run_stage};
 use super::text_reader::TextReader;
 use crate::edges::PictureKind;
 use crate::lettering::{FoundLine, Lettering};
@@ -11,7 +11,7 @@ use crate::raster::decode::{self, DecodeOptions, Header};
 use crate::raster::rim::Rim;
 use crate::raster::vector::{DrawnText, PaintedPath, PixelArea, VectorDrawing};
 use crate::units::{PxPoint, Size};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// Letters of a drawing are looked for in a picture so many times as fine as the working picture, where there is one:
 /// at 4 px a millimetre, a letter of 2 mm is too small to be told from its neighbours.
@@ -70,11 +70,11 @@ pub(super) fn read(
     reader: Option<&TextReader>,
     watch: &mut Watch<'_>,
 ) -> Result<Read, Error> {
-    let (known, paper) = run(watch, Stage::Decode, || decoded(given, options))?;
+    let (known, paper) = run_stage(watch, Stage::Decode, || decoded(given, options))?;
     if options.keep_text {
         watch(Event::Skip(Stage::Text, "letters are drawn"));
     } else if !known.content.is_uniform() {
-        return Ok(run(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
+        return Ok(run_stage(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
     }
     Ok(known)
 }
@@ -186,7 +186,7 @@ fn told_read(words: &[String]) -> Option<Note> {
         count => format!("; {count} texts could not be read"),
     };
     let told = format!("read from the pixels, and to be looked through: {}{unread}", read.join(", "));
-    (!read.is_empty()).then_some(Note::TakenAs(About::Texts, told))
+    (!read.is_empty()).then_some(Note::TakenAs(About::Texts, Reason::ReadFromPixels, told))
 }
 
 /// The picture once more, finer than the working picture; none if there is no finer one, or it is over a limit.

@@ -11,7 +11,7 @@ use crate::listing::first_few;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Class, InSet, Page, TextRole, ToldInKey};
 use crate::units::MmRect;
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// When a page that was read has a key.
 #[derive(Debug, Clone, Copy)]
@@ -48,7 +48,8 @@ pub fn key_of_page(
     request: &Request<'_>,
 ) -> Result<Key, Error> {
     if is_key(page) {
-        let told = (wanted.key == KeySheets::Always).then_some(Note::NoKey("this sheet is one of a key itself"));
+        let told = (wanted.key == KeySheets::Always)
+            .then_some(Note::NoKey(Reason::IsAKey, "this sheet is one of a key itself"));
         return Ok(Key { notes: told.into_iter().collect(), ..Key::default() });
     }
     let outdated = ToldInKey::of(page).filter(|_| wanted.is_changed).and_then(|told| outdated(&told, page));
@@ -76,8 +77,16 @@ pub fn key_of_page(
     key.notes.extend(outdated.map(|what| {
         let told = format!("the key that was made with the page no longer fits it: {what}");
         match key.sheets.is_empty() {
-            true => Note::Faulty(About::Braille, format!("{told}; take it away, or have it written anew")),
-            false => Note::TakenAs(About::Braille, format!("{told}; the one that follows takes its place")),
+            true => Note::Faulty(
+                About::Braille,
+                Reason::KeyOutdated,
+                format!("{told}; take it away, or have it written anew"),
+            ),
+            false => Note::TakenAs(
+                About::Braille,
+                Reason::KeyOutdated,
+                format!("{told}; the one that follows takes its place"),
+            ),
         }
     }));
     Ok(key)
@@ -181,7 +190,7 @@ pub(super) fn redrawn(
     }
     let others = (!others.is_empty()).then(|| {
         let what = format!("of the key {}, as it is neither a colour nor an abbreviation", named(&others));
-        Note::NotOnPage(About::Braille, what)
+        Note::NotOnPage(About::Braille, Reason::NotOfKey, what)
     });
     let notes = written.notes().iter().cloned().chain(notes).chain(others).collect();
     Ok(Some(Key { sheets, told, notes }))

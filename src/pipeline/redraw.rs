@@ -25,7 +25,7 @@ use crate::page::spread;
 use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole, Texture};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// Pixels for a millimetre in which the shape of a figure is said.
 const PX_PER_MM: f32 = 20.0;
@@ -140,7 +140,7 @@ fn without_unlearned(textures: &mut Vec<Texture>, least: f32) -> Option<Note> {
          fingers learn a texture: {}; on larger paper there is room",
         list(&names, "and")
     );
-    (!gone.is_empty()).then_some(Note::NotOnPage(About::Areas, told))
+    (!gone.is_empty()).then_some(Note::NotOnPage(About::Areas, Reason::ColourTooSmall, told))
 }
 
 /// The lines of a page that are told otherwise where they are not drawn: heads of arrows, and those that lie outside of
@@ -181,7 +181,7 @@ fn sheet_of_set(said: PageSays, page: &Page, layout: &Layout, plan: &Plan) -> (P
                 "this is sheet {name} of a picture on several sheets{has_name}; in another size it has no ticks, and \
                  does not lie beside the others: for a set of such sheets, convert the picture for this paper or device"
             );
-            (label, Some(Note::TakenAs(About::Marks, told)))
+            (label, Some(Note::TakenAs(About::Marks, Reason::SheetOfSet, told)))
         }
         Some(InSet::Overview | InSet::OverviewOf(_) | InSet::Followed) | None => (None, None),
     };
@@ -266,7 +266,7 @@ pub fn dots_left_out(page: &Page, own: &Plan) -> Option<Note> {
     let count = page.labels.iter().flat_map(|dots| &dots.at).filter(|at| !is_of_name(at)).count();
     let dots = if count == 1 { "1 dot" } else { &format!("{count} dots") };
     let why = "drawn by hand: they stay only where the page is written as it is, for its own paper or device";
-    (count > 0).then(|| Note::NotOnPage(About::Dots, format!("{dots} {why}")))
+    (count > 0).then(|| Note::NotOnPage(About::Dots, Reason::DotsByHand, format!("{dots} {why}")))
 }
 
 /// Two dots no farther apart are one, mm: coordinates are rounded.

@@ -14,7 +14,7 @@ use crate::page::Texture;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// The colour of a bar is looked for so far inside of its outline, mm: there no stroke lies.
 const INSIDE: f32 = 0.8;
@@ -171,7 +171,11 @@ fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
     let each: Vec<String> = blanked.iter().map(all).chain(partly.iter().map(some)).collect();
     let key = if has_legend { "the key names them as blank" } else { "say in a label which are which" };
     let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
-    Note::NotOnPage(About::Areas, format!("the textures of bars of the chart, {each}, as they are {why}; {key}"))
+    Note::NotOnPage(
+        About::Areas,
+        Reason::BarsTooSmall,
+        format!("the textures of bars of the chart, {each}, as they are {why}; {key}"),
+    )
 }
 
 #[cfg(test)]

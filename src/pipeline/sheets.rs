@@ -5,7 +5,7 @@ use super::finish::{finished, origin, title_of_overview, told_empty, too_black};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
-use super::progress::{Stage, Watch, run};
+use super::progress::{Stage, Watch, run_stage};
 use super::request::{Request, SLACK};
 use super::words::{OnPage, Words, WrittenWords};
 use crate::devices::Family;
@@ -78,7 +78,7 @@ pub fn convert<'p>(
     }
     let laid = lay(figure.source)?;
     let sheet = laid.spread.layout_of_sheet();
-    let mut sheets = run(watch, Stage::Page, || {
+    let mut sheets = run_stage(watch, Stage::Page, || {
         notes.extend(written.notes().iter().cloned());
         let tiles = laid.spread.tiles();
         let OnPage { braille: labels, notes: of_labels, .. } =

@@ -7,7 +7,7 @@ use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmVector, Size};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
 pub(super) const BROAD: f32 = 1.5;
@@ -66,7 +66,7 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
         "{areas}, as {why}; say in labels what matters of the colours, as a \
          key names only those that have a texture on the page, or make the figure larger"
     );
-    Some(Note::NotOnPage(About::Areas, told))
+    Some(Note::NotOnPage(About::Areas, Reason::AreaTooSmall, told))
 }
 
 /// The regions of `fine` that are smaller than `least`, square mm, no strokes, and not in `classes`; each with the cell

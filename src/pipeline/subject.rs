@@ -13,7 +13,7 @@ use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
 use crate::units::{MmRect, PageTransform, PxPoint, Size};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// Most places that are looked at, each in all regions: the program takes fewer (`--subject`).
 const MOST: usize = 100;
@@ -41,7 +41,7 @@ pub(super) fn prepare(
     let beyond = given.subjects.len().saturating_sub(MOST);
     if beyond > 0 {
         let told = format!("{beyond} of the subjects, as {MOST} are the most");
-        notes.push(Note::NotOnPage(About::Lines, told));
+        notes.push(Note::NotOnPage(About::Lines, Reason::TooManySubjects, told));
     }
     for [x, y] in given.subjects.iter().take(MOST) {
         let share = [x.share(source.width), y.share(source.height)];
@@ -115,6 +115,7 @@ fn lacking(
     };
     Some(Note::NotOnPage(
         about,
+        Reason::NoRoomForSubject,
         format!("{subjects} in the {part}, as a whole or for the most part, for want of room; {what_to_do}"),
     ))
 }

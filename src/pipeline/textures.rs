@@ -6,7 +6,7 @@ use lyon::geom::euclid::Box2D;
 
 use super::dots;
 use super::given::blank_cells;
-use super::progress::{Event, Stage, Watch, run};
+use super::progress::{Event, Stage, Watch, run_stage};
 use super::small_areas::{BROAD, broadest};
 use crate::classes::{self, Class, Classes};
 use crate::geom::components::{self, Connectivity};
@@ -17,7 +17,7 @@ use crate::page::{Medium, Texture};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
 use crate::units::{MmPoint, MmRect, MmVector, PxPoint, Size};
-use crate::{About, Note, textures};
+use crate::{About, Note, Reason, textures};
 
 /// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on
 /// which things stand has a half or more, the bars of a chart that stand on its edge less than a quarter.
@@ -94,7 +94,7 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
         "the texture of the ground ({colour}, {percent} percent of the figure), so that lines stand out; figure.ground \
          = true draws it"
     );
-    Some(Note::NotOnPage(About::Areas, told))
+    Some(Note::NotOnPage(About::Areas, Reason::GroundBlank, told))
 }
 
 /// What lines divide the regions of a figure into.
@@ -189,7 +189,7 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layo
         "the {texture} of {areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; \
          say in labels what matters of the colours, or make the figure larger"
     );
-    Some(Note::NotOnPage(About::Areas, told))
+    Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }
 
 /// What the maker is told of areas that have a colour and no room for its texture: of a drawing how many and where, as
@@ -235,7 +235,7 @@ fn told_bare_on_dots(
         "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
          (dots.texture_rows); a larger figure has"
     );
-    Some(Note::NotOnPage(About::Areas, told))
+    Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }
 
 /// Takes the textures that no area of at least `least`, square mm, has out of those of which `counts` is true: fingers
@@ -260,7 +260,7 @@ pub(super) fn draw_textures(
         None => "figure.textures is off",
         Some(classes) if classes.regions.is_empty() => "the picture is white",
         Some(classes) => {
-            return run(watch, Stage::Textures, || match &layout.medium {
+            return run_stage(watch, Stage::Textures, || match &layout.medium {
                 Medium::Print(_) => textures::fill(classes, layout.figure, lines, &plan.textures()),
                 Medium::Dots(medium) => dots::textures(classes, layout.figure, lines, medium, plan),
             });

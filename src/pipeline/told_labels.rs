@@ -9,16 +9,20 @@ use crate::lines::Line;
 use crate::listing::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
-/// Why labels are left out.
-pub(super) const OUTSIDE: &str = "they lie outside of the picture";
-pub(super) const OFF: &str = "braille is off (braille=false)";
-pub(super) const NO_CODE: &str = "there is no braille code for their language";
-pub(super) const NO_CODE_OF_WORDS: &str = "there is no braille code for the language of the words";
-pub(super) const NOTHING_TO_TELL: &str =
-    "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
-const NO_ROOM: &str = "there is no room";
+/// Why labels are left out, or there is no key: for programs and for the maker.
+pub(super) type Why = (Reason, &'static str);
+
+pub(super) const OUTSIDE: Why = (Reason::LabelOutside, "they lie outside of the picture");
+pub(super) const OFF: Why = (Reason::BrailleOff, "braille is off (braille=false)");
+pub(super) const NO_CODE: Why = (Reason::NoCode, "there is no braille code for their language");
+pub(super) const NO_CODE_OF_WORDS: Why = (Reason::NoCode, "there is no braille code for the language of the words");
+pub(super) const NOTHING_TO_TELL: Why = (
+    Reason::NothingToTell,
+    "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated",
+);
+const NO_ROOM: Why = (Reason::NoRoomForLabel, "there is no room");
 /// Why some numbers along an axis are left out where every so many-th stands.
 const EVERY: [(i64, &str); 3] = [
     (2, "there is room for every second number along an axis only"),
@@ -29,14 +33,15 @@ const _: () =
     assert!(EVERY[0].0 == labels::EVERY[0] && EVERY[1].0 == labels::EVERY[1] && EVERY[2].0 == labels::EVERY[2]);
 /// The same where only those stand that have a tick on the page.
 const AT_TICKS: &str = "there is room for the numbers at the ticks of the page only";
-const NO_CELLS: &str = "their code has no cells for them";
-const MISLEADING: &str = "without characters that their code has no cells for they would say something else";
-const TOO_MANY: &str = "a page takes 300 labels at most";
-pub(super) const TOO_LONG: &str = "a text of a page has 1000 characters at most";
+const NO_CELLS: Why = (Reason::NoCells, "their code has no cells for them");
+const MISLEADING: Why =
+    (Reason::Misleading, "without characters that their code has no cells for they would say something else");
+const TOO_MANY: Why = (Reason::TooManyLabels, "a page takes 300 labels at most");
+pub(super) const TOO_LONG: Why = (Reason::TextTooLong, "a text of a page has 1000 characters at most");
 const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
 
-pub(super) fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
-    (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
+pub(super) fn left_out(texts: Vec<String>, (reason, why): Why) -> Option<Note> {
+    (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, reason, why })
 }
 
 /// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
@@ -80,7 +85,7 @@ pub(super) fn of_nothing(
             "labels that name something which is not on the page, as no line or texture is within {NEAR} mm: {}",
             named(&alone)
         );
-        Note::TakenAs(About::Braille, told)
+        Note::TakenAs(About::Braille, Reason::NamesNothing, told)
     })
 }
 
@@ -144,7 +149,7 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
              figure larger, or leave some out",
             first_few(&moved, MOST_MOVED, String::clone)
         );
-        Note::TakenAs(About::Braille, told)
+        Note::TakenAs(About::Braille, Reason::NearerToOther, told)
     })
 }
 
@@ -164,7 +169,7 @@ pub(super) fn without_texture(labels: &[&str]) -> Option<Note> {
         "{areas} ({}), as {they_stand}; make the figure larger, or say in the labels what the colours mean",
         named(labels)
     );
-    Some(Note::NotOnPage(About::Areas, told))
+    Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
 }
 
 /// Tells of leader lines that cross others.
@@ -182,7 +187,7 @@ pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) ->
              may have it",
             named(&texts)
         );
-        Note::TakenAs(About::Leaders, told)
+        Note::TakenAs(About::Leaders, Reason::CrossesLines, told)
     })
 }
 
@@ -192,14 +197,14 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
         let of = wanted.iter().zip(results).filter(|(_, result)| result.as_ref().is_ok_and(is));
         of.map(|(label, _)| label.text.as_str()).collect()
     };
-    let tell = |texts: &[&str], what: &str| {
-        (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, format!("{what}: {}", named(texts))))
+    let tell = |texts: &[&str], reason: Reason, what: &str| {
+        (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, reason, format!("{what}: {}", named(texts))))
     };
     let in_margin = "labels of a row or column stand in the margin beside the drawing, each in line with its place, as \
                      there is no room for them there";
     let bare = "of numbers along an axis only one has the unit, as there is no room for it behind each";
-    let of_margin = tell(&those(|label| label.stands == PlacedAs::InMargin), in_margin);
-    of_margin.into_iter().chain(tell(&those(|label| label.is_bare), bare)).collect()
+    let of_margin = tell(&those(|label| label.stands == PlacedAs::InMargin), Reason::InMargin, in_margin);
+    of_margin.into_iter().chain(tell(&those(|label| label.is_bare), Reason::OneUnit, bare)).collect()
 }
 
 /// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
@@ -238,7 +243,7 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
     notes.extend(refused.notes());
     let every = |(every, texts): (i64, Vec<String>)| {
         let why = EVERY.iter().find(|(count, _)| *count == every).map_or(AT_TICKS, |(_, why)| why);
-        left_out(texts, why)
+        left_out(texts, (Reason::NumbersThinned, why))
     };
     notes.extend(thinned.into_iter().filter_map(every));
     let missing = [

@@ -14,7 +14,7 @@ use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
 use crate::units::MmPoint;
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
 const DENSE: f32 = 0.2;
@@ -105,7 +105,7 @@ fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
     };
     let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
     let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm){named}: {why}", at.x, at.y);
-    Some(Note::NotOnPage(About::Lines, told))
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told))
 }
 
 /// What the maker is told of closed outlines of a drawing that are open on the page; small ones are told as lost.
@@ -121,14 +121,15 @@ fn told_gaps(lost: &Lost) -> Option<Note> {
          beside other lines; make the figure larger, or say it in a label",
         at.x, at.y
     );
-    Some(Note::NotOnPage(About::Lines, told))
+    Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.
 fn told_gridlines(lost: &Lost) -> Option<Note> {
     let why = "pieces of it would be felt as lines; say the scale in a label, or make the figure larger";
-    (lost.gridlines > 0)
-        .then(|| Note::NotOnPage(About::Lines, format!("the squared grid, {} lines: {why}", lost.gridlines)))
+    (lost.gridlines > 0).then(|| {
+        Note::NotOnPage(About::Lines, Reason::SquaredGrid, format!("the squared grid, {} lines: {why}", lost.gridlines))
+    })
 }
 
 /// What the maker is told of dashed lines.
@@ -139,7 +140,7 @@ pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
         count => (format!("{count} dashed lines"), "they are"),
     };
     let why = "dashes would be too short for fingers; where the difference matters, say so in the title or a label";
-    Some(Note::TakenAs(About::Lines, format!("{lines}: {they_are} drawn without gaps, as {why}")))
+    Some(Note::TakenAs(About::Lines, Reason::Dashed, format!("{lines}: {they_are} drawn without gaps, as {why}")))
 }
 
 /// What the maker is told of lines that run beside those that a person drew and added, for half of their length or
@@ -170,7 +171,7 @@ pub(super) fn told_beside_added(
          that part",
         at.x, at.y
     );
-    Some(Note::TakenAs(About::Lines, told))
+    Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
 }
 
 /// How long a line is, mm, and its middle, if it runs beside other lines; none of one that lies on them.

@@ -12,7 +12,7 @@ use crate::page::{BrailleText, Dots, Parts, TextRole};
 use crate::profile::Plan;
 use crate::reading::TypedText;
 use crate::units::{MmPoint, MmRect};
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// What is told of texts that were typed.
 #[derive(Debug, Default)]
@@ -97,7 +97,9 @@ fn told(written: usize, in_place: usize) -> Vec<Note> {
         1 => Some("1 text that was typed in braille: written as typed".to_owned()),
         _ => Some(format!("{in_place} texts that were typed in braille: written as typed")),
     };
-    beside.into_iter().chain(in_place).map(|told| Note::TakenAs(About::Texts, told)).collect()
+    let beside = beside.map(|told| Note::TakenAs(About::Texts, Reason::WrittenBeside, told));
+    let in_place = in_place.map(|told| Note::TakenAs(About::Texts, Reason::WrittenAsTyped, told));
+    beside.into_iter().chain(in_place).collect()
 }
 
 /// Tells of texts that were typed outside of the figure.
@@ -109,7 +111,7 @@ fn typed_outside(outside: &[&TypedText]) -> Option<Note> {
         count => format!("{count} typed texts, the first \"{string}\" at {:.0}, {:.0} mm, lie", at.x, at.y),
     };
     let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
-    Some(Note::TakenAs(About::Texts, told))
+    Some(Note::TakenAs(About::Texts, Reason::TypedOutside, told))
 }
 
 /// Unicode braille as it was typed: its cells stand on the line on which its letters do.
@@ -144,7 +146,8 @@ fn elsewhere(exact: &[Text], braille: &[BrailleText]) -> Option<Note> {
     let far: Vec<String> = exact.iter().filter(far).map(|text| format!("\"{}\"", text.string)).collect();
     let why =
         "stands beside the place where it was typed, as that is too near to lines, to other braille or to the edge";
-    (!far.is_empty()).then(|| Note::TakenAs(About::Texts, format!("braille {} {why}", far.join(", "))))
+    (!far.is_empty())
+        .then(|| Note::TakenAs(About::Texts, Reason::BrailleMoved, format!("braille {} {why}", far.join(", "))))
 }
 
 /// How far from the figure a text may be typed without being told, mm.

@@ -124,7 +124,7 @@ impl<'a> WrittenWords<'a> {
             Some(text) if text.chars().nth(labels::LONGEST).is_some() => (None, Some(text)),
             title => (title, None),
         };
-        let (texts, why) = (too_long.map(str::to_owned).into_iter().collect::<Vec<_>>(), TOO_LONG.to_owned());
+        let (texts, why) = (too_long.map(str::to_owned).into_iter().collect::<Vec<_>>(), TOO_LONG.1.to_owned());
         written.notes.extend((!texts.is_empty()).then_some(Note::NotTranslated { texts, why }));
         if let Some(text) = title {
             let braille = translator.translate(text).unwrap_or_else(|why| {
@@ -288,11 +288,12 @@ impl<'a> WrittenWords<'a> {
         };
         key.notes.extend(legend::told(words.legend, figure, !key.sheets.is_empty()));
         if words.key == KeySheets::Always && key.sheets.is_empty() {
-            key.notes.push(Note::NoKey(match &self.translator {
+            let (reason, why) = match &self.translator {
                 _ if !request.plan.profile().braille.on => OFF,
                 None => NO_CODE_OF_WORDS,
                 Some(_) => NOTHING_TO_TELL,
-            }));
+            };
+            key.notes.push(Note::NoKey(reason, why));
         }
         Ok(key)
     }

@@ -32,7 +32,7 @@ pub(crate) use nearest::{did_you_mean, nearest};
 pub use plan::Plan;
 
 use crate::listing::first_few;
-use crate::{About, Error, Note};
+use crate::{About, Error, Note, Reason};
 use inherit::ProfileOrigin;
 
 /// Most values of a page's profile that are not taken and are told one by one.
@@ -163,7 +163,7 @@ impl Profile {
             let (refused, name) = (first_few(&refused, MOST_REFUSED, String::clone), &base.name);
             let told =
                 format!("of what the page says of its profile, this is not taken: {refused}; {name} counts there");
-            Note::TakenAs(About::Marks, told)
+            Note::TakenAs(About::Marks, Reason::ProfileOfPage, told)
         });
         Ok((if goes_together { profile } else { base }, told))
     }

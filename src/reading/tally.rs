@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::listing::counted;
 use crate::units::MmPoint;
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// What is told when all is read, as counts and the place of the first.
 #[derive(Default)]
@@ -31,14 +31,18 @@ pub(super) enum What {
 /// unevenly, by how many there are.
 pub(super) fn told_of_file([pictures, far, clipped, patterned]: [usize; 4]) -> impl Iterator<Item = Note> {
     let all = [
-        (pictures, format!("{}: convert what is in a picture to lines first", counted(pictures, "picture"))),
-        (far, format!("{} far beyond the sheet", counted(far, "mark"))),
-        (clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
+        (
+            pictures,
+            Reason::Pixels,
+            format!("{}: convert what is in a picture to lines first", counted(pictures, "picture")),
+        ),
+        (far, Reason::OffSheet, format!("{} far beyond the sheet", counted(far, "mark"))),
+        (clipped, Reason::Clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
     ];
-    let left_out = all.into_iter().filter(|(count, _)| *count > 0);
+    let left_out = all.into_iter().filter(|(count, ..)| *count > 0);
     let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
-    let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, patterned_as));
-    left_out.map(|(_, what)| Note::NotOnPage(About::Marks, what)).chain(taken)
+    let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, Reason::NotBlack, patterned_as));
+    left_out.map(|(_, reason, what)| Note::NotOnPage(About::Marks, reason, what)).chain(taken)
 }
 
 impl Tally {
@@ -50,60 +54,61 @@ impl Tally {
 
     pub(super) fn notes(&self) -> impl Iterator<Item = Note> + '_ {
         self.told.iter().map(|(what, (count, first))| {
-            let n = |one: &str, many: &str| if *count == 1 { format!("1 {one}") } else { format!("{count} {many}") };
             let at = first.map_or(String::new(), |at| format!(" (the first at {:.0}, {:.0} mm)", at.x, at.y));
-            let left_out = |about: About, what: String| Note::NotOnPage(about, what);
-            let taken = |about: About, what: String| Note::TakenAs(about, what);
-            match what {
-                What::LineOutside => taken(
-                    About::Lines,
-                    format!("{}{at} outside of the layers, taken as lines of the figure", n("line", "lines")),
-                ),
-                What::DotOutside => {
-                    taken(About::Dots, format!("{}{at} outside of the layers, taken as dots", n("disc", "discs")))
-                }
-                What::Outlined => taken(
-                    About::Areas,
-                    format!(
-                        "{}{at} without the colour of a texture, drawn as {}",
-                        n("filled shape", "filled shapes"),
-                        if *count == 1 { "a line around it" } else { "lines around them" }
-                    ),
-                ),
-                What::NoGlyph => left_out(
-                    About::Signs,
-                    format!(
-                        "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
-                        n("shape", "shapes")
-                    ),
-                ),
-                What::OffSheet => left_out(About::Marks, format!("{}{at} beyond the sheet", n("mark", "marks"))),
-                What::Shaded => taken(
-                    About::Marks,
-                    format!("{}{at} in grey or colour, taken as black: only black rises", n("mark", "marks")),
-                ),
-                What::Dashed => {
-                    taken(About::Lines, format!("{}{at} with dashes, taken without gaps", n("line", "lines")))
-                }
-                What::InPrint => {
-                    left_out(About::Print, format!("{}{at} in the layer of words in print", n("shape", "shapes")))
-                }
-                What::White => taken(
-                    About::Marks,
-                    format!(
-                        "{}{at}: what is white prints nothing and covers nothing; delete what lies under it",
-                        n("white mark", "white marks")
-                    ),
-                ),
-                What::Foreign => left_out(About::Marks, format!("{}{at} outside of the layer", n("mark", "marks"))),
-                What::UnevenDots => taken(
-                    About::Dots,
-                    format!(
-                        "{}{at} of other sizes than the others of its group, taken as of one size",
-                        n("dot", "dots")
-                    ),
-                ),
-            }
+            what.note(what.sentence(*count, &at))
         })
+    }
+}
+
+impl What {
+    /// The remark that says so.
+    fn note(self, told: String) -> Note {
+        match self {
+            Self::LineOutside => Note::TakenAs(About::Lines, Reason::OutsideLayers, told),
+            Self::DotOutside => Note::TakenAs(About::Dots, Reason::OutsideLayers, told),
+            Self::Outlined => Note::TakenAs(About::Areas, Reason::NoTextureColour, told),
+            Self::NoGlyph => Note::NotOnPage(About::Signs, Reason::NoSign, told),
+            Self::OffSheet => Note::NotOnPage(About::Marks, Reason::OffSheet, told),
+            Self::Shaded => Note::TakenAs(About::Marks, Reason::NotBlack, told),
+            Self::Dashed => Note::TakenAs(About::Lines, Reason::Dashed, told),
+            Self::InPrint => Note::NotOnPage(About::Print, Reason::NoPrintWord, told),
+            Self::White => Note::TakenAs(About::Marks, Reason::White, told),
+            Self::Foreign => Note::NotOnPage(About::Marks, Reason::OutsideLayers, told),
+            Self::UnevenDots => Note::TakenAs(About::Dots, Reason::UnevenDotSizes, told),
+        }
+    }
+
+    /// What is told of so many of them, the first of which is `at` a place, in words.
+    fn sentence(self, count: usize, at: &str) -> String {
+        let n = |one: &str, many: &str| if count == 1 { format!("1 {one}") } else { format!("{count} {many}") };
+        match self {
+            Self::LineOutside => {
+                format!("{}{at} outside of the layers, taken as lines of the figure", n("line", "lines"))
+            }
+            Self::DotOutside => format!("{}{at} outside of the layers, taken as dots", n("disc", "discs")),
+            Self::Outlined => format!(
+                "{}{at} without the colour of a texture, drawn as {}",
+                n("filled shape", "filled shapes"),
+                if count == 1 { "a line around it" } else { "lines around them" }
+            ),
+            Self::NoGlyph => format!(
+                "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
+                n("shape", "shapes")
+            ),
+            Self::OffSheet => format!("{}{at} beyond the sheet", n("mark", "marks")),
+            Self::Shaded => {
+                format!("{}{at} in grey or colour, taken as black: only black rises", n("mark", "marks"))
+            }
+            Self::Dashed => format!("{}{at} with dashes, taken without gaps", n("line", "lines")),
+            Self::InPrint => format!("{}{at} in the layer of words in print", n("shape", "shapes")),
+            Self::White => format!(
+                "{}{at}: what is white prints nothing and covers nothing; delete what lies under it",
+                n("white mark", "white marks")
+            ),
+            Self::Foreign => format!("{}{at} outside of the layer", n("mark", "marks")),
+            Self::UnevenDots => {
+                format!("{}{at} of other sizes than the others of its group, taken as of one size", n("dot", "dots"))
+            }
+        }
     }
 }

@@ -10,7 +10,7 @@ use super::subpath::clean;
 use crate::listing::first_few;
 use crate::page::PrintText;
 use crate::units::MmPoint;
-use crate::{About, Note};
+use crate::{About, Note, Reason};
 
 /// A text that is to be written in braille.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +56,11 @@ pub(super) fn sorted(
     }
     let told = (!left.is_empty()).then(|| {
         let what = "fingers read no print letters; in a layer called labels-text they are written in braille";
-        Note::NotOnPage(About::Texts, format!("text {}: {what}", first_few(&left, MOST, String::clone)))
+        Note::NotOnPage(
+            About::Texts,
+            Reason::PrintLetters,
+            format!("text {}: {what}", first_few(&left, MOST, String::clone)),
+        )
     });
     (written, print, told)
 }

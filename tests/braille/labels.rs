@@ -8,7 +8,7 @@ use tactograph::internals::page::Medium;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::internals::units::MmVector;
 use tactograph::marks::{BrailleText, Pen, TextRole};
-use tactograph::{Drawing, Fonts, KeySheets, Label, Length, MmPoint, MmRect, Note, Options, Profile, convert};
+use tactograph::{Drawing, Fonts, KeySheets, Label, Length, MmPoint, MmRect, Note, Options, Profile, Reason, convert};
 
 /// Blank that labels keep to lines and textures, mm.
 const CLEARANCE: f32 = 3.0;
@@ -291,7 +291,8 @@ fn a_text_of_a_megabyte_is_told() {
     let drawing = convert(&samples::read("bars.svg"), &options).expect("a page");
     assert!(labels_of(&drawing).is_empty() && drawing.page.braille.is_empty());
     let why = "a text of a page has 1000 characters at most";
-    assert!(drawing.notes.contains(&Note::LabelsLeftOut { texts: vec![long.clone()], why }), "{:?}", drawing.notes);
+    let left_out = Note::LabelsLeftOut { texts: vec![long.clone()], reason: Reason::TextTooLong, why };
+    assert!(drawing.notes.contains(&left_out), "{:?}", drawing.notes);
     assert!(drawing.notes.contains(&Note::NotTranslated { texts: vec![long], why: why.to_owned() }));
     assert!(drawing.key.len() <= 1, "{} sheets of a key", drawing.key.len());
 }
@@ -301,7 +302,7 @@ fn a_text_of_a_megabyte_is_told() {
 fn labels_that_are_not_there_are_told() {
     let left_out = |drawing: &Drawing| -> Vec<(Vec<String>, &'static str)> {
         let of_note = |note: &Note| match note {
-            Note::LabelsLeftOut { texts, why } => Some((texts.clone(), *why)),
+            Note::LabelsLeftOut { texts, why, .. } => Some((texts.clone(), *why)),
             _ => None,
         };
         drawing.notes.iter().filter_map(of_note).collect()

@@ -170,7 +170,7 @@ fn numbers_without_room_are_thinned_evenly() {
         ["", "", "second", "", "", "fifth"].get(every as usize).unwrap_or(&"tenth")
     );
     let told = drawing.notes.iter().filter_map(|note| match note {
-        Note::LabelsLeftOut { texts, why: reason } if reason.contains(&why) => Some(texts.len()),
+        Note::LabelsLeftOut { texts, why: told, .. } if told.contains(&why) => Some(texts.len()),
         _ => None,
     });
     assert_eq!(written.len() + told.sum::<usize>(), 81, "{:?}", drawing.notes);

@@ -1,15 +1,16 @@
 //! Tests of `order`.
 
 use super::*;
+use crate::Reason;
 
 #[test]
 fn what_makes_a_page_wrong_is_told_first() {
     let lost = |percent: u32| Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false };
-    let told = |about: About| Note::TakenAs(about, String::new());
+    let told = |about: About| Note::TakenAs(about, Reason::NoSign, String::new());
     let notes = [
         lost(1),
         told(About::Overview),
-        Note::NotOnPage(About::Areas, String::new()),
+        Note::NotOnPage(About::Areas, Reason::NoSign, String::new()),
         lost(30),
         Note::EmptyPage,
         told(About::Leaders),

@@ -133,7 +133,9 @@ fn the_overview_tells_only_what_the_figure_does_not() {
     let of_both = told(Some(touching), Some(outline));
     assert_eq!(of_both[..3], of_figure);
     let about = |note: &Note| match note {
-        Note::TakenAs(about, told) | Note::NotOnPage(about, told) => Some((*about, told.contains("the overview"))),
+        Note::TakenAs(about, _, told) | Note::NotOnPage(about, _, told) => {
+            Some((*about, told.contains("the overview")))
+        }
         _ => None,
     };
     assert!(of_both[3..].iter().all(|note| about(note) == Some((About::Overview, true))), "{of_both:?}");

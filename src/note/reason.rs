@@ -1,0 +1,232 @@
+//! Why something is not on a page or is there otherwise than it looks, for programs.
+
+/// `Reason`, `Reason::ALL` and `Reason::name` from one table, so that none of them lacks a reason.
+macro_rules! reasons {
+    ($($(#[doc = $doc:literal])+ $case:ident => $name:literal,)+) => {
+        /// Why a remark of the kinds `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key` and `not-in-png`
+        /// is made, for programs: its sentence may change, and this stays. Remarks of one kind and reason that are
+        /// about the same say the same, but for names, numbers and places.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum Reason {
+            $($(#[doc = $doc])+ $case,)+
+        }
+
+        impl Reason {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$case),+];
+
+            /// Its name, such as "off-sheet".
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$case => $name,)+
+                }
+            }
+        }
+    };
+}
+
+reasons! {
+    // of a page that was read
+    /// Pictures of pixels in a file have no lines.
+    Pixels => "pixels",
+    /// Marks lie beyond the sheet.
+    OffSheet => "off-sheet",
+    /// Clip paths, masks and filters are not taken: what they cut off is there.
+    Clipped => "clipped",
+    /// What is grey, coloured or filled unevenly is taken as black.
+    NotBlack => "not-black",
+    /// Marks lie outside of the layers of a page, or of the one that is taken.
+    OutsideLayers => "outside-layers",
+    /// A filled shape without the colour of a texture is a line around it.
+    NoTextureColour => "no-texture-colour",
+    /// A shape among textures is neither rhombus nor dot.
+    NoSign => "no-sign",
+    /// A shape in the layer of words in print is no word.
+    NoPrintWord => "no-print-word",
+    /// What is white prints nothing and covers nothing.
+    White => "white",
+    /// Dots of one group have several sizes and are taken as of one.
+    UnevenDotSizes => "uneven-dot-sizes",
+    /// Dashed lines have no gaps on the page.
+    Dashed => "dashed",
+    /// Fingers read no letters in print.
+    PrintLetters => "print-letters",
+    /// What a page says of its profile is not taken as a whole.
+    ProfileOfPage => "profile-of-page",
+    /// The page that was read is mirrored and is turned back for paper, or is mirrored and so has no words in print.
+    Mirrored => "mirrored",
+    /// Lines lie outside of the figure.
+    OutsideFigure => "outside-figure",
+    /// Lines that were drawn on a page of dots are dots now.
+    StrokesAsDots => "strokes-as-dots",
+    /// Widths of lines are brought into the range of the profile.
+    WidthOutOfRange => "width-out-of-range",
+    /// Dots that were drawn by hand stay only on the page's own paper or device.
+    DotsByHand => "dots-by-hand",
+    /// A sheet of a set has no ticks in another size.
+    SheetOfSet => "sheet-of-set",
+    /// Braille is too near to other marks, or its cells are not those of its text.
+    BrailleFaulty => "braille-faulty",
+    /// The key that was made with the page no longer fits it.
+    KeyOutdated => "key-outdated",
+    /// What a sheet of a key has beside colours and abbreviations is not taken.
+    NotOfKey => "not-of-key",
+    /// Words that were moved have their places anew on another paper or device.
+    PlacedAnew => "placed-anew",
+    /// The overview is as it was, and the figure is not.
+    OverviewStays => "overview-stays",
+    /// The overview is drawn of that of the page that was read, and not of the figure.
+    OverviewOfPage => "overview-of-page",
+    // of what a person gives
+    /// Texts were typed: they are written in braille beside their places.
+    WrittenBeside => "written-beside",
+    /// Braille was typed, and is written as typed.
+    WrittenAsTyped => "written-as-typed",
+    /// A text was typed outside of the figure, in which labels stand.
+    TypedOutside => "typed-outside",
+    /// Braille has no room where it was typed, and stands beside.
+    BrailleMoved => "braille-moved",
+    /// Words of a page are not taken where its lines or areas are.
+    WordsOfPage => "words-of-page",
+    /// Areas beside lines that are given are not taken.
+    AreasBesideLines => "areas-beside-lines",
+    /// A page that is given is of a picture of another size.
+    OtherPicture => "other-picture",
+    /// Lines that are given are too short in this figure.
+    TooShort => "too-short",
+    /// Lines that are found run beside those that were added.
+    BesideAdded => "beside-added",
+    /// An area that was drawn is filled with the texture of its colour.
+    AreaFilled => "area-filled",
+    /// An area that was moved to another colour has the texture of that.
+    AreaRecoloured => "area-recoloured",
+    /// Areas that were drawn are more than a page takes.
+    TooManyAreas => "too-many-areas",
+    /// An area that was drawn is too light for a colour.
+    AreaTooLight => "area-too-light",
+    /// An area that was drawn lies outside of the figure.
+    AreaOutside => "area-outside",
+    /// An area that was drawn lies under others.
+    AreaCovered => "area-covered",
+    /// An area that was drawn is too narrow for a texture.
+    AreaTooNarrow => "area-too-narrow",
+    /// Subjects are more than a page takes.
+    TooManySubjects => "too-many-subjects",
+    /// The figure is narrower than asked for, as a drawing's own words need room beside it.
+    NarrowerForWords => "narrower-for-words",
+    /// Texts were read from pixels and should be looked through.
+    ReadFromPixels => "read-from-pixels",
+    // of lines
+    /// A line has no room as a whole.
+    NoRoomForLine => "no-room-for-line",
+    /// A closed outline is open, as a piece of it has no room.
+    OutlineOpen => "outline-open",
+    /// A small closed shape has no room.
+    NoRoomForShape => "no-room-for-shape",
+    /// An arrowhead has no room.
+    NoRoomForArrowhead => "no-room-for-arrowhead",
+    /// Ticks of a scale have no room.
+    NoRoomForTicks => "no-room-for-ticks",
+    /// Ticks and marks of angles are too short for fingers.
+    MarksTooShort => "marks-too-short",
+    /// The outline of a subject has no room.
+    NoRoomForSubject => "no-room-for-subject",
+    /// Lines of a page are too short for another one or too near to others.
+    ShortOrNear => "short-or-near",
+    /// The grid of squared paper is left out: pieces of it would be felt as lines.
+    SquaredGrid => "squared-grid",
+    /// The gridlines of a chart are left out, so that its bars have room.
+    ChartGrid => "chart-grid",
+    /// Bars of a chart touch, or have a common outline, for want of room.
+    BarsJoined => "bars-joined",
+    /// A bar is too low for an outline.
+    BarTooLow => "bar-too-low",
+    /// A bar beside an axis is drawn as standing at it.
+    BarAtAxis => "bar-at-axis",
+    /// Fingers feel no colours of lines.
+    ColoursOfLines => "colours-of-lines",
+    // of an overview
+    /// Lines of the figure have no room in the overview.
+    NoRoomInOverview => "no-room-in-overview",
+    /// Closed lines that a person drew have no room in the overview.
+    ByHandNotInOverview => "by-hand-not-in-overview",
+    /// The overview has no gridlines, which would hide its shapes.
+    GridNotInOverview => "grid-not-in-overview",
+    /// The overview has no leader lines, as it has no words.
+    LeadersNotInOverview => "leaders-not-in-overview",
+    /// Marks of angles are too short in the overview.
+    MarksNotInOverview => "marks-not-in-overview",
+    // of areas
+    /// An area is too small for a texture.
+    AreaTooSmall => "area-too-small",
+    /// What is erased leaves too little of an area for a texture.
+    AreaCut => "area-cut",
+    /// No area of a colour is large enough to learn its texture.
+    ColourTooSmall => "colour-too-small",
+    /// Areas have no room for the signs of a texture clear of lines.
+    NoRoomForTexture => "no-room-for-texture",
+    /// Bars of a chart have no room for the signs of a texture clear of lines.
+    BarsTooSmall => "bars-too-small",
+    /// The ground has no texture, so that lines stand out.
+    GroundBlank => "ground-blank",
+    /// A label stands in the place of an area's texture.
+    UnderLabel => "under-label",
+    /// Signs of textures are too near to a line that was drawn or moved.
+    SignNearLine => "sign-near-line",
+    /// The legend is in the key, and not in the figure.
+    LegendInKey => "legend-in-key",
+    /// No key tells what the colours of a legend mean.
+    LegendWithoutKey => "legend-without-key",
+    /// A colour of the legend has no texture on the page.
+    LegendWithoutTexture => "legend-without-texture",
+    /// Several colours of the legend have one texture.
+    LegendSharesTexture => "legend-shares-texture",
+    // of words
+    /// A label names what is not on the page.
+    NamesNothing => "names-nothing",
+    /// A label stands nearer to what another one names.
+    NearerToOther => "nearer-to-other",
+    /// The leader line of a label crosses other lines.
+    CrossesLines => "crosses-lines",
+    /// A leader line of the drawing leads to nothing on the page.
+    LeadsToNothing => "leads-to-nothing",
+    /// A leader line of the drawing has no room as a whole.
+    NoRoomForLeader => "no-room-for-leader",
+    /// Labels of a row or column stand in the margin.
+    InMargin => "in-margin",
+    /// Of numbers along an axis only one has the unit.
+    OneUnit => "one-unit",
+    /// There is no room in print beside braille.
+    NoRoomForPrint => "no-room-for-print",
+    /// Words in print follow their braille, which was moved.
+    PrintFollows => "print-follows",
+    /// There are no fonts for words in print.
+    NoFonts => "no-fonts",
+    // why labels are left out, or there is no key
+    /// A label lies outside of the picture.
+    LabelOutside => "label-outside",
+    /// A label has no room.
+    NoRoomForLabel => "no-room-for-label",
+    /// Of the numbers along an axis there is room for every second, fifth or tenth, or for those at ticks.
+    NumbersThinned => "numbers-thinned",
+    /// Labels are more than a page takes.
+    TooManyLabels => "too-many-labels",
+    /// A text is longer than a page takes.
+    TextTooLong => "text-too-long",
+    /// The braille code has no cells for a text.
+    NoCells => "no-cells",
+    /// A text would say something else without the characters that its code lacks.
+    Misleading => "misleading",
+    /// Braille is off.
+    BrailleOff => "braille-off",
+    /// There is no braille code for the language.
+    NoCode => "no-code",
+    /// A key would tell nothing.
+    NothingToTell => "nothing-to-tell",
+    /// A sheet of a key has no key of its own.
+    IsAKey => "is-a-key",
+}
+
+#[cfg(test)]
+mod tests;
