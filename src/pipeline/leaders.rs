@@ -215,6 +215,11 @@ fn find(
             (None, Some(text)) => (text, points.iter().rev().copied().collect()),
             _ => return None,
         };
+        // from a word to a number is a branch of a tree, as from word to word
+        let (tip, is_other) = (path[path.len() - 1], |number: &usize| *number != text && !of_words.contains(number));
+        if (0..texts.len()).filter(is_other).any(|number| distance_to_box(tip, texts[number].place) < beside) {
+            return None;
+        }
         let place = texts[text].place;
         let leads = points_away(&path, place, beside)
             && is_free_end(path[0], place, number as u32, &index)

@@ -50,7 +50,7 @@ pub(in crate::lines) fn draw(
     }
     let segments = nearby(lines.iter().copied(), area, params);
     let faint: Vec<bool> = lines.iter().map(|line| is_faint(line)).collect();
-    let ring_lengths = lines.iter().map(|line| line.closed.then(|| line.length())).collect();
+    let ring_lengths = lines.iter().map(|line| line.view().goes_round().then(|| line.length())).collect();
     let lines = AmongLines { segments, faint, ring_lengths };
     let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
@@ -65,7 +65,7 @@ pub(super) struct AmongLines {
     segments: Nearby,
     /// Which are faint: they give way.
     faint: Vec<bool>,
-    /// The lengths of those that are closed, mm.
+    /// The lengths of those that go round, mm.
     ring_lengths: Vec<Option<f32>>,
 }
 

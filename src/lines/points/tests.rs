@@ -183,3 +183,14 @@ fn points_of_a_series_are_drawn_all_or_none() {
     assert_eq!(drawn(&[10.0, 15.0, 20.0, 25.0, 30.0]), (0, 5), "every second one would be a special one");
     assert_eq!(drawn(&[10.0, 15.0, 40.0]), (2, 1), "three are no series");
 }
+
+#[test]
+fn a_point_has_room_where_a_line_that_goes_round_begins_and_ends() {
+    let mut round = arc((50.0, 50.0), 25.0, (0.0, 1.0));
+    round.push(round[0]);
+    let round = line(&round, false, 0.0, FoundIn::Vector);
+    let mut lines = vec![round, line(&arc((75.0, 50.0), 2.0, (0.0, 1.0)), true, 60.0, FoundIn::Vector)];
+    let points = take(&mut lines, &PARAMS);
+    let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+    assert!(drawn.beads.len() == 1 && drawn.lost == 0, "{drawn:?}");
+}

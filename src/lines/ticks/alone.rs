@@ -1,5 +1,5 @@
 //! Straight strokes that stand alone, as the hours of a clock face that do not touch its rim: one that is a little too
-//! short for a line is drawn longer, about its middle, where it has room.
+//! short for a line is drawn longer where it has room, about its middle, or else beyond one of its ends.
 
 use super::{MARGIN, Tick, is_straight, longer};
 use crate::geom::polyline::Polyline;
@@ -7,6 +7,9 @@ use crate::lines::links;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Vertex, nearby};
 use crate::units::MmRect;
+
+/// How far each end of a stroke may be moved: as far as it has to, or not at all.
+const WAYS: [[Option<f32>; 2]; 3] = [[None, None], [Some(0.0), None], [None, Some(0.0)]];
 
 /// Makes strokes that are shorter than a line, yet not shorter than a link, as long as a line has to be, if no other
 /// line is near.
@@ -22,14 +25,18 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
     for number in short {
         let stroke = &polylines[number];
         let length = stroke.length();
-        let tick = Tick { number, base: number, length, stands: [None, None] };
-        let mut longer = longer(stroke, &tick, params.min_length + MARGIN - length);
-        longer.fill();
+        let candidate = |stands: [Option<f32>; 2]| {
+            let tick = Tick { number, base: number, length, stands };
+            let mut longer = longer(stroke, &tick, params.min_length + MARGIN - length);
+            longer.fill();
+            longer
+        };
         let is_free = |vertex: &Vertex| {
             let is_other = |line: u32| line as usize != number;
             area.contains(vertex.at) && all.nearest(vertex.at, clearance, |near| is_other(near.line)).is_none()
         };
-        if longer.vertices.iter().all(is_free) {
+        let mut candidates = WAYS.into_iter().map(candidate);
+        if let Some(longer) = candidates.find(|longer| longer.vertices.iter().all(is_free)) {
             all.insert_line(number as u32, longer.view(), 0.0);
             polylines[number] = longer;
         }
@@ -56,6 +63,14 @@ mod tests {
         assert_eq!(strokes(7.0, 3.0, 10.0), [82, 30], "a crumb");
         assert_eq!(strokes(7.0, 12.0, 10.0), [82, 120], "long enough");
         assert_eq!(strokes(7.0, 7.0, 4.0), [70, 70], "too near to one another");
+    }
+
+    #[test]
+    fn a_stroke_beside_a_line_is_drawn_longer_away_from_it() {
+        let mut lines = vec![line((10.0, 50.0), (90.0, 50.0)), line((40.0, 44.8), (40.0, 38.8))];
+        lengthen(&mut lines, area(), &PARAMS);
+        let ends = [0, lines[1].vertices.len() - 1].map(|end| (10.0 * lines[1].vertices[end].at.y).round());
+        assert_eq!(ends, [448.0, 366.0]);
     }
 
     #[test]
