@@ -37,6 +37,8 @@ pub struct ChainKind {
     pub of_drawing: bool,
     /// Width of the stroke of which it is the centre line, px; none of an edge.
     pub stroke: Option<f32>,
+    /// Whether it is a stroke of a vector drawing that is much thinner and paler than its others.
+    pub faint: bool,
     /// Whether a person added it to those that were found.
     pub added: bool,
 }

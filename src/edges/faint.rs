@@ -1,7 +1,7 @@
 //! Strokes of a vector drawing that are much thinner and paler than its others, such as the grid behind a curve. How a
 //! stroke is painted says how much it matters.
 
-use super::edgel::{ChainRange, Edgel, Edges};
+use super::edgel::Edgel;
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};
 use crate::geom::polyline::PolylineRef;
 use crate::units::PxPoint;
@@ -48,7 +48,7 @@ struct Grid {
 
 /// Which strokes of a vector drawing are faint.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct FaintStrokes {
+pub(super) struct FaintStrokes {
     /// The weight of the strong ones; 0 if no stroke is.
     strong: f32,
     /// The longest grid.
@@ -56,13 +56,6 @@ pub struct FaintStrokes {
 }
 
 impl FaintStrokes {
-    /// Among those of a drawing.
-    pub fn of(edges: &Edges) -> Self {
-        let strokes =
-            edges.chains.iter().filter_map(|range| Some(WeighedStroke::of(exact_width(range)?, edges.chain(range))));
-        Self::among(strokes.collect())
-    }
-
     /// Among these strokes.
     pub(super) fn among(mut all: Vec<WeighedStroke>) -> Self {
         all.sort_by(|a, b| a.width.total_cmp(&b.width));
@@ -82,13 +75,8 @@ impl FaintStrokes {
         Self { strong: strong.map_or(0.0, |stroke| stroke.weight), grid }
     }
 
-    /// Whether a contour of the drawing is one.
-    pub fn holds(self, edges: &Edges, range: &ChainRange) -> bool {
-        exact_width(range).is_some_and(|width| self.holds_stroke(width, edges.chain(range)))
-    }
-
     /// Whether a stroke of this width along this line is one.
-    pub(super) fn holds_stroke(self, width: f32, line: PolylineRef<'_, Edgel>) -> bool {
+    pub(super) fn holds(self, width: f32, line: PolylineRef<'_, Edgel>) -> bool {
         let is_of = |grid: &Grid| {
             (grid.width - width).abs() < ONE_WIDTH
                 && straight_ends(line).is_some()
@@ -110,11 +98,6 @@ fn contrast(line: PolylineRef<'_, Edgel>, share: f32) -> f32 {
     *strengths.select_nth_unstable_by(place, f32::total_cmp).1
 }
 
-/// The width of a stroke of a vector drawing, px.
-fn exact_width(range: &ChainRange) -> Option<f32> {
-    range.kind.stroke.filter(|_| range.kind.exact)
-}
-
 /// The grid among strokes of one width and about one weight, of which only the longest line then has a length.
 fn grid_counted_once(strokes: &mut [WeighedStroke]) -> Option<Grid> {
     let ends: Vec<Option<[PxPoint; 2]>> = strokes.iter().map(|stroke| stroke.ends).collect();
@@ -128,4 +111,30 @@ fn grid_counted_once(strokes: &mut [WeighedStroke]) -> Option<Grid> {
     of_grid.sort_by(|a, b| b.length.total_cmp(&a.length));
     of_grid.iter_mut().skip(1).for_each(|stroke| stroke.length = 0.0);
     Some(grid)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether the first of two strokes, each with its width in px and its contrast, is faint beside the second.
+    fn is_faint(strokes: [(f32, f32); 2]) -> bool {
+        let line = |y: f32, strength: f32| -> Vec<Edgel> {
+            let edgel = |x: u8| Edgel { at: PxPoint::new(f32::from(x), y), strength, contrast: [0.0; 3] };
+            (0..200).map(edgel).collect()
+        };
+        let lines = [line(10.0, strokes[0].1), line(50.0, strokes[1].1)];
+        let view = |number: usize| PolylineRef { vertices: &lines[number][..], closed: false };
+        let all =
+            FaintStrokes::among((0..2).map(|number| WeighedStroke::of(strokes[number].0, view(number))).collect());
+        all.holds(strokes[0].0, view(0))
+    }
+
+    #[test]
+    fn a_stroke_is_faint_that_is_thin_and_pale_beside_others() {
+        assert!(is_faint([(1.0, 25.0), (5.0, 90.0)]));
+        assert!(!is_faint([(2.0, 90.0), (5.0, 90.0)]), "only thin");
+        assert!(!is_faint([(5.0, 30.0), (5.0, 90.0)]), "only pale");
+        assert!(!is_faint([(1.0, 40.0), (1.0, 40.0)]), "of one kind all are strong");
+    }
 }

@@ -62,7 +62,6 @@ use contour::ContourPoint;
 use discs::Disc;
 pub use drawing::find_in_vector;
 pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
-pub use faint::FaintStrokes;
 use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
@@ -258,7 +257,7 @@ impl<'a> Ridges<'a> {
         for (contour, &stroke) in contours.iter().zip(&widths) {
             let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
             edges.push_as(
-                ChainKind { exact: false, of_drawing, stroke, added: false },
+                ChainKind { exact: false, of_drawing, stroke, faint: false, added: false },
                 contour.vertices.iter().map(edgel),
                 contour.closed,
             );

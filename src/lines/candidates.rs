@@ -13,7 +13,7 @@ use super::standing::StandingEnds;
 use super::ticks::{alone, crossbars};
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, few, join, junction, links, saliency, ticks, weight};
-use crate::edges::{ChainRange, Edges, FaintStrokes};
+use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
 
@@ -140,11 +140,10 @@ fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Para
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found
 /// first.
 fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
-    let faint = FaintStrokes::of(edges);
     let polyline = |range: &ChainRange| {
         let chain = edges.chain(range);
         let polyline = Polyline::of_chain(chain, range.kind, transform);
-        let polyline = if faint.holds(edges, range) { faint::weaken(polyline, params) } else { polyline };
+        let polyline = if range.kind.faint { faint::weaken(polyline, params) } else { polyline };
         let polyline = match range.kind.exact {
             // exact paths are not smoothed: their corners are meant
             true => polyline,

@@ -1,7 +1,7 @@
 //! Bars of a chart among the contours of a drawing: where they stand, and whether the lines on a page have them whole.
 
 use super::areas::index_of_lines;
-use crate::edges::{ChainRange, Edges, FaintStrokes};
+use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::Line;
@@ -94,8 +94,7 @@ impl Chart {
             return None;
         }
         // a gridline between two bars at the height of the lower one is no bar
-        let faint = FaintStrokes::of(edges);
-        let chains = edges.chains.iter().filter(|chain| !faint.holds(edges, chain));
+        let chains = edges.chains.iter().filter(|chain| !chain.kind.faint);
         let pieces: Vec<(PxPoint, PxPoint)> = chains.flat_map(|chain| straight(edges, chain)).collect();
         if pieces.len() > MOST {
             return None;

@@ -51,7 +51,7 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
     stretches(&shown, line.closed)
         .into_iter()
         .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
-        .map(|stretch| Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke })
+        .map(|stretch| Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, faint: false })
         .collect()
 }
 

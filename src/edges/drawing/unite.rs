@@ -27,9 +27,10 @@ const CORNER: f32 = 25.0;
 pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
     let strokes = confirmed.iter().filter_map(|contour| Some(WeighedStroke::of(contour.stroke?, contour.line.view())));
     let faint = FaintStrokes::among(strokes.collect());
-    let rank = |contour: &Confirmed| {
-        contour.stroke.map_or(1, |width| 2 * u8::from(faint.holds_stroke(width, contour.line.view())))
-    };
+    for contour in &mut confirmed {
+        contour.faint = contour.stroke.is_some_and(|width| faint.holds(width, contour.line.view()));
+    }
+    let rank = |contour: &Confirmed| contour.stroke.map_or(1, |_| 2 * u8::from(contour.faint));
     // in whole pixels: rounding decides nothing
     confirmed.sort_by_cached_key(|contour| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);
@@ -56,7 +57,7 @@ fn longest_side(line: &Polyline<Edgel>) -> f32 {
 
 /// The parts of a contour that coincide with none of those before it. They end on what covers the rest.
 fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
-    let Confirmed { line, stroke } = contour;
+    let Confirmed { line, stroke, faint } = contour;
     let cover: Vec<Option<PxPoint>> =
         line.segments().map(|(a, b)| covered.under(a.at, b.at, stroke.is_some())).collect();
     if cover.iter().all(Option::is_none) {
@@ -76,7 +77,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
                 vertices[end].at = covered.nearest(vertices[end].at).unwrap_or(vertices[end].at);
             }
         }
-        Confirmed { line: Polyline::open(vertices), stroke: *stroke }
+        Confirmed { line: Polyline::open(vertices), stroke: *stroke, faint: *faint }
     };
     let parts = stretches(&free, line.closed).into_iter().map(part);
     parts.filter(|part| part.line.length() >= SHORTEST).collect()

@@ -5,15 +5,15 @@ use crate::edges::{ChainKind, Edgel, Edges};
 use crate::lines::{Lines, draw};
 use crate::units::{MmRect, PageTransform, PxPoint, Size};
 
-/// A stroke with its width, its strength and its corners, in px.
-type TestStroke<'a> = (f32, f32, &'a [(f32, f32)]);
+/// A stroke with whether it is faint, its strength and its corners, in px.
+type TestStroke<'a> = (bool, f32, &'a [(f32, f32)]);
 
 /// A drawing of strokes; two px are a millimetre.
 fn drawn(strokes: &[TestStroke<'_>]) -> Lines {
     let size = Size::new(300, 200);
     let mut edges = Edges::none(size);
-    for &(width, strength, corners) in strokes {
-        let kind = ChainKind { exact: true, of_drawing: true, stroke: Some(width), added: false };
+    for &(faint, strength, corners) in strokes {
+        let kind = ChainKind { exact: true, of_drawing: true, stroke: Some(2.0), faint, added: false };
         let edgel = |&(x, y): &(f32, f32)| Edgel { at: PxPoint::new(x, y), strength, contrast: [0.0; 3] };
         edges.push_as(kind, corners.iter().map(edgel), false);
     }
@@ -42,20 +42,11 @@ fn lines_as_weak_as_contours_may_be_are_weak_whatever_the_strongest_is() {
 #[test]
 fn a_pale_thin_grid_is_thin_and_gives_way_to_the_curve() {
     let whole: f32 = CURVE.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1) / 2.0).sum();
-    let grid_first = drawn(&[(1.0, 25.0, GRID), (5.0, 90.0, CURVE)]);
+    let grid_first = drawn(&[(true, 25.0, GRID), (false, 90.0, CURVE)]);
     let [curve] = longest(&grid_first, false)[..] else { panic!("{grid_first:?}") };
     assert!((curve - whole).abs() < 0.5, "{curve} of {whole} mm");
     let grid = longest(&grid_first, true);
     // the piece below the dip of the curve is gone, and no scrap is left
     assert!(!grid.is_empty() && grid.iter().all(|length| *length >= 12.0), "{grid:?}");
     assert!(grid_first.lost.lost > 5.0, "and told");
-}
-
-#[test]
-fn strokes_that_are_only_thin_or_only_pale_are_lines_as_others() {
-    for (width, strength) in [(2.0, 90.0), (5.0, 30.0)] {
-        let lines = drawn(&[(width, strength, GRID), (5.0, 90.0, &[(20.0, 30.0), (280.0, 30.0)])]);
-        assert_eq!(longest(&lines, false).len(), 2, "{width} px, {strength}");
-    }
-    assert!(longest(&drawn(&[(1.0, 40.0, GRID)]), true).is_empty(), "of one kind all are strong");
 }
