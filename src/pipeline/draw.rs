@@ -6,7 +6,7 @@ use super::dots;
 use super::find_edges::{edges_of, find_edges};
 use super::finish::PageSays;
 use super::given::{Given, GivenLines, erase};
-use super::hand_lines::{SAME_SHAPE, by_hand_first};
+use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::key::KeySheets;
 use super::leaders;
@@ -320,7 +320,8 @@ fn edges_of_drawn(
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
-    let edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
+    let mut edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
+    weaken_thin_strokes(&mut edges, request.plan.lines().max_spacing() * px_per_mm, request.plan);
     Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told))))
 }
 

@@ -1,6 +1,7 @@
 //! Lines of a page as contours of a picture: those that a person gives, and those of a page that is laid out anew.
 
 mod line;
+mod thickness;
 
 use super::cut_contours::{index_of_edges, parts_beside, take_out};
 use super::kept_lines::LineName;
@@ -14,6 +15,8 @@ use crate::reading::DrawnArea;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform, PxPoint, Size};
 use crate::{About, Error, Note, Reason};
 use line::HandLine;
+
+pub(super) use thickness::weaken_thin_strokes;
 
 /// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,8 +37,8 @@ pub struct HandLines {
 /// Most lines that are named.
 const MOST_NAMED: usize = 5;
 /// Contours of the lines of a page, and of lines that a person adds to those of a picture.
-const OF_PAGE: ChainKind = ChainKind { exact: true, of_drawing: true, stroke: None, added: false };
-const ADDED: ChainKind = ChainKind { exact: true, of_drawing: false, stroke: None, added: true };
+const OF_PAGE: ChainKind = ChainKind { exact: true, of_drawing: true, stroke: None, faint: false, added: false };
+const ADDED: ChainKind = ChainKind { exact: true, of_drawing: false, stroke: None, faint: false, added: true };
 /// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
 pub(super) const SAME_SHAPE: f32 = 0.03;
 

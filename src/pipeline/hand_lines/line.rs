@@ -151,12 +151,15 @@ fn joined(runs: &[Run]) -> Vec<Vec<&Run>> {
 
 /// The strength whose lines are as wide as a run; of the widest, and of dots, that of the line.
 fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
-    let params = plan.lines();
     let swell = plan.profile().print.swell;
+    let graded = Some(run.width + swell).filter(|_| run.pen == Pen::Stroke).and_then(|width| graded(width, plan));
+    graded.unwrap_or(of_line.max(plan.lines().full_strength))
+}
+
+/// The strength whose lines are so wide, mm; none of the widest.
+pub(super) fn graded(width: f32, plan: &Plan) -> Option<f32> {
+    let params = plan.lines();
     let range = (params.width_max - params.width_min).max(f32::EPSILON);
-    let share = ((run.width + swell - params.width_min) / range).clamp(0.0, 1.0);
-    if run.pen != Pen::Stroke || share > 0.99 {
-        return of_line.max(params.full_strength);
-    }
-    params.least_strength + share * (params.full_strength - params.least_strength)
+    let share = ((width - params.width_min) / range).clamp(0.0, 1.0);
+    (share <= 0.99).then(|| params.least_strength + share * (params.full_strength - params.least_strength))
 }

@@ -1,0 +1,57 @@
+//! How thick the strokes in a picture of lines are says how strong its lines are.
+
+use super::line::graded;
+use crate::edges::Edges;
+use crate::profile::Plan;
+
+/// A stroke of this share of the thickest is as strong: as thick as one pen draws, and as exactly as pixels show it.
+const OF_ONE_PEN: f32 = 0.8;
+/// The thickest strokes are this share of all lines by length: a blot is none of them.
+const THICKEST: f32 = 0.05;
+
+/// Makes lines weaker the thinner their strokes are beside the thickest, so that they are thinner on the page in
+/// proportion. What is too broad for one line, of which two sides were found, counts as broad as `widest`, px.
+pub(in crate::pipeline) fn weaken_thin_strokes(edges: &mut Edges, widest: f32, plan: &Plan) {
+    let mut widths: Vec<(f32, f32)> = Vec::with_capacity(edges.chains.len());
+    for range in &edges.chains {
+        widths.push((range.kind.stroke.unwrap_or(widest), edges.chain(range).length()));
+    }
+    widths.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let whole: f32 = widths.iter().map(|(_, length)| length).sum();
+    let mut sum = 0.0;
+    let thickest = widths.iter().find(|(_, length)| {
+        sum += length;
+        sum >= THICKEST * whole
+    });
+    let Some(&(thickest, _)) = thickest else { return };
+    for range in &edges.chains {
+        let share = range.kind.stroke.unwrap_or(widest) / (OF_ONE_PEN * thickest);
+        let Some(most) = graded(share * plan.lines().width_max, plan) else { continue };
+        edges.edgels[range.edgels.clone()].iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::edges::{ChainKind, Edgel};
+    use crate::profile::Profile;
+    use crate::units::{PxPoint, Size};
+
+    #[test]
+    fn a_stroke_of_half_the_thickness_is_weaker_and_one_of_nearly_the_same_is_not() {
+        let mut edges = Edges::none(Size::new(400, 400));
+        for (number, width) in [Some(8.0), Some(7.0), Some(4.0), Some(1.0), None].into_iter().enumerate() {
+            let at = |x: u8| PxPoint::new(f32::from(x), 20.0 * number as f32);
+            let chain = (0..200).map(|x| Edgel { at: at(x), strength: 90.0, contrast: [90.0, 0.0, 0.0] });
+            edges.push_as(ChainKind { stroke: width, ..ChainKind::default() }, chain, false);
+        }
+        let plan = Plan::new(&Profile::named("swell-a4").expect("it ships")).expect("it is right");
+        weaken_thin_strokes(&mut edges, 8.5, &plan);
+        let strengths: Vec<f32> = edges.chains.iter().map(|range| edges.edgels[range.edgels.start].strength).collect();
+        assert_eq!((strengths[0], strengths[1], strengths[4]), (90.0, 90.0, 90.0));
+        let params = plan.lines();
+        assert!(strengths[2] < params.full_strength && strengths[2] > strengths[3]);
+        assert!((strengths[3] - params.least_strength).abs() < 1e-3, "{strengths:?}");
+    }
+}
