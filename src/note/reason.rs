@@ -30,6 +30,10 @@ reasons! {
     // of a page that was read
     /// Pictures of pixels in a file have no lines.
     Pixels => "pixels",
+    /// What an object shows is in another file, or is no SVG.
+    Elsewhere => "elsewhere",
+    /// The layer of the figure is gone, so that its place is not known.
+    NoFigure => "no-figure",
     /// Marks lie beyond the sheet.
     OffSheet => "off-sheet",
     /// Clip paths, masks and filters are not taken: what they cut off is there.

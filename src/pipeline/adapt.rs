@@ -11,6 +11,7 @@ use super::words::blank_to_signs;
 use crate::braille::Translate;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
+use crate::listing::first_few;
 use crate::page::cells::CellGrid;
 use crate::page::{DotMedium, Glyph, Medium, Names, Page, Parts};
 use crate::profile::Plan;
@@ -18,6 +19,9 @@ use crate::reading::Reading;
 use crate::units::MmRect;
 use crate::wording::Wording;
 use crate::{About, Error, Note, Reason, dots, legibility};
+
+/// Most areas that are named.
+const MOST_NAMED: usize = 5;
 
 /// A page as its paper or device takes it.
 #[derive(Debug)]
@@ -46,7 +50,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
     let Reading { page, .. } = read;
     let mut parts = Parts::clone(page);
     let mut lines = LineName::of(&read.names);
-    let mut notes: Vec<Note> = right_signs(&mut parts, page, plan);
+    let mut notes: Vec<Note> = right_signs(&mut parts, page, &read.names.areas, plan);
     match &page.medium {
         Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
         Medium::Dots(medium) => notes.extend(strokes_as_dots(&mut parts, &mut lines, medium, plan)),
@@ -86,35 +90,40 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
     Ok(Adapted { page, lines, notes, of_places, of_overview, abbreviates })
 }
 
-/// Draws areas anew that were moved to another colour; tells how many, and how many have no room for its signs.
-fn right_signs(parts: &mut Parts, page: &Page, plan: &Plan) -> Vec<Note> {
-    let classes = wrong_signs(page);
-    if classes.is_empty() || plan.profile().textures.fringe {
+/// Draws areas anew that have the signs of another colour, as they were moved or turned; tells which, by their names,
+/// and which have no room for its signs.
+fn right_signs(parts: &mut Parts, page: &Page, names: &[String], plan: &Plan) -> Vec<Note> {
+    let wrong = wrong_signs(page);
+    if wrong.is_empty() || plan.profile().textures.fringe {
         return Vec::new();
     }
     let all = areas::of_page(page);
-    for &number in &classes {
+    for &number in &wrong {
         parts.figure.textures[number].glyphs = fill(page, &all, number, plan);
     }
-    let has_room = |number: &&usize| !parts.figure.textures[**number].glyphs.is_empty();
-    let drawn = classes.iter().filter(has_room).count();
+    let has_room = |number: &usize| !parts.figure.textures[*number].glyphs.is_empty();
+    let (drawn, bare): (Vec<usize>, Vec<usize>) = wrong.into_iter().partition(has_room);
     parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
-    let have = |count: usize| if count == 1 { "area has" } else { "areas have" };
-    let told = |count: usize| {
-        let told = format!("{count} {} another colour now, and the texture was drawn anew", have(count));
+    let named = |areas: &[usize]| {
+        let name = |number: &usize| {
+            let class = page.figure.textures[*number].class.name();
+            names.get(*number).cloned().unwrap_or_else(|| format!("an area of {class}"))
+        };
+        first_few(areas, MOST_NAMED, name)
+    };
+    let its = |areas: &[usize]| if areas.len() == 1 { "its colour" } else { "their colours" };
+    let told = || {
+        let why = "where an area was moved or turned they were those of another";
+        let told = format!("{} drawn anew in the signs of {}: {why}", named(&drawn), its(&drawn));
         Note::TakenAs(About::Areas, Reason::AreaRecoloured, told)
     };
-    let told_lost = |count: usize| {
-        let (have, room) = (have(count), if count == 1 { "it has" } else { "they have" });
-        let why = format!("{room} no room for its signs clear of lines; say in a label what the colour means");
-        Note::NotOnPage(
-            About::Areas,
-            Reason::NoRoomForTexture,
-            format!("the textures of areas: {count} {have} another colour now, and {why}"),
-        )
+    let told_bare = || {
+        let why = "there is no room for them clear of lines; say in a label what the colour means";
+        let told = format!("the textures of {}, in the signs of {}: {why}", named(&bare), its(&bare));
+        Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told)
     };
-    let bare = classes.len() - drawn;
-    (drawn > 0).then(|| told(drawn)).into_iter().chain((bare > 0).then(|| told_lost(bare))).collect()
+    let drawn = (!drawn.is_empty()).then(told);
+    drawn.into_iter().chain((!bare.is_empty()).then(told_bare)).collect()
 }
 
 /// Brings the widths of printed lines into the range of the profile; tells of how many.

@@ -1,6 +1,7 @@
 //! A page of what was found drawn.
 
 use super::areas::{self, DrawnArea};
+use super::clip;
 use super::document::{Elements, numbers};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes, WHITE};
@@ -48,7 +49,7 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print, [pictures, cut]): (PaintedShapes<'_>, Vec<PrintText>, [usize; 2]),
+    (marks, print, [pictures, elsewhere, cut]): (PaintedShapes<'_>, Vec<PrintText>, [usize; 3]),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
@@ -57,7 +58,7 @@ pub(super) fn page(
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, palette(&words), sheet);
-    builder.is_foreign = elements.has_layer() && elements.layer(Layer::Figure).is_none();
+    builder.is_foreign = elements.has_layer() && !elements.is_page();
     let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
         builder.add(mark, &mut runs);
@@ -94,7 +95,9 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let notes = tally.notes().chain(tally::told_of_file([pictures, far, cut, patterned])).collect();
+    let no_figure = elements.is_page() && elements.layer(Layer::Figure).is_none();
+    let notes = tally.notes().chain(tally::told_of_file([pictures, elsewhere, far, cut, patterned]));
+    let notes = notes.chain(no_figure.then(tally::told_no_figure)).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();
@@ -413,19 +416,32 @@ impl<'m> Builder<'m> {
         self.texts.len() - 1
     }
 
-    /// Those runs that lie on the sheet.
-    fn on_sheet(&mut self, mut runs: Vec<Run>) -> Vec<Run> {
+    /// What of these runs lies on the sheet.
+    fn on_sheet(&mut self, runs: Vec<Run>) -> Vec<Run> {
         let sheet = self.sheet;
-        let tally = &mut self.tally;
-        runs.retain_mut(|run| {
-            let first = run.points.first().copied();
-            let inside = run.points.iter_mut().all(|at| nudged(at, 0.5 * run.width, sheet));
-            if !inside {
-                tally.add(What::OffSheet, first);
+        let mut kept = Vec::with_capacity(runs.len());
+        for mut run in runs {
+            let Some(&first) = run.points.first() else { continue };
+            let radius = 0.5 * run.width;
+            if run.points.iter_mut().all(|at| nudged(at, radius, sheet)) {
+                kept.push(run);
+                continue;
             }
-            inside && !run.points.is_empty()
-        });
-        runs
+            let of_stroke = MmRect::new(MmPoint::zero(), sheet.into()).inflate(-radius, -radius);
+            let parts = match run.pen {
+                Pen::Stroke if !of_stroke.is_empty() => clip::inside(&run.points, run.closed, of_stroke),
+                _ => Vec::new(),
+            };
+            // half the width of a line along the edge of the sheet is not missed
+            let all = MmRect::new(MmPoint::zero(), sheet.into()).inflate(SAME, SAME);
+            if parts.is_empty() {
+                self.tally.add(What::OffSheet, Some(first));
+            } else if let Some(beyond) = run.points.iter().find(|at| !all.contains(**at)) {
+                self.tally.add(What::CutAtSheet, Some(*beyond));
+            }
+            kept.extend(parts.into_iter().map(|points| Run { points, closed: false, ..run.clone() }));
+        }
+        kept
     }
 
     /// The dot that the device has there; on paper, and where it has none, the place itself.

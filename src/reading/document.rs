@@ -255,13 +255,39 @@ impl<'a> Elements<'a> {
         None
     }
 
-    /// The element of a layer, by its id.
+    /// The element of a layer, by its id, or else by its name.
     pub(super) fn layer(&self, layer: Layer) -> Option<Node<'a, 'a>> {
-        self.get(&layer.id())
+        let is_it = |node: &Node<'a, 'a>| node.tag_name().name() == "g" && layer_of(*node) == Some(layer);
+        let by_name = || self.by_id.values().copied().filter(is_it).min_by_key(|node| node.range().start);
+        self.get(&layer.id()).or_else(by_name)
     }
 
     pub(super) fn has_layer(&self) -> bool {
         self.by_id.values().any(|node| node.tag_name().name() == "g" && layer_of(*node).is_some())
+    }
+
+    /// Whether they are those of a page, of which something may be gone: an object or a place that the writer of pages
+    /// marks, or its lines or textures in its figure. Other drawings may have a group that is called "labels" too.
+    pub(super) fn is_page(&self) -> bool {
+        let is_marked = |node: Node<'_, '_>| is_object(node) || node.has_attribute("data-box");
+        let is_part = |node: Node<'_, '_>| {
+            let of_figure = |layer: Layer| matches!(layer, Layer::Lines | Layer::Textures | Layer::Texture(_));
+            let around = || node.ancestors().skip(1).any(|above| layer_of(above) == Some(Layer::Figure));
+            node.tag_name().name() == "g" && layer_of(node).is_some_and(of_figure) && around()
+        };
+        self.by_id.values().any(|node| is_marked(*node) || is_part(*node))
+    }
+
+    /// Whether an element that is drawn shows something that is not read: a clone of what is in another file or is not
+    /// there, or content of another language than SVG.
+    pub(super) fn is_elsewhere(&self, node: Node<'a, 'a>) -> bool {
+        let is_lost = match node.tag_name().name() {
+            "foreignObject" => true,
+            "use" => self.shown_by(node).is_none(),
+            _ => false,
+        };
+        let is_drawn = || !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()));
+        is_lost && is_shown(&node) && is_drawn()
     }
 
     /// The texts that are shown, in their order.

@@ -11,7 +11,7 @@ use super::markers;
 use super::subpath::{Subpath, clean, subpaths};
 use crate::Error;
 use crate::output::layer::Layer;
-use crate::page::arrowhead;
+use crate::page::{Class, TextRole, arrowhead};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// Scales of transforms are off by less.
@@ -124,6 +124,28 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<PaintedShap
     Ok(marks)
 }
 
+/// The layer of an object that we wrote, which lies in this one: editors put a group of objects where the uppermost of
+/// them is, and none of them becomes another thing by that. An area in another texture has been moved there on purpose.
+fn layer_of_object(element: Node<'_, '_>, around: Option<Layer>) -> Option<Layer> {
+    let has = |name: &str| element.has_attribute(name);
+    match around {
+        Some(Layer::Texture(_)) if has("data-class") => around,
+        Some(Layer::Braille(_)) if has("data-braille") => around,
+        Some(Layer::Lines | Layer::Overview | Layer::Figure) if has("data-strength") => around,
+        _ if has("data-class") => {
+            let class = element.attribute("data-class").and_then(|name| Class::named(name).ok());
+            class.map(Layer::Texture).or(around)
+        }
+        _ if has("data-braille") => {
+            let id = element.attribute("id").unwrap_or_default();
+            let layers = TextRole::ALL.into_iter().map(Layer::Braille);
+            layers.into_iter().find(|layer| id.starts_with(&layer.id())).or(around)
+        }
+        Some(Layer::Texture(_) | Layer::Textures | Layer::Braille(_)) if has("data-strength") => Some(Layer::Lines),
+        _ => around,
+    }
+}
+
 /// From CSS pixels to mm.
 fn to_mm(transform: Transform) -> Transform {
     transform.post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX)
@@ -142,6 +164,7 @@ impl<'a> PaintedShapes<'a> {
                 self.transforms.entry(layer.id()).or_insert_with(|| to_mm(group.abs_transform()));
             } else if is_object(element) {
                 around.object = Some((self.next_object(), element));
+                around.layer = layer_of_object(element, around.layer);
             }
         }
         // the markers of a line follow it
@@ -258,8 +281,18 @@ impl<'a> PaintedShapes<'a> {
             shade: self.shade(stroke.paint(), stroke.opacity().get() * opacity),
             is_dashed: stroke.dasharray().is_some(),
         });
+        // how objects are painted their layers say: in another layer they are still what they were
+        let width = own.attribute("stroke-width").and_then(|width| width.parse::<f32>().ok());
+        let (fill, stroke) = match (fill, stroke, width) {
+            (Some(shade), None, Some(width)) if element.has_attribute("data-strength") => {
+                (None, Some(PaintedStroke { width: clean(width * area_scale.sqrt()), shade, is_dashed: false }))
+            }
+            (None, Some(stroke), _) if element.has_attribute("data-class") => (Some(stroke.shade), None),
+            (fill, stroke, _) => (fill, stroke),
+        };
         let is_direct = own.parent() == Some(element) || own == element;
         let Inherited { layer, clone, .. } = around;
+        let layer = if around.object.is_none() { layer_of_object(own, layer) } else { layer };
         let of = PaintedShape { layer, object, element, clone, is_direct, subpaths, fill, colour, stroke, area_scale };
         self.marks.push(of);
         Ok(())

@@ -15,6 +15,7 @@
 
 mod areas;
 mod build;
+mod clip;
 mod cuts;
 mod document;
 mod entities;
@@ -114,8 +115,10 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let (text, cut) = document::with_ids(&given)?;
     let document = document::parse(&text)?;
     let elements = Elements::of(&document);
-    if needs_layers && !elements.has_layer() {
-        return Err(document::not_a_page("it has none of the layers of a page, such as lines or figure"));
+    if needs_layers && !elements.is_page() {
+        let why = "it has none of the layers of a page, such as lines in a figure";
+        let remedy = "convert it, if it is a drawing, or give the SVG of a page that tactograph made";
+        return Err(Error::NotAPage { why, remedy });
     }
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
@@ -130,9 +133,10 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let words = words::of(&document);
     let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);
     let pictures = document.descendants().filter(is_picture).count();
+    let elsewhere = document.descendants().filter(|node| elements.is_elsewhere(*node)).count();
     let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
     let Built { page, names, mut notes, areas, moved_texts } =
-        build::page((marks, print, [pictures, cut]), words, &elements, sheet)?;
+        build::page((marks, print, [pictures, elsewhere, cut]), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(given.as_bytes());
     Ok(Reading { page, names, notes, areas, is_changed, moved_texts, texts })
@@ -153,5 +157,5 @@ pub fn is_drawing(bytes: &[u8]) -> bool {
 pub fn is_page(svg: &[u8]) -> bool {
     let text = std::str::from_utf8(svg).unwrap_or_default();
     let has = |what: &str| text.contains(what);
-    has("data-box=") && has("id=\"figure\"") && has("data-source=") && has("<svg")
+    has("data-box=") && has("data-source=") && has("<svg")
 }

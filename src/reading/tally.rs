@@ -19,6 +19,7 @@ pub(super) enum What {
     Outlined,
     NoGlyph,
     OffSheet,
+    CutAtSheet,
     Shaded,
     Dashed,
     UnevenDots,
@@ -27,14 +28,20 @@ pub(super) enum What {
     White,
 }
 
-/// What is told of pictures of pixels, of marks far beyond the sheet, of what cuts off others, and of what is filled
-/// unevenly, by how many there are.
-pub(super) fn told_of_file([pictures, far, clipped, patterned]: [usize; 4]) -> impl Iterator<Item = Note> {
+/// What is told of pictures of pixels, of what is in another file or of another kind than SVG, of marks far beyond the
+/// sheet, of what cuts off others, and of what is filled unevenly, by how many there are.
+pub(super) fn told_of_file([pictures, elsewhere, far, clipped, patterned]: [usize; 5]) -> impl Iterator<Item = Note> {
+    let of_elsewhere = counted(elsewhere, "object");
     let all = [
         (
             pictures,
             Reason::Pixels,
             format!("{}: convert what is in a picture to lines first", counted(pictures, "picture")),
+        ),
+        (
+            elsewhere,
+            Reason::Elsewhere,
+            format!("{of_elsewhere} of another file or of no kind that SVG draws: put what is shown there on the page"),
         ),
         (far, Reason::OffSheet, format!("{} far beyond the sheet", counted(far, "mark"))),
         (clipped, Reason::Clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
@@ -43,6 +50,16 @@ pub(super) fn told_of_file([pictures, far, clipped, patterned]: [usize; 4]) -> i
     let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
     let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, Reason::NotBlack, patterned_as));
     left_out.map(|(_, reason, what)| Note::NotOnPage(About::Marks, reason, what)).chain(taken)
+}
+
+/// What is told of a page without the layer of its figure.
+pub(super) fn told_no_figure() -> Note {
+    let remedy = "undo that, or give a group of its lines and textures this name and the data-box that it had";
+    Note::TakenAs(
+        About::Marks,
+        Reason::NoFigure,
+        format!("the whole sheet is taken as the figure, as its layer is gone: {remedy}"),
+    )
 }
 
 impl Tally {
@@ -69,6 +86,7 @@ impl What {
             Self::Outlined => Note::TakenAs(About::Areas, Reason::NoTextureColour, told),
             Self::NoGlyph => Note::NotOnPage(About::Signs, Reason::NoSign, told),
             Self::OffSheet => Note::NotOnPage(About::Marks, Reason::OffSheet, told),
+            Self::CutAtSheet => Note::NotOnPage(About::Lines, Reason::OffSheet, told),
             Self::Shaded => Note::TakenAs(About::Marks, Reason::NotBlack, told),
             Self::Dashed => Note::TakenAs(About::Lines, Reason::Dashed, told),
             Self::InPrint => Note::NotOnPage(About::Print, Reason::NoPrintWord, told),
@@ -96,6 +114,7 @@ impl What {
                 n("shape", "shapes")
             ),
             Self::OffSheet => format!("{}{at} beyond the sheet", n("mark", "marks")),
+            Self::CutAtSheet => format!("what of {}{at} reaches beyond the sheet", n("line", "lines")),
             Self::Shaded => {
                 format!("{}{at} in grey or colour, taken as black: only black rises", n("mark", "marks"))
             }

@@ -143,7 +143,7 @@ fn an_area_in_another_group_of_textures_has_its_signs() {
     let inside = group + without[group..].find('>').expect("the group begins") + 1;
     place.put("edited.svg", format!("{}{text}{}", &without[..inside], &without[inside..]).as_bytes());
     let told = done(&place, &["render", "edited.svg", "-o", "new.svg"]);
-    assert!(told.contains("1 area has another colour now"), "{told}");
+    assert!(told.contains("drawn anew in the signs of its colour"), "{told}");
     let (before, after) = (read(&place, "cup.svg"), read(&place, "new.svg"));
     let glyphs = |page: &Page, class: Class| {
         page.figure.textures.iter().filter(|texture| texture.class == class).map(|texture| texture.glyphs.len()).sum()
