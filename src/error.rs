@@ -371,6 +371,12 @@ pub enum Error {
          another device"
     )]
     IsAPage,
+    /// What is to be converted is a page already, in a format from which pages are not read.
+    #[error("this is a {format} of a page that tactograph made, and no picture; render the SVG of the page instead")]
+    IsAPageIn {
+        /// What the format is called.
+        format: &'static str,
+    },
     /// There is nothing of this name: no profile, device, format, language.
     #[error("there is no {what} called {}{} {}", quoted(.name), take_one(.nearest), .known.join(", "))]
     NoSuchName {

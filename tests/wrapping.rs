@@ -325,9 +325,15 @@ fn what_is_around_the_subject_is_left_calm() {
 
 #[test]
 fn a_page_is_no_picture_wherever_one_is_asked_for() {
-    let page = tactograph::convert(&png(), &options()).expect("a page").page.to_svg();
+    let made = tactograph::convert(&png(), &options()).expect("a page").page;
+    let page = made.to_svg();
     let page = page.as_bytes();
     assert_eq!(tactograph::convert(page, &options()).err(), Some(Error::IsAPage));
+    let pdf = made.to_pdf();
+    assert_eq!(tactograph::convert(&pdf, &options()).err(), Some(Error::IsAPageIn { format: "PDF" }));
+    let dpi = Dpi::new(96).expect("a resolution");
+    let preview = made.to_png(dpi, Default::default(), &Fonts::none()).expect("a PNG");
+    assert_eq!(tactograph::convert(&preview, &options()).err(), Some(Error::IsAPageIn { format: "PNG" }));
     assert_eq!(tactograph::convert_to_sheets(page, None, &options()).err(), Some(Error::IsAPage));
     assert_eq!(tactograph::trace(page, &Tracing::contours(), &options()).err(), Some(Error::IsAPage));
 }

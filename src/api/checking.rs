@@ -124,6 +124,15 @@ impl Rule {
     pub fn listed(profile: &Profile) -> Result<String, Error> {
         Ok(legibility::rules_as_text(&Plan::new(profile)?.limits()))
     }
+
+    /// All rules as JSON, with their numbers for pages of a profile: an array of objects with `rule`, `severity`,
+    /// `number` and `unit` (null where it asks for none), `asks`, `source` and `remedy`.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] if the profile has faults.
+    pub fn listed_as_json(profile: &Profile) -> Result<String, Error> {
+        Ok(legibility::rules_as_json(&Plan::new(profile)?.limits()))
+    }
 }
 
 /// Describes a page in plain sentences, the most important first: the SVG of a page, as

@@ -26,7 +26,7 @@ use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
 use crate::pipeline::{self, Drawing, Request, Stage, Watch};
 use crate::profile::{Plan, Profile};
-use crate::{Error, calibration, reading};
+use crate::{Error, calibration, output, reading};
 
 /// Makes the page of a picture. The same picture and options give the same page, however many threads there are.
 ///
@@ -143,12 +143,16 @@ pub struct Calibration {
 /// A picture that is none of our pages: converting one would draw its frame as lines.
 ///
 /// # Errors
-/// [`Error::IsAPage`] if it is one.
+/// [`Error::IsAPage`] if it is one, and [`Error::IsAPageIn`] if it is one as a PDF or PNG.
 fn not_a_page<'p>(picture: impl Into<Picture<'p>>) -> Result<Picture<'p>, Error> {
     let picture = picture.into();
     match picture.0 {
         PixelSource::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
-        PixelSource::File(_) | PixelSource::Rgba8 { .. } => Ok(picture),
+        PixelSource::File(bytes) => match output::written_as(bytes) {
+            Some(format) => Err(Error::IsAPageIn { format }),
+            None => Ok(picture),
+        },
+        PixelSource::Rgba8 { .. } => Ok(picture),
     }
 }
 

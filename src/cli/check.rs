@@ -40,7 +40,7 @@ pub(super) fn run(args: &Check) -> Exit {
                 .iter()
                 .map(|page| one(args, page, profile.as_ref(), &report))
                 .fold(Exit::Done, |worst, exit| if matches!(exit, Exit::Done) { worst } else { exit }),
-            None => list(profile, &report),
+            None => list(profile, args.format, &report),
         };
     };
     if let Some(path) = &args.mark {
@@ -65,9 +65,18 @@ fn one(args: &Check, page: &Path, profile: Option<&Profile>, report: &Report) ->
     }
 }
 
-fn list(profile: Option<Profile>, report: &Report) -> Exit {
+/// Lists the rules.
+fn list(profile: Option<Profile>, format: CheckFormat, report: &Report) -> Exit {
     let profile = profile.map_or_else(|| Profile::named(Profile::built_in()[0].name), Ok);
-    match profile.and_then(|profile| Rule::listed(&profile)) {
+    let listed = |profile: Profile| match format {
+        CheckFormat::Json => Rule::listed_as_json(&profile),
+        CheckFormat::Text | CheckFormat::Sarif => Rule::listed(&profile),
+    };
+    if format == CheckFormat::Sarif {
+        report.usage("rules are listed as text or json; the findings of a page as sarif name their rules");
+        return Exit::Usage;
+    }
+    match profile.and_then(listed) {
         Ok(text) => written(&text, "rules", Exit::Done, report),
         Err(error) => {
             report.usage(&error.to_string());

@@ -65,6 +65,7 @@ impl Error {
         Self::NoSuchFinger(..) => "no-such-finger",
         Self::NotAPage { .. } => "not-a-page",
         Self::IsAPage => "is-a-page",
+        Self::IsAPageIn { .. } => "is-a-page-in",
         Self::NoSuchName { .. } => "no-such-name",
         Self::OtherShape { .. } => "other-shape",
         Self::OtherPart { .. } => "other-part",

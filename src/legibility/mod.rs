@@ -42,7 +42,7 @@ pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONG
 pub(crate) use limits::LEADER_END;
 pub use limits::{MediumLimits, RuleLimits};
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
-pub use report::{Checked, rules_as_text};
+pub use report::{Checked, rules_as_json, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
 pub(crate) use strokes::{GOES_ON, STEPS, longest_cut};

@@ -186,3 +186,21 @@ pub fn rules_as_text(limits: &RuleLimits) -> String {
     };
     RULES.iter().map(line).collect()
 }
+
+/// The same as JSON: an array with `rule`, `severity`, `number` and `unit` (null where it asks for none), `asks`,
+/// `source` and `remedy`.
+pub fn rules_as_json(limits: &RuleLimits) -> String {
+    let of = |rule: &Rule| {
+        let (number, unit) = rule.number(limits).map(|(number, unit)| (rounded(number), unit)).unzip();
+        json!({
+            "rule": rule.id,
+            "severity": rule.severity.name(),
+            "number": number,
+            "unit": unit,
+            "asks": rule.asks,
+            "source": rule.source,
+            "remedy": rule.remedy,
+        })
+    };
+    format!("{:#}\n", Value::Array(RULES.iter().map(of).collect()))
+}

@@ -236,7 +236,7 @@ fn places(count: usize) -> String {
     if count == 1 { "1 place".into() } else { format!("{count} places") }
 }
 
-/// A blank in words; nothing is as near as it can be.
+/// A blank in words, to 0.01 mm: it may be just short of the least.
 pub(super) fn millimetres(blank: f32) -> String {
-    if blank < 0.005 { "0 mm".into() } else { format!("{blank:.1} mm") }
+    format!("{} mm", (100.0 * blank).round().max(0.0) / 100.0)
 }

@@ -5,11 +5,13 @@ use std::f32::consts::SQRT_2;
 use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
+use super::joins::APPROACH;
 use super::limits::{MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
 use crate::geom::{nearest_on_segment, polyline};
+use crate::listing::counted;
 use crate::page::{Line, Medium, Pen, Run};
 use crate::units::{MmPoint, MmRect};
 
@@ -40,7 +42,10 @@ pub(super) fn findings(
             gaps::too_near_joined(lines, line_gap as f32 * pitch, 0.0, f32::INFINITY)
         }
     };
-    found.extend(near.iter().map(|near| too_near(near, names, medium, limits)));
+    // two lines that are cut there may join on the next sheet
+    let meet_beyond = |near: &&Near| window.is_some_and(|window| meet_beyond(near, lines, window, limits));
+    let near = near.iter().filter(|near| !meet_beyond(near));
+    found.extend(near.map(|near| too_near(near, names, medium, limits)));
     if !are_all {
         let what = "so many lines lie on one another that not all of their gaps were looked at";
         found.push(FoundBreach::of_page(LINE_GAP, None, what.to_owned()));
@@ -53,7 +58,7 @@ fn too_near(near: &Near, names: &[String], medium: &Medium, limits: &RuleLimits)
     let (apart, least, gap) = match (limits.medium, medium) {
         (MediumLimits::Print { line_gap, .. }, _) => (millimetres(gap), format!("{line_gap} mm is the least"), gap),
         (MediumLimits::Dots { line_gap, .. }, Medium::Dots(_)) => {
-            (format!("{gap:.0} empty dots"), format!("{line_gap} are the least"), gap)
+            (counted(gap.round() as usize, "empty dot"), format!("{line_gap} are the least"), gap)
         }
         (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
             let mm = millimetres(line_gap as f32 * pitch);
@@ -98,6 +103,19 @@ fn goes_on(line: &Line, window: MmRect, limits: &RuleLimits) -> bool {
     let inner = window.inflate(-reach, -reach);
     let ends = line.runs.iter().flat_map(|run| [run.points.first(), run.points.last()]).flatten();
     inner.is_negative() || ends.into_iter().any(|end| !inner.contains(*end))
+}
+
+/// Whether two lines, or a line and itself, are near to one another where both end at the edge of a window, so near to
+/// that that they may join beyond it.
+fn meet_beyond(near: &Near, lines: &[Line], window: MmRect, limits: &RuleLimits) -> bool {
+    let least = match limits.medium {
+        MediumLimits::Print { line_gap, .. } => line_gap,
+        MediumLimits::Dots { line_gap, pitch, .. } => line_gap as f32 * pitch,
+    };
+    let (one, other) = near.lines;
+    let inner = window.inflate(-APPROACH * least, -APPROACH * least);
+    let is_at_edge = inner.is_negative() || !inner.contains(near.at);
+    is_at_edge && goes_on(&lines[one], window, limits) && goes_on(&lines[other], window, limits)
 }
 
 /// Whether both ends of a line lie on others, or beside dots of others, as those of an arrow between two boxes, which

@@ -15,3 +15,20 @@ mod text;
 pub use dot_files::write as write_dots;
 pub use dots::index::Embossing;
 pub use format::{DotFormat, DrawingFormat, Format};
+
+/// What the PDF and the PNG of a page say of their program ([`pdf`], [`png`]).
+const IN_PDF: &[u8] = b"xmlns:tactograph=";
+const IN_PNG: &[u8] = b"Software\0\0\0\0\0tactograph ";
+
+/// The format of a page of ours that these bytes are, of those from which pages are not read; none if they are
+/// something else.
+pub fn written_as(bytes: &[u8]) -> Option<&'static str> {
+    let has = |what: &[u8]| bytes.windows(what.len()).any(|part| part == what);
+    if bytes.starts_with(b"%PDF-") {
+        has(IN_PDF).then_some("PDF")
+    } else if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+        has(IN_PNG).then_some("PNG")
+    } else {
+        None
+    }
+}

@@ -31,7 +31,11 @@ pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan
     Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
-/// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
+/// Of a photograph the maker is told of contours that are not drawn from this share on: less is what joins, corners and
+/// the middles of strokes cost.
+const TOLD_OF_PHOTOGRAPHS: f32 = 0.1;
+
+/// What the maker is told of contours that are not drawn.
 pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
     let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
     let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
@@ -48,7 +52,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
         let width = layout.figure.width().round() as u32;
         return Some(Note::TooDense { millimetres, percent, place, width, is_larger_turned });
     }
-    let is_told = share >= LeftOut::CROWDED || of_drawing && lost >= least;
+    let is_told = lost >= least && (of_drawing || share >= TOLD_OF_PHOTOGRAPHS);
     is_told.then_some(Note::LinesLeftOut { millimetres, percent, place, is_larger_turned })
 }
 
