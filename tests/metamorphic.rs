@@ -205,7 +205,7 @@ fn lines_follow_every_flip_and_turn() {
 
 #[test]
 fn outlines_of_regions_follow_every_flip_and_turn() {
-    let params = PLAN.regions(false);
+    let params = PLAN.regions(lines::PagePart::Figure);
     let mut looked_at = 0;
     for (name, raster) in pictures() {
         let outlines = |raster: &Raster| -> Vec<(f32, f32)> {

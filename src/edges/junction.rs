@@ -40,7 +40,7 @@ const COLLINEAR: f32 = 0.9945;
 const IN_LINE: f32 = 0.75;
 
 /// Distances of a point from another contour, px: up to the first it runs beside that, up to the second it lies on it.
-const BESIDE: f32 = 1.5;
+const RUNS_BESIDE: f32 = 1.5;
 const ON: f32 = 0.75;
 /// Length over which an end runs along another contour before it is cut off, px: one that meets the contour at the
 /// flattest angle (see `lines`) leaves it sooner.
@@ -168,7 +168,7 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
         match to_others(contour.vertices[vertex].at) {
             distance if distance <= ON => onto = Some((vertex, arc)),
             // beside the other one, but not on it: it may touch it further on
-            distance if distance <= BESIDE => {}
+            distance if distance <= RUNS_BESIDE => {}
             // it leaves the other one
             _ => return onto.filter(|(_, arc)| *arc > ALONG).map(|(vertex, _)| vertex),
         }

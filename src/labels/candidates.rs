@@ -34,7 +34,7 @@ pub(super) const BEFORE_LEADER: f32 = 3.0;
 /// share of that blank: another runs along it.
 const LEAVES_LABEL: f32 = 0.7;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
-const BESIDE: f32 = 2.0;
+const FROM_POINT: f32 = 2.0;
 /// The beginning of a leader line is so much nearer to its own label than to another, mm: a dot of braille or two.
 const CLEARLY_NEARER: f32 = 2.0;
 /// What rounding may add to a distance, mm.
@@ -218,7 +218,7 @@ fn candidate(
     around: &Surroundings<'_>,
 ) -> Option<Candidate> {
     let gap = distance_to_box(around.anchor, place);
-    if gap > reach(label) || around.is_point() && gap < BESIDE || !around.is_in_cell_or_open(place) {
+    if gap > reach(label) || around.is_point() && gap < FROM_POINT || !around.is_in_cell_or_open(place) {
         return None;
     }
     let attachment = if label.is_nameless { Attachment::Beside } else { attachment(label, place, around)? };

@@ -15,7 +15,7 @@ const SMALLEST: f32 = 4.0;
 const ROUND: f32 = 2.6;
 /// Farthest that a ring lies from the text that names it, mm: print stands up to 4 mm beside it, as beside the end of a
 /// line, and large print as far as it is high.
-const BESIDE: f32 = 5.0;
+const FARTHEST_RING: f32 = 5.0;
 
 /// A small ring: its middle, and how far it reaches from there, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +53,7 @@ pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
     let gap = |label: &Wanted, ring: &SmallRing| {
         let far = distance_to_box(ring.at, label.anchor);
         // a ring around a text is a shape with a text in it
-        (far > 0.0 && far - ring.reach <= BESIDE.max(label.anchor.height())).then_some(far)
+        (far > 0.0 && far - ring.reach <= FARTHEST_RING.max(label.anchor.height())).then_some(far)
     };
     let mut pairs: Vec<(f32, usize, usize)> = Vec::new();
     for (number, label) in wanted.iter().enumerate() {

@@ -16,7 +16,7 @@ const SHORTEST: f32 = 2.0;
 /// axes may reach one beyond them (`lines::ticks` takes ticks from 0.5 mm on).
 const SHORTEST_DRAWN: f32 = 1.0;
 /// How far beside a tick there is nothing, as a share of the distance to the next number.
-const BESIDE: f32 = 0.25;
+const CLEAR_OF_TICK: f32 = 0.25;
 /// Step in which a tick is looked for, mm: a square of the room.
 const STEP: f32 = 0.5;
 
@@ -109,9 +109,9 @@ pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f3
 fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
     let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
     let (across, beside) = match group.lies {
-        GroupDirection::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
+        GroupDirection::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, CLEAR_OF_TICK * pitch)),
         GroupDirection::Row | GroupDirection::BelowPoints => {
-            (MmVector::new(0.0, 1.0), MmVector::new(BESIDE * pitch, 0.0))
+            (MmVector::new(0.0, 1.0), MmVector::new(CLEAR_OF_TICK * pitch, 0.0))
         }
     };
     let has_tick = |&label: &usize| {

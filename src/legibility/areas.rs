@@ -3,14 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::finding::FoundBreach;
-use super::limits::{MOST_TEXTURES, MediumLimits, RuleLimits};
-use super::marks::{Mark, MarkOutline, PagePart};
+use super::limits::{MOST_TEXTURES, MediumLimits, ROUNDING, RuleLimits};
+use super::marks::{Mark, MarkOutline, PageObject};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURE_SIGN, TEXTURES};
 use crate::page::{Medium, Names, Page, Shape, TextRole, Texture};
 use crate::units::{MmPoint, MmRect};
-
-/// Numbers of a page have two digits after the point, mm.
-const ROUNDING: f32 = 0.015;
 
 pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let mut found = Vec::new();
@@ -44,7 +41,7 @@ fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a RuleLimits) -> im
     let small = textures.iter().enumerate().filter(move |(_, texture)| !is_known(texture));
     small.filter_map(|(number, texture)| {
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
-        let name = PagePart::Texture(number as u32).name(page, names);
+        let name = PageObject::Texture(number as u32).name(page, names);
         let (area, least) = (texture.area, limits.texture_area);
         let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
         Some(FoundBreach::at(TEXTURE_AREA, extent.center(), extent, area, what).of(&name))
@@ -62,7 +59,7 @@ fn of_other_classes<'a>(
     let textures = page.figure.textures.iter().enumerate().filter(move |_| is_printed);
     textures.filter(|(_, texture)| texture.has_other_signs()).filter_map(|(number, texture)| {
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
-        let name = PagePart::Texture(number as u32).name(page, names);
+        let name = PageObject::Texture(number as u32).name(page, names);
         let what = format!("{name} is {}, and its marks are those of another colour", texture.class.name());
         Some(FoundBreach::at(TEXTURE_SIGN, extent.center(), extent, 0.0, what).unmeasured().of(&name))
     })
@@ -77,8 +74,8 @@ struct AreaGroup {
 }
 
 /// The marks that are worse than `least`, by part.
-fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeMap<PagePart, AreaGroup> {
-    let mut groups: BTreeMap<PagePart, AreaGroup> = BTreeMap::new();
+fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeMap<PageObject, AreaGroup> {
+    let mut groups: BTreeMap<PageObject, AreaGroup> = BTreeMap::new();
     for mark in marks {
         let worst = measure(mark);
         if worst >= least {
@@ -98,13 +95,13 @@ fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeM
 fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let MediumLimits::Print { glyph, .. } = limits.medium else { return Vec::new() };
     // lines have a rule of their own
-    let is_line = |part: PagePart| matches!(part, PagePart::Line(_) | PagePart::OverviewLine(_));
+    let is_line = |part: PageObject| matches!(part, PageObject::Line(_) | PageObject::OverviewLine(_));
     let thickness = |mark: &Mark| match mark.outline {
         _ if is_line(mark.part) => f32::MAX,
         MarkOutline::Stroke { radius, .. } => 2.0 * radius,
         MarkOutline::Rhombus { corners: [a, b, c, d] } => (c - a).length().min((d - b).length()),
     };
-    let of = |(part, group): (PagePart, AreaGroup)| {
+    let of = |(part, group): (PageObject, AreaGroup)| {
         let (count, thinnest) = (group.count, group.worst);
         let noun = if count == 1 { "1 mark is" } else { &format!("{count} marks are") };
         let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page, names));
@@ -129,7 +126,7 @@ fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) 
         let MmRect { min, max } = mark.extent();
         (min.x - inner.min.x).min(min.y - inner.min.y).min(inner.max.x - max.x).min(inner.max.y - max.y)
     };
-    let of = |(part, group): (PagePart, AreaGroup)| {
+    let of = |(part, group): (PageObject, AreaGroup)| {
         let out = -group.worst;
         let name = part.name(page, names);
         let what = format!("{name} reaches {out:.1} mm beyond {what}");

@@ -1,7 +1,7 @@
 //! Ends of lines that point at one another over a small gap: a contour that seems broken.
 
 use super::finding::FoundBreach;
-use super::limits::RuleLimits;
+use super::limits::{LAST_DIGIT, RuleLimits};
 use super::marks::name_in;
 use super::paths::{PathKind, Paths, point_at};
 use super::rules::BROKEN_LINE;
@@ -17,7 +17,7 @@ const STRAIGHT_COSINE: f32 = 0.906;
 /// Dots nearer than so many pitches are next to one another, also diagonally.
 const STEP: f32 = 1.6;
 /// A line no further than this from the segment between two ends lies on it, mm: rounding.
-const TOUCH: f32 = 0.02;
+const TOUCH: f32 = 2.0 * LAST_DIGIT;
 /// The two ends of one line are looked at if it is longer than so many of the gap.
 const LEAST_LENGTH: f32 = 4.0;
 

@@ -7,6 +7,7 @@
 
 use super::finding::around;
 use super::joins::{self, BEND_LEAST, Join, arrives, free_parts};
+use super::limits::ROUNDING;
 use super::paths::{Path, Paths, may_be_near, nearest, point_at};
 use crate::geom::nearby::Segment;
 use crate::geom::{nearest_on_segment, segment_distance};
@@ -22,8 +23,6 @@ pub(crate) const BEND: f32 = 4.0;
 /// are sides if the length over the tip is nearly as long as the line.
 pub(crate) const CORNER: f32 = 6.1;
 pub(crate) const STRAIGHTNESS: f32 = 0.92;
-/// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
-const ROUNDING: f32 = 0.015;
 /// Most stretches that are looked at: a hundred times what the worst page of a person has. More lie where hundreds of
 /// lines lie on one another, each with each.
 const MOST: usize = 20_000;

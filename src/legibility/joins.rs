@@ -1,5 +1,6 @@
 //! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
 
+use super::limits::LAST_DIGIT;
 use super::paths::{Paths, may_be_near, nearest, point_at};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
@@ -13,8 +14,9 @@ pub(crate) const APPROACH: f32 = 3.0;
 pub(crate) const CLUSTER_APPROACH: f32 = 1.7;
 /// A line that comes back to itself within this length is bent, not joined, mm.
 pub(crate) const BEND_LEAST: f32 = 2.0;
-/// Lines cross in a vertex of both if it is on both within this, mm: a page has hundredths.
-const VERTEX: f32 = 0.005;
+/// Lines cross in a vertex of both if it is on both within this, mm: each is rounded to the
+/// nearest number.
+const VERTEX: f32 = 0.5 * LAST_DIGIT;
 /// The largest ring that stands for a point of a drawing, across in distances of two lines.
 pub(crate) const SMALL_RING: f32 = 2.5;
 /// Lines that cross twice are looked at this often between the crossings, mm.
@@ -136,7 +138,7 @@ fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
     let is_apart = |one: (usize, f32), other: (usize, f32)| {
         let both = |(number, arc): (usize, f32)| [spacing, -spacing].map(|step| leaves(number, arc, step));
         let others = both(other);
-        both(one).iter().flatten().all(|way| others.iter().flatten().all(|with| way.dot(*with) <= BESIDE))
+        both(one).iter().flatten().all(|way| others.iter().flatten().all(|with| way.dot(*with) <= APART))
     };
     for (third, of_third) in meetings.iter().enumerate() {
         for &(here, number, arc) in of_third.iter().filter(|(_, number, arc)| ends(*number, *arc)) {
@@ -154,7 +156,7 @@ fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
 
 /// The greatest cosine of two directions that are not those of lines beside one another (30 degrees; lines are drawn so
 /// from 36 on).
-pub(crate) const BESIDE: f32 = 0.866;
+pub(crate) const APART: f32 = 0.866;
 
 /// The place of a path at an arc.
 fn place(paths: &Paths, path: usize, arc: f32) -> Option<MmPoint> {

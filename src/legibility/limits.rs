@@ -49,6 +49,11 @@ pub enum MediumLimits {
     },
 }
 
+/// The last digit of the numbers of a page, which have two after the point, mm: each of them is off by up to a half.
+pub(super) const LAST_DIGIT: f32 = 0.01;
+/// A blank is that much less or more by rounding, mm: of two marks three numbers are added up.
+pub(super) const ROUNDING: f32 = 1.5 * LAST_DIGIT;
+
 /// Most textures that readers keep apart (BANA, as quoted by others).
 pub(super) const MOST_TEXTURES: usize = 5;
 const _: () = assert!(Class::COUNT <= MOST_TEXTURES, "a page of all classes would break the rule");

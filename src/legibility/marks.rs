@@ -9,7 +9,7 @@ use crate::units::{Mm, MmPoint, MmRect};
 
 /// What a mark is a part of; numbers count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum PagePart {
+pub(super) enum PageObject {
     OrientationMark,
     Tick,
     Frame,
@@ -34,19 +34,19 @@ pub(super) enum MarkOutline {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mark {
     pub(super) outline: MarkOutline,
-    pub(super) part: PagePart,
+    pub(super) part: PageObject,
     /// Its middle and how far it reaches from there, mm.
     pub(super) middle: MmPoint,
     pub(super) reach: f32,
 }
 
 impl Mark {
-    pub(super) fn stroke(a: MmPoint, b: MmPoint, radius: f32, part: PagePart) -> Self {
+    pub(super) fn stroke(a: MmPoint, b: MmPoint, radius: f32, part: PageObject) -> Self {
         let reach = 0.5 * (b - a).length() + radius;
         Self { outline: MarkOutline::Stroke { a, b, radius }, part, middle: a.lerp(b, 0.5), reach }
     }
 
-    fn glyph(glyph: &Glyph, part: PagePart) -> Self {
+    fn glyph(glyph: &Glyph, part: PageObject) -> Self {
         match glyph.shape {
             Shape::Dot { diameter } => Self::stroke(glyph.at, glyph.at, 0.5 * diameter, part),
             Shape::Rhombus { .. } => {
@@ -119,36 +119,36 @@ fn to_segment(corners: &[MmPoint; 4], (a, b): (MmPoint, MmPoint)) -> f32 {
 /// All marks of a page.
 pub(super) fn marks_of(page: &Page) -> Vec<Mark> {
     let mut marks = Vec::new();
-    let runs = |marks: &mut Vec<Mark>, run: &Run, part: PagePart| match run.pen {
+    let runs = |marks: &mut Vec<Mark>, run: &Run, part: PageObject| match run.pen {
         Pen::Stroke => {
             let segments = run.polyline().segments();
             marks.extend(segments.map(|(a, b)| Mark::stroke(*a, *b, 0.5 * run.width, part)));
         }
         Pen::Dots(_) => marks.extend(run.points.iter().map(|&at| Mark::stroke(at, at, 0.5 * run.width, part))),
     };
-    let dots = |marks: &mut Vec<Mark>, dots: &Dots, part: PagePart| {
+    let dots = |marks: &mut Vec<Mark>, dots: &Dots, part: PageObject| {
         marks.extend(dots.at.iter().map(|&at| Mark::stroke(at, at, 0.5 * dots.diameter, part)));
     };
-    let lines = |marks: &mut Vec<Mark>, lines: &[Line], part: fn(u32) -> PagePart| {
+    let lines = |marks: &mut Vec<Mark>, lines: &[Line], part: fn(u32) -> PageObject| {
         for (number, line) in (0..).zip(lines) {
             line.runs.iter().for_each(|run| runs(marks, run, part(number)));
         }
     };
-    page.orientation_mark.iter().for_each(|run| runs(&mut marks, run, PagePart::OrientationMark));
-    page.registration.iter().for_each(|run| runs(&mut marks, run, PagePart::Tick));
-    dots(&mut marks, &page.frame, PagePart::Frame);
+    page.orientation_mark.iter().for_each(|run| runs(&mut marks, run, PageObject::OrientationMark));
+    page.registration.iter().for_each(|run| runs(&mut marks, run, PageObject::Tick));
+    dots(&mut marks, &page.frame, PageObject::Frame);
     for (number, texture) in (0..).zip(&page.figure.textures) {
-        marks.extend(texture.glyphs.iter().map(|glyph| Mark::glyph(glyph, PagePart::Texture(number))));
+        marks.extend(texture.glyphs.iter().map(|glyph| Mark::glyph(glyph, PageObject::Texture(number))));
     }
-    lines(&mut marks, &page.figure.lines, PagePart::Line);
+    lines(&mut marks, &page.figure.lines, PageObject::Line);
     if let Some(overview) = &page.overview {
-        dots(&mut marks, &overview.frame, PagePart::OverviewFrame);
-        lines(&mut marks, &overview.lines, PagePart::OverviewLine);
+        dots(&mut marks, &overview.frame, PageObject::OverviewFrame);
+        lines(&mut marks, &overview.lines, PageObject::OverviewLine);
     }
-    (0..).zip(&page.labels).for_each(|(number, label)| dots(&mut marks, label, PagePart::Numbers(number)));
+    (0..).zip(&page.labels).for_each(|(number, label)| dots(&mut marks, label, PageObject::Numbers(number)));
     for (number, text) in (0..).zip(&page.braille) {
-        dots(&mut marks, &text.dots, PagePart::Braille(number));
-        text.leader.iter().for_each(|run| runs(&mut marks, run, PagePart::Leader(number)));
+        dots(&mut marks, &text.dots, PageObject::Braille(number));
+        text.leader.iter().for_each(|run| runs(&mut marks, run, PageObject::Leader(number)));
     }
     marks
 }
@@ -164,7 +164,7 @@ pub(super) fn index(marks: &[Mark], cell: f32) -> Index<u32, Mm> {
     index
 }
 
-impl PagePart {
+impl PageObject {
     /// What it is called in a message.
     pub(super) fn name(self, page: &Page, names: &Names) -> String {
         match self {

@@ -36,7 +36,7 @@ pub use finding::{Finding, Render};
 pub(crate) use gaps::{BEND, CORNER, STRAIGHTNESS};
 pub use gaps::{Near, too_near};
 pub use ink::{canvas_of, to_canvas};
-pub(crate) use joins::{APPROACH, BEND_LEAST, BESIDE, CLUSTER_APPROACH, SMALL_RING};
+pub(crate) use joins::{APART, APPROACH, BEND_LEAST, CLUSTER_APPROACH, SMALL_RING};
 pub use layer::marked;
 pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
 pub(crate) use limits::LEADER_END;

@@ -1,13 +1,14 @@
 //! Lines as paths: what a finger follows in one go, with the length along it at each of its segments.
 
+use super::limits::LAST_DIGIT;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::walk::arc_between;
 use crate::page::{Line, Pen, Run};
 use crate::units::{MmPoint, MmRect};
 
-/// Runs whose ends are this near go on in one another, mm: numbers of a page have two digits after the point.
-const SAME: f32 = 0.02;
+/// Runs whose ends are this near go on in one another, mm: both are rounded.
+const SAME: f32 = 2.0 * LAST_DIGIT;
 /// At a corner a ring turns by at least 30 degrees (the cosine), over a short and a longer length, mm, as lines of
 /// drawings have it (`profile/plan` ties the two).
 pub(crate) const RING_CORNER: f32 = 0.866;

@@ -4,14 +4,11 @@ use std::collections::BTreeMap;
 
 use super::dotted::empty_between;
 use super::finding::FoundBreach;
-use super::limits::{BRAILLE_GAP, MediumLimits, RuleLimits};
-use super::marks::{Mark, PagePart, index, marks_of};
+use super::limits::{BRAILLE_GAP, MediumLimits, ROUNDING, RuleLimits};
+use super::marks::{Mark, PageObject, index, marks_of};
 use super::rules::{BRAILLE_CLEAR, OVERLAP, Rule, TEXTURE_GAP};
 use crate::page::{Medium, Names, Page};
 use crate::units::{MmPoint, MmRect};
-
-/// Numbers of a page have two digits after the point, and those of a glyph are added up, mm.
-const ROUNDING: f32 = 0.015;
 
 /// Where dots can be anywhere, rounding to whole empty dots goes this way.
 const HALF_A_DOT: f32 = 0.5;
@@ -25,9 +22,9 @@ struct Breach {
     last: u32,
 }
 
-type Breaches = BTreeMap<(PagePart, Option<PagePart>), Breach>;
+type Breaches = BTreeMap<(PageObject, Option<PageObject>), Breach>;
 
-fn note(breaches: &mut Breaches, key: (PagePart, Option<PagePart>), number: u32, mark: &Mark, blank: f32) {
+fn note(breaches: &mut Breaches, key: (PageObject, Option<PageObject>), number: u32, mark: &Mark, blank: f32) {
     let extent = mark.extent();
     let breach =
         breaches.entry(key).or_insert(Breach { count: 0, blank: f32::MAX, at: mark.middle, extent, last: u32::MAX });
@@ -42,7 +39,7 @@ fn note(breaches: &mut Breaches, key: (PagePart, Option<PagePart>), number: u32,
 /// Everything about blank between marks.
 pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let All { textures, braille, overlaps } = breaches(page, marks, limits);
-    let name = |part: &PagePart| part.name(page, names);
+    let name = |part: &PageObject| part.name(page, names);
     let mut found: Vec<FoundBreach> = Vec::new();
     found.extend(textures.into_iter().map(|((part, _), breach)| {
         let name = name(&part);
@@ -85,23 +82,23 @@ fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
     for (number, mark) in (0..).zip(marks) {
         let extent = mark.extent();
         let reach = match mark.part {
-            PagePart::Texture(_) => texture_reach(limits),
-            PagePart::Braille(_) => BRAILLE_GAP,
-            PagePart::OrientationMark
-            | PagePart::Tick
-            | PagePart::Frame
-            | PagePart::Line(_)
-            | PagePart::OverviewFrame
-            | PagePart::OverviewLine(_)
-            | PagePart::Numbers(_)
-            | PagePart::Leader(_) => 0.0,
+            PageObject::Texture(_) => texture_reach(limits),
+            PageObject::Braille(_) => BRAILLE_GAP,
+            PageObject::OrientationMark
+            | PageObject::Tick
+            | PageObject::Frame
+            | PageObject::Line(_)
+            | PageObject::OverviewFrame
+            | PageObject::OverviewLine(_)
+            | PageObject::Numbers(_)
+            | PageObject::Leader(_) => 0.0,
         };
         index.around(extent.min, extent.max, reach, |&id| {
             let other = &marks[id as usize];
             if std::mem::replace(&mut seen[id as usize], number) == number {
                 return;
             }
-            if other.part != mark.part || matches!(mark.part, PagePart::Texture(_)) && id < number {
+            if other.part != mark.part || matches!(mark.part, PageObject::Texture(_)) && id < number {
                 all.judge((number, mark), (id, other), page, limits);
             }
         });
@@ -113,16 +110,16 @@ impl All {
     /// Notes what a mark is too near to, or lies on. Each pair comes in both orders.
     fn judge(&mut self, (number, mark): (u32, &Mark), (id, other): (u32, &Mark), page: &Page, limits: &RuleLimits) {
         match (mark.part, other.part) {
-            (PagePart::Texture(_), PagePart::Line(_)) => {
+            (PageObject::Texture(_), PageObject::Line(_)) => {
                 if let Some(blank) = too_near(mark, other, page, limits) {
                     note(&mut self.textures, (mark.part, None), number, mark, blank);
                 }
             }
             // its own leader line
-            (PagePart::Braille(text), PagePart::Leader(of)) if text == of => {}
+            (PageObject::Braille(text), PageObject::Leader(of)) if text == of => {}
             // the other order of this pair tells it
-            (PagePart::Braille(text), PagePart::Braille(of)) if of > text => {}
-            (PagePart::Braille(_), _) => {
+            (PageObject::Braille(text), PageObject::Braille(of)) if of > text => {}
+            (PageObject::Braille(_), _) => {
                 if mark.may_be_within(other, BRAILLE_GAP) {
                     let blank = mark.blank(other);
                     if blank < BRAILLE_GAP - ROUNDING {
@@ -149,14 +146,14 @@ fn is_rhombus(a: &Mark, b: &Mark) -> bool {
 }
 
 /// Whether marks of two parts may touch: lines join, and a leader line leads to what it names.
-fn may_meet(a: PagePart, b: PagePart) -> bool {
+fn may_meet(a: PageObject, b: PageObject) -> bool {
     matches!(
         (a, b),
-        (PagePart::Line(_) | PagePart::Leader(_), PagePart::Line(_) | PagePart::Leader(_))
-            | (PagePart::OverviewLine(_), PagePart::OverviewLine(_))
-            | (PagePart::Line(_), PagePart::Texture(_))
-            | (_, PagePart::Braille(_))
-            | (PagePart::Numbers(_), PagePart::Numbers(_))
+        (PageObject::Line(_) | PageObject::Leader(_), PageObject::Line(_) | PageObject::Leader(_))
+            | (PageObject::OverviewLine(_), PageObject::OverviewLine(_))
+            | (PageObject::Line(_), PageObject::Texture(_))
+            | (_, PageObject::Braille(_))
+            | (PageObject::Numbers(_), PageObject::Numbers(_))
     )
 }
 
@@ -172,7 +169,7 @@ pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
     let felt = page.risen();
     let marks = marks_of(&felt);
     let index = index(&marks, texture_reach(limits).max(3.0));
-    let of = |mark: &Mark| if let PagePart::Texture(texture) = mark.part { Some(texture as usize) } else { None };
+    let of = |mark: &Mark| if let PageObject::Texture(texture) = mark.part { Some(texture as usize) } else { None };
     let (mut found, mut last, mut glyph) = (Vec::new(), None, 0);
     for (mark, texture) in marks.iter().filter_map(|mark| Some((mark, of(mark)?))) {
         glyph = if last == Some(texture) { glyph + 1 } else { 0 };
@@ -181,7 +178,7 @@ pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
         let mut near = false;
         index.around(extent.min, extent.max, texture_reach(limits), |&id| {
             let other = &marks[id as usize];
-            near = near || matches!(other.part, PagePart::Line(_)) && too_near(mark, other, page, limits).is_some();
+            near = near || matches!(other.part, PageObject::Line(_)) && too_near(mark, other, page, limits).is_some();
         });
         if near {
             found.push((texture, glyph));

@@ -6,7 +6,7 @@ use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
 use super::joins::APPROACH;
-use super::limits::{MediumLimits, RuleLimits};
+use super::limits::{LAST_DIGIT, MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
@@ -14,9 +14,6 @@ use crate::geom::{nearest_on_segment, polyline};
 use crate::listing::counted;
 use crate::page::{Line, Medium, Pen, Run};
 use crate::units::{MmPoint, MmRect};
-
-/// Numbers of a page have two digits after the point, mm.
-const ROUNDING: f32 = 0.01;
 
 /// What lines of one picture break; `names` say what they are called. Of one of several sheets, `window` is what it
 /// shows of the picture: lines that end there go on on the next.
@@ -85,7 +82,7 @@ fn points(line: &Line) -> impl Iterator<Item = MmPoint> + '_ {
 
 fn too_thin(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {
     let MediumLimits::Print { line_width, .. } = limits.medium else { return None };
-    let is_thin = |run: &&Run| run.pen == Pen::Stroke && run.width < line_width - ROUNDING;
+    let is_thin = |run: &&Run| run.pen == Pen::Stroke && run.width < line_width - LAST_DIGIT;
     let thinnest = line.runs.iter().filter(is_thin).min_by(|a, b| a.width.total_cmp(&b.width))?;
     let length: f32 = line.runs.iter().filter(is_thin).map(Run::length).sum();
     let at = thinnest.points.get(thinnest.points.len() / 2).copied()?;
@@ -135,14 +132,14 @@ fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
             run.polyline().segments().any(is_near)
         }),
         MediumLimits::Dots { pitch, .. } => {
-            others().flat_map(|run| &run.points).any(|dot| (*dot - end).length() <= BESIDE * pitch)
+            others().flat_map(|run| &run.points).any(|dot| (*dot - end).length() <= NEXT_DOT * pitch)
         }
     };
     [end(first, <[_]>::first), end(last, <[_]>::last)].into_iter().all(|end| end.is_some_and(is_on))
 }
 
 /// Dots no farther apart than so many pitches are beside one another.
-const BESIDE: f32 = 1.5;
+const NEXT_DOT: f32 = 1.5;
 /// A line of dots goes on beyond another that it crosses if this is the least cosine between its end and the step to
 /// the other piece: 45 degrees.
 pub(crate) const GOES_ON: f32 = 0.7;
@@ -210,7 +207,7 @@ fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach
     // of dots, the second row of a broad line is no length of its own
     let dots = line.runs.iter().filter(|run| run.pen != Pen::Stroke).map(Run::length).fold(0.0, f32::max);
     let length = strokes.max(dots) + tips;
-    if length >= limits.line_length - ROUNDING {
+    if length >= limits.line_length - LAST_DIGIT {
         return None;
     }
     let extent = around(points(line)).unwrap_or_else(MmRect::zero);

@@ -17,7 +17,7 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
     let mirror_sum = page.is_mirrored().then(|| page.mirror_sum());
     let as_felt = |at: MmPoint| mirror_sum.map_or(at, |sum| MmPoint::new(sum - at.x, at.y));
     let of = |(number, text): (usize, &BrailleText)| {
-        let name = super::marks::PagePart::Braille(number as u32).name(page, names);
+        let name = super::marks::PageObject::Braille(number as u32).name(page, names);
         let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| cells(line)).collect();
         let wanted: Vec<Vec<MmPoint>> = (0..)
             .zip(&lines)

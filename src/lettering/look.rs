@@ -35,9 +35,9 @@ const UPRIGHT: usize = 3;
 const ASLANT: usize = 4;
 /// Dots of `i`, accents and full stops are this near to a line, in heights of its letters: before and below it, behind
 /// it, and above it.
-const BESIDE: f32 = 0.25;
-const BEHIND: f32 = 2.0 * BESIDE;
-const ABOVE: f32 = 1.5 * BESIDE;
+const BEFORE: f32 = 0.25;
+const BEHIND: f32 = 2.0 * BEFORE;
+const ABOVE: f32 = 1.5 * BEFORE;
 /// Clutter is looked for as far around a line as this, in heights of its letters.
 const CLUTTER: f32 = 0.4;
 /// The ground around a line is looked at from this far on, beyond the smoothing of letters, as far as that.
@@ -136,7 +136,7 @@ impl Look {
     /// The pixels of a line's letters, and of the dots between and above them.
     pub(super) fn cells(&self, line: &TextLine) -> Vec<usize> {
         let [along, across] = axes(line.angle);
-        let (beside, behind, above) = (BESIDE * line.height, BEHIND * line.height, ABOVE * line.height);
+        let (beside, behind, above) = (BEFORE * line.height, BEHIND * line.height, ABOVE * line.height);
         let is_letter = |i: usize| line.letters.iter().any(|letter| letter.of == i);
         let is_inside = |glyph: &LetterShape| {
             let (u, v) = (glyph.reach(along), glyph.reach(across));

@@ -38,6 +38,7 @@ pub(super) struct LineCandidates {
 }
 
 impl LineCandidates {
+    /// Those of a picture, in `area`, the part of the sheet where `transform` puts it.
     pub(super) fn of(
         edges: &Edges,
         outlines: &Outlines,
@@ -56,43 +57,14 @@ impl LineCandidates {
         let mut polylines = join::join(polylines, params.join_gap, &standing);
         let lengthens = params.of_drawing && !is_overview;
         let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
-        let mut short = LossTally::new(area);
-        // Of full strength and shorter than a link, or weaker and not longer in proportion, it has joined nothing and
-        // will not: it is not looked at further.
-        let shortest = links::shortest(params);
-        let is_crumb = |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < shortest;
-        if params.of_drawing {
-            polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
-        }
-        polylines.retain(|polyline| !is_crumb(polyline));
-        let whole = if params.of_drawing { links::short_ones(&polylines, area, params) } else { None };
-        let polylines = centreline::merge(polylines, area, params);
-        // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-        let polylines = join::join(polylines, params.join_gap, &standing);
-        let is_long = |polyline: &Polyline<Vertex>| polyline.length() >= params.min_length;
-        let (mut polylines, mut rest): (Vec<_>, Vec<_>) = polylines.into_iter().partition(is_long);
-        if params.of_drawing {
-            let links = whole.map(|whole| links::take(&mut rest, &polylines, &whole, area, params));
-            rest.iter().for_each(|polyline| short.add(polyline));
-            polylines.extend(links.into_iter().flatten());
-        }
+        let (mut polylines, short) = long_enough(polylines, &standing, area, params);
         polylines.iter_mut().for_each(Polyline::fill);
         let contours = polylines.len();
         let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();
         polylines.extend(of_regions);
         junction::extend(&mut polylines, area, params.join_gap);
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
-        let has_outlines = contours < polylines.len();
-        // in the figure others have made room for them already
-        let is_first = |line: &Polyline<Vertex>| params.part == PagePart::Overview && few::is_of_person(line);
-        let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
-            _ if is_first(line) => Rank::Person,
-            _ if faint::is_faint(line) => Rank::Faint,
-            _ if !has_outlines => Rank::Ordinary,
-            _ if number < contours => Rank::of(line),
-            _ => of_outlines[number - contours],
-        };
-        let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
+        let ranks = ranks(&polylines, &of_outlines, params);
         let saliencies = saliency::saliencies(&polylines, params);
         let lines = polylines.into_iter().zip(ranks).collect();
         Self { lines, saliencies, contours, gridlines, short, points, scales, heads }
@@ -122,6 +94,52 @@ impl LineCandidates {
         let (gone, gaps) = if may_lack { (gone(), gaps()) } else { (Vec::new(), Vec::new()) };
         Lost { gone, gaps, gridlines: self.gridlines, ..lost }
     }
+}
+
+/// Those of the joined contours that are long enough for lines, each stroke as one centreline, and short ones that lead
+/// from line to line; and what is too short.
+fn long_enough(
+    mut polylines: Vec<Polyline<Vertex>>,
+    standing: &StandingEnds,
+    area: MmRect,
+    params: &Params,
+) -> (Vec<Polyline<Vertex>>, LossTally) {
+    let mut short = LossTally::new(area);
+    // Of full strength and shorter than a link, or weaker and not longer in proportion, it has joined nothing and will
+    // not: it is not looked at further.
+    let shortest = links::shortest(params);
+    let is_crumb = |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < shortest;
+    if params.of_drawing {
+        polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
+    }
+    polylines.retain(|polyline| !is_crumb(polyline));
+    let whole = if params.of_drawing { links::short_ones(&polylines, area, params) } else { None };
+    let polylines = centreline::merge(polylines, area, params);
+    // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
+    let polylines = join::join(polylines, params.join_gap, standing);
+    let is_long = |polyline: &Polyline<Vertex>| polyline.length() >= params.min_length;
+    let (mut long, mut rest): (Vec<_>, Vec<_>) = polylines.into_iter().partition(is_long);
+    if params.of_drawing {
+        let links = whole.map(|whole| links::take(&mut rest, &long, &whole, area, params));
+        rest.iter().for_each(|polyline| short.add(polyline));
+        long.extend(links.into_iter().flatten());
+    }
+    (long, short)
+}
+
+/// The rank of each line: the last are outlines of regions, of these ranks.
+fn ranks(polylines: &[Polyline<Vertex>], of_outlines: &[Rank], params: &Params) -> Vec<Rank> {
+    let contours = polylines.len() - of_outlines.len();
+    // in the figure others have made room for them already
+    let is_first = |line: &Polyline<Vertex>| params.part == PagePart::Overview && few::is_of_person(line);
+    let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+        _ if is_first(line) => Rank::Person,
+        _ if faint::is_faint(line) => Rank::Faint,
+        _ if of_outlines.is_empty() => Rank::Ordinary,
+        _ if number < contours => Rank::of(line),
+        _ => of_outlines[number - contours],
+    };
+    polylines.iter().enumerate().map(rank).collect()
 }
 
 /// Makes the marks on the lines of a drawing as long as fingers need them; gives the scales whose ticks are handed on.

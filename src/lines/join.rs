@@ -2,7 +2,7 @@
 
 use super::faint::is_faint;
 use super::standing::StandingEnds;
-use super::vertex::{Vertex, dot};
+use super::vertex::{Vertex, dot, is_no_step};
 use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Polyline;
 use crate::units::{Mm, MmVector};
@@ -71,7 +71,7 @@ fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
         return None;
     }
     // at a corner, one of whose sides is a stroke
-    let is_stroke = |end: &End<Mm>| dot(end.contrast, end.contrast) <= 0.0;
+    let is_stroke = |end: &End<Mm>| is_no_step(end.contrast);
     if distance <= MEETING && (is_stroke(a) || is_stroke(b)) {
         return Some(distance + gap * (1.0 + a.direction.dot(b.direction)));
     }

@@ -46,7 +46,7 @@ use vertex::Vertex;
 pub(crate) use vertex::{CORNER, CORNER_ARMS};
 
 pub use arrowheads::{Arrow, arrowhead, arrows, is_triangle};
-pub(crate) use clearance::{APART, BEND, BEND_LEAST};
+pub(crate) use clearance::{APART, BEND, BEND_LEAST, HIGHEST_STACK, TOUCH};
 pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
 pub use few::Beyond;

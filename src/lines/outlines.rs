@@ -51,8 +51,7 @@ impl Rank {
 
     /// That of a line that is no outline.
     pub(super) fn of(polyline: &Polyline<Vertex>) -> Self {
-        // in the middle of a stroke there is no step
-        let in_stroke = polyline.vertices.iter().filter(|v| v.contrast.iter().all(|c| c.abs() <= 0.0)).count();
+        let in_stroke = polyline.vertices.iter().filter(|vertex| vertex.is_in_stroke()).count();
         let is_stroke = in_stroke as f32 >= MOSTLY * polyline.vertices.len() as f32;
         let chord = polyline.chord();
         let is_straight = chord >= LONG && chord >= STRAIGHTNESS * polyline.length();

@@ -38,7 +38,7 @@ const ROUND: f32 = 0.85;
 /// A line leads to the middle of a point no farther from it than this share of its radius.
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
-const BESIDE: f32 = 1.0;
+const FROM_SIDE: f32 = 1.0;
 /// Points are of one size if their radii differ by no more than this share.
 const SAME_SIZE: f32 = 0.2;
 
@@ -214,7 +214,7 @@ impl PointArm {
 /// The lines that lead to the middle of a point.
 fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<PointArm> {
     let aside = MIDDLE * point.radius;
-    let reach = point.radius + BESIDE;
+    let reach = point.radius + FROM_SIDE;
     let mut arms = Vec::new();
     for (line, polyline) in polylines.iter().enumerate().filter(|(line, _)| !is_ring[*line]) {
         let near = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(point.at, a.at, b.at).0 <= reach;
@@ -251,7 +251,7 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
     let point = Point {
         at,
         radius: (area / std::f32::consts::PI).sqrt(),
-        is_filled: has_step(ring),
+        is_filled: is_edge(ring),
         strength: ring.mean_strength(),
         series: None,
         is_alone: false,
@@ -259,10 +259,9 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
 
-/// Whether a contour is the side of an area: in the middle of a stroke there is no step.
-fn has_step(line: &Polyline<Vertex>) -> bool {
-    let steps = line.vertices.iter().filter(|vertex| vertex.contrast.iter().any(|step| step.abs() > 0.0));
-    2 * steps.count() > line.vertices.len()
+/// Whether a contour is for the most part the side of an area, and not the middle of a stroke.
+fn is_edge(line: &Polyline<Vertex>) -> bool {
+    2 * line.vertices.iter().filter(|vertex| !vertex.is_in_stroke()).count() > line.vertices.len()
 }
 
 #[cfg(test)]

@@ -97,6 +97,11 @@ impl Blend for Vertex {
 }
 
 impl Vertex {
+    /// Whether it lies in the middle of a stroke, where there is no step of colour; otherwise it is on an edge.
+    pub(super) fn is_in_stroke(&self) -> bool {
+        is_no_step(self.contrast)
+    }
+
     /// Its strength; of a stroke in a drawing at least full strength: one that is half a pixel wide is found with half
     /// its contrast, or less, and means as much as a wide one; a faint one of a vector drawing is meant, too.
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
@@ -324,6 +329,11 @@ pub(super) fn nearby<'a>(lines: impl Iterator<Item = &'a Polyline<Vertex>>, area
         segments.insert_line(line, polyline.view(), 0.0);
     }
     segments
+}
+
+/// Whether a colour step is none.
+pub(super) fn is_no_step(step: [f32; 3]) -> bool {
+    step.iter().all(|component| component.abs() <= 0.0)
 }
 
 /// Scalar product of two colour steps.

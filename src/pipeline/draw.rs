@@ -381,19 +381,20 @@ pub(super) fn draw_lines(
         let transform = PageTransform::new(edges.size, layout.figure);
         return run_stage(watch, Stage::Lines, || {
             let (outlines, areas) = outlines_of_figure(edges, lines_of.regions(), &transform, plan);
-            let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
+            // a figure has one place
+            let draw = |edges: &Edges, _: MmRect, detail: f32| {
                 let params = lines::Params { detail, ..plan.lines() };
-                draw_whole(edges, &outlines, transform, layout, &params, plan)
+                draw_whole(edges, &outlines, &transform, layout, &params, plan)
             };
-            let detail = plan.lines().detail;
-            let drawn = draw(edges, &transform, detail);
+            let (place, detail) = (layout.figure, plan.lines().detail);
+            let drawn = draw(edges, place, detail);
             if matches!(lines_of, LinesOf::Person) || plan.lines().most_shapes.is_some() {
                 return FigureLines { lines: drawn, areas, instead: None };
             }
-            let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
+            let (places, tolerances) = (&[place], BarTolerances::of(layout, plan));
             let redraw =
-                Redraw { edges, transforms, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
-            let (lines, instead) = redraw.whole(drawn, &transform);
+                Redraw { edges, places, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
+            let (lines, instead) = redraw.whole(drawn, place);
             FigureLines { lines, areas, instead }
         });
     };

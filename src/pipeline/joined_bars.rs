@@ -4,10 +4,10 @@
 use super::bars::{Bar, Chart, SAME, WantedPath, missing};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::polyline::Polyline;
-use crate::lines::Line;
+use crate::lines::{Line, PagePart};
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::units::{PageTransform, PxPoint, PxVector};
+use crate::units::{MmRect, PageTransform, PxPoint, PxVector};
 use crate::{About, Note, Reason};
 
 /// A contour that is interrupted over less than this, px, crosses a bar and is none of its sides.
@@ -117,48 +117,49 @@ pub(super) struct Redraw<'a, T> {
     /// The contours of the drawing.
     pub(super) edges: &'a Edges,
     /// Where it may be drawn.
-    pub(super) transforms: &'a [PageTransform],
+    pub(super) places: &'a [MmRect],
     pub(super) tolerances: BarTolerances,
     /// Of its lines (`lines.detail`).
     pub(super) detail: f32,
-    /// Draws contours with such a detail.
-    pub(super) draw: &'a dyn Fn(&Edges, &PageTransform, f32) -> T,
+    /// Draws contours in a place with such a detail.
+    pub(super) draw: &'a dyn Fn(&Edges, MmRect, f32) -> T,
     /// The lines of what it drew.
     pub(super) lines: &'a dyn Fn(&T) -> &[Line],
 }
 
 impl<T> Redraw<'_, T> {
-    /// Draws a drawing whose bars are torn as `first`, drawn `at` this transform, in other variants, until they are
-    /// whole: for each variant and each transform. Gives what lacks least of them, and how it was drawn if it is not
-    /// the first.
-    pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<BarStyle>) {
+    /// Draws a drawing whose bars are torn as `first`, drawn in this `place`, in other variants, until they are whole:
+    /// each variant in each place. Gives what lacks least of them, and how it was drawn if it is not the first.
+    pub(super) fn whole(&self, first: T, place: MmRect) -> (T, Option<BarStyle>) {
         let Self { edges, tolerances, detail, draw, .. } = *self;
         let Some(chart) = Chart::of(edges) else { return (first, None) };
         // judged by all lines whatever the detail, so that less of it is a part of more
-        let all_lines = (detail < ALL).then(|| draw(edges, at, ALL));
+        let all_lines = (detail < ALL).then(|| draw(edges, place, ALL));
+        let at = &PageTransform::new(edges.size, place);
         let mut least = self.lacking(&chart.wanted(tolerances, at), all_lines.as_ref().unwrap_or(&first), at);
         let mut best = None;
         'variants: for variant in VARIANTS {
-            for transform in self.transforms.iter().filter(|_| variant.has_gridlines || !chart.gridlines.is_empty()) {
+            for &place in self.places.iter().filter(|_| variant.has_gridlines || !chart.gridlines.is_empty()) {
                 if least <= 0.0 {
                     break 'variants;
                 }
-                let Some(Redrawn { edges, wanted, instead }) = chart.drawn(edges, variant, tolerances, transform)
+                let transform = PageTransform::new(edges.size, place);
+                let Some(Redrawn { edges, wanted, instead }) = chart.drawn(edges, variant, tolerances, &transform)
                 else {
                     continue;
                 };
-                let drawn = draw(&edges, transform, ALL);
-                let lacking = self.lacking(&wanted, &drawn, transform);
+                let drawn = draw(&edges, place, ALL);
+                let lacking = self.lacking(&wanted, &drawn, &transform);
                 let share = if lacking > 0.0 { variant.lacks + lacking } else { 0.0 };
                 if share < least {
-                    (least, best) = (share, Some((drawn, edges, transform, instead)));
+                    (least, best) = (share, Some((drawn, edges, place, instead)));
                 }
             }
         }
         match best {
             None => (first, None),
             Some((drawn, .., instead)) if detail >= ALL => (drawn, Some(instead)),
-            Some((_, edges, transform, instead)) => (draw(&edges, transform, detail), Some(instead)),
+            Some((_, edges, place, instead)) => (draw(&edges, place, detail), Some(instead)),
         }
     }
 
@@ -173,13 +174,16 @@ impl<T> Redraw<'_, T> {
 pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
     // as in the figure is no news
     let in_overview = in_overview.filter(|_| in_overview != in_figure);
-    let of_figure = in_figure.iter().flat_map(|instead| instead.told(false));
-    of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(true))).collect()
+    let of_figure = in_figure.iter().flat_map(|instead| instead.told(PagePart::Figure));
+    of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(PagePart::Overview))).collect()
 }
 
 impl BarStyle {
-    fn told(self, of_overview: bool) -> Vec<Note> {
-        let (about, place) = if of_overview { (About::Overview, "in the overview ") } else { (About::Lines, "") };
+    fn told(self, part: PagePart) -> Vec<Note> {
+        let (about, place, what_to_do) = match part {
+            PagePart::Figure => (About::Lines, "", "; a larger figure, or one on several sheets, has more"),
+            PagePart::Overview => (About::Overview, "in the overview ", ""),
+        };
         let bars = match self.bars {
             Bars::Apart => None,
             Bars::Touching => Some("touch one another, without gaps"),
@@ -187,7 +191,6 @@ impl BarStyle {
         };
         let joined = bars.map(|how| {
             let why = "as there is no room for more; their heights are right";
-            let what_to_do = if of_overview { "" } else { "; a larger figure, or one on several sheets, has more" };
             Note::TakenAs(about, Reason::BarsJoined, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
         });
         let low = (self.low > 0).then(|| {

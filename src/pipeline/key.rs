@@ -62,7 +62,7 @@ impl KeySheets {
 /// needs to be told, also where its rows lie 5 mm apart.
 const PATCH: [f32; 2] = [32.0, 24.0];
 /// Blank between a patch and its name, and between a patch and the next, mm.
-const BESIDE: f32 = 8.0;
+const PATCH_GAP: f32 = 8.0;
 /// HSL lightness of the colours of patches: that of a full colour.
 const LIGHTNESS: f32 = 0.5;
 /// Side of the squares in which the patches of a page of dots are given to its textures, mm.
@@ -181,7 +181,7 @@ pub(super) fn of_entries(
     // below a page number
     let room = area.height() - cells.size().line;
     let most = (1..).take_while(|&lines| cells.extent(1, lines).y <= room).count().max(1);
-    let (items, notes) = items(entries, width, cells.cells_in(area.width() - PATCH[0] - BESIDE));
+    let (items, notes) = items(entries, width, cells.cells_in(area.width() - PATCH[0] - PATCH_GAP));
     let items: Vec<Item> = items.into_iter().flat_map(|item| item.over_sheets(most)).collect();
     let number = Number { first: entries.number, entries, cells: &cells, area };
     let mut sheets = over_sheets(&items, &number);
@@ -246,7 +246,7 @@ fn over_sheets<'i>(items: &'i [Item], number: &Number<'_>) -> Vec<Vec<(MmPoint, 
         }
         // lines of one list stand as lines of braille do; everything else is set apart
         let is_list = at > 0 && item.patch.is_none();
-        let blank = if is_list { cells.size().line - cells.extent(1, 1).y } else { BESIDE };
+        let blank = if is_list { cells.size().line - cells.extent(1, 1).y } else { PATCH_GAP };
         top += height + blank;
     }
     sheets
@@ -331,7 +331,7 @@ fn page(
         }
         let beside = place.map_or(MmVector::zero(), |place| {
             let down = 0.5 * (place.height() - cells.extent(1, item.lines.len()).y);
-            MmVector::new(place.width() + BESIDE, down.max(0.0))
+            MmVector::new(place.width() + PATCH_GAP, down.max(0.0))
         });
         if item.lines.is_empty() {
             continue; // a name that could not be written, which was told

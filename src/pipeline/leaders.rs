@@ -38,7 +38,7 @@ const ALONG: f32 = 0.77;
 /// On a grid lines have steps of 45 degrees: their direction is that over so many.
 const STEPS_OF_DOTS: usize = 4;
 /// A line stands for a leader line no further before or behind it than this, mm.
-const BESIDE: f32 = 1.5;
+const OFF_LEADER: f32 = 1.5;
 /// Steps in which a leader line is followed, mm.
 const STEP: f32 = 0.5;
 /// Longest gap over which a finger follows a leader line, mm; on dots that of two that are missing.
@@ -304,7 +304,7 @@ fn is_whole(path: &[MmPoint], drawn: &Nearby, longest_gap: f32) -> bool {
         let along = |segment: &Segment| {
             let other = (segment.b - segment.a).try_normalize().unwrap_or_default();
             let beside = nearest_on_segment(at, segment.a, segment.b).1 - at;
-            direction.dot(other).abs() >= ALONG && beside.dot(direction).abs() <= BESIDE
+            direction.dot(other).abs() >= ALONG && beside.dot(direction).abs() <= OFF_LEADER
         };
         drawn.nearest(at, DRAWN, along).is_some()
     };

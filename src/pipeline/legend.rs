@@ -17,7 +17,7 @@ use crate::{About, Note, Reason};
 /// Sides of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
 const PATCH: std::ops::RangeInclusive<f32> = 1.5..=12.0;
 /// Farthest that the word of a patch lies from it, mm: print stands up to half of its own width beside it.
-const BESIDE: f32 = 8.0;
+const FARTHEST_WORD: f32 = 8.0;
 /// Colours nearer than this are one (perceptual; 2 can just be told apart side by side).
 const SAME: f32 = 4.0;
 /// A patch stands for areas elsewhere that are at least so many times as large: the others would be marks.
@@ -164,7 +164,7 @@ pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
 /// Whether a text stands at the side of a patch, at its height.
 fn is_beside(patch: MmRect, text: MmRect) -> bool {
     let level = (patch.center().y - text.center().y).abs() <= 0.5 * patch.height().max(text.height());
-    level && (0.0..=BESIDE).contains(&gap(patch, text))
+    level && (0.0..=FARTHEST_WORD).contains(&gap(patch, text))
 }
 
 /// The blank between a patch and a text on its left or right, mm.

@@ -5,6 +5,7 @@ use super::find_edges::edges_of;
 use super::given::Given;
 use super::read::{Read, read};
 use super::request::Request;
+use crate::lines::PagePart;
 use crate::picture::Picture;
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Header;
@@ -46,7 +47,7 @@ impl NamedThings {
         let mm_per_px = LENGTH / size.width.max(size.height) as f32;
         let edges = edges_of(&picture, &content, &plan.edges(1.0 / mm_per_px), Some(detail), &mut |_| ());
         let tree = edges.regions?;
-        let most_telling = tree.most_telling(mm_per_px, &plan.regions(false));
+        let most_telling = tree.most_telling(mm_per_px, &plan.regions(PagePart::Figure));
         Some(Self { tree, size, mm_per_px, most_telling })
     }
 

@@ -4,7 +4,7 @@ use super::decisions::{Decisions, OutlinedRegions};
 use super::given::with_room;
 use super::progress::{Stage, Watch, run_stage};
 use crate::edges::Edges;
-use crate::lines::Outlines;
+use crate::lines::{Outlines, PagePart};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -25,7 +25,7 @@ pub(super) fn regions_of_figure(
 ) -> Option<Chosen> {
     let tree = edges.regions.as_ref()?;
     let transform = PageTransform::new(edges.size, layout.figure);
-    let params = params_of(decisions, plan, false);
+    let params = params_of(decisions, plan, PagePart::Figure);
     let mm_per_px = transform.mm_per_px();
     let choose = || {
         let is_named = !decisions.subjects.is_empty() || decisions.calmed_around.is_some();
@@ -47,7 +47,8 @@ pub(super) fn outlines_of_figure(
 ) -> (Outlines, Option<OutlineAreas>) {
     let Some((tree, regions)) = edges.regions.as_ref().zip(regions) else { return (Outlines::default(), None) };
     let OutlinedRegions { of_figure, decisions } = regions;
-    let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params_of(decisions, plan, false), of_figure);
+    let (outlines, areas) =
+        tree.outlines(transform.mm_per_px(), &params_of(decisions, plan, PagePart::Figure), of_figure);
     (outlines_with_room(outlines, &areas, None, (edges, decisions)), Some(areas))
 }
 
@@ -61,7 +62,7 @@ pub(super) fn outlines_of_overview(
 ) -> Outlines {
     let Some((tree, regions)) = edges.regions.as_ref().zip(regions) else { return Outlines::default() };
     let OutlinedRegions { of_figure, decisions } = regions;
-    let params = params_of(decisions, plan, true);
+    let params = params_of(decisions, plan, PagePart::Overview);
     let chosen = match params.drawn {
         Some(_) => of_figure.clone(),
         None => {
@@ -75,8 +76,8 @@ pub(super) fn outlines_of_overview(
     outlines_with_room(outlines, &areas, Some((OTHERS, OTHERS_LENGTH)), (edges, decisions))
 }
 
-fn params_of(decisions: &Decisions, plan: &Plan, of_overview: bool) -> regions::Params {
-    let params = plan.regions(of_overview);
+fn params_of(decisions: &Decisions, plan: &Plan, part: PagePart) -> regions::Params {
+    let params = plan.regions(part);
     match decisions.calmed_around {
         Some(_) => regions::Params { most: decisions.subjects.len(), ..params },
         None => params,

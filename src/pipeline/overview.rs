@@ -12,7 +12,7 @@ use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run_stage};
 use super::request::{OverviewSize, scale_of_photograph};
 use crate::edges::Edges;
-use crate::lines::{self, Line, Lost};
+use crate::lines::{self, Line, Lost, PagePart};
 use crate::listing::first_few;
 use crate::page::Medium;
 use crate::page::layout::Layout;
@@ -127,24 +127,18 @@ impl OverviewSource<'_> {
             return (drawn, None);
         }
         let places: Vec<MmRect> = std::iter::once(place).chain(self.larger_places()).collect();
-        let transform = |place: &MmRect| PageTransform::new(edges.size, *place);
-        let transforms: Vec<PageTransform> = places.iter().map(transform).collect();
-        let draw = |edges: &Edges, at: &PageTransform, detail: f32| {
-            let of_transform = transforms.iter().zip(&places).find(|(transform, _)| *transform == at);
-            let place = of_transform.map_or(place, |(_, place)| *place);
-            OverviewSource { edges, ..*self }.draw_at(place, detail)
-        };
-        let first = transform(&drawn.place);
+        let draw = |edges: &Edges, place: MmRect, detail: f32| OverviewSource { edges, ..*self }.draw_at(place, detail);
+        let first = drawn.place;
         let (tolerances, detail) = (BarTolerances::of(layout, plan), plan.lines().detail);
         let redraw = Redraw {
             edges,
-            transforms: &transforms,
+            places: &places,
             tolerances,
             detail,
             draw: &draw,
             lines: &|drawn: &PlacedOverview| &drawn.lines,
         };
-        redraw.whole(drawn, &first)
+        redraw.whole(drawn, first)
     }
 
     /// The overview's lines in this place, and what is not drawn.
@@ -152,7 +146,7 @@ impl OverviewSource<'_> {
         let &Self { edges, regions, layout, plan } = self;
         let transform = PageTransform::new(edges.size, place);
         let all = lines::Params { detail, ..plan.lines() };
-        let of_photograph = lines::Params { part: lines::PagePart::Overview, ..all };
+        let of_photograph = lines::Params { part: PagePart::Overview, ..all };
         let params = if edges.of_drawing() { all.of_overview() } else { of_photograph };
         let outlines = outlines_of_overview(edges, regions, &transform, plan);
         let draw = |params: lines::Params| {

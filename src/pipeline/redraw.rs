@@ -12,14 +12,13 @@ use super::overview::{draw_overview, told_by_hand, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
-use super::textures::{blank_ground, draw_textures, take_unlearned, told_bare};
+use super::textures::{blank_ground, draw_textures, take_unlearned, told_bare, told_unlearned};
 use super::told_lines::{left_out, told_left_out};
 use super::words::Words;
 use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::lines::{Line, Pen, Run, arrows};
-use crate::listing::list;
 use crate::page::layout::Layout;
 use crate::page::spread;
 use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole, Texture};
@@ -104,15 +103,10 @@ pub(super) fn marks(
     // what an overview of the page lacks is told where the page is read
     let of_figure = std::iter::once(&hand_lines).filter(|_| of_overview.is_none());
     notes.extend(told_by_hand(of_figure, &drawn.lines, &overview, &layout));
-    let (classes, of_ground) = areas_of(page, own, plan);
-    notes.extend(of_ground);
     request.go_on()?;
-    let mut textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let of_drawing = !LeftOut::of(page).of_photograph;
-    // of a drawing they are told among those that have no sign
-    notes.extend(without_unlearned(&mut textures, plan.profile().colours.min_area).filter(|_| !of_drawing));
-    let told = |classes| told_bare(classes, &textures, &drawn.lines, &layout, of_drawing, plan);
-    notes.extend(classes.as_ref().and_then(told));
+    let (textures, of_areas) = textures(old, &drawn.lines, of_drawing, &layout, plan, watch);
+    notes.extend(of_areas);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let left_out = left_out(&drawn.lost, overview.lost.rings, of_drawing);
     let (said, told) = sheet_of_set(PageSays::of(left_out), page, &layout, plan);
@@ -131,16 +125,26 @@ pub(super) fn marks(
     })
 }
 
-/// Drops the textures of colours of which no area is as large as `least`, square mm, any more; tells of it.
-fn without_unlearned(textures: &mut Vec<Texture>, least: f32) -> Option<Note> {
-    let gone = take_unlearned(textures, least, |_| true);
-    let names: Vec<&str> = gone.iter().map(|class| class.name()).collect();
-    let told = format!(
-        "the textures of these colours, as none has an area of {least} square mm any more (colours.min_area), in which \
-         fingers learn a texture: {}; on larger paper there is room",
-        list(&names, "and")
-    );
-    (!gone.is_empty()).then_some(Note::NotOnPage(About::Areas, Reason::ColourTooSmall, told))
+/// The textures of the areas of a page, beside these lines, and what is told of areas without one.
+fn textures(
+    old: OldPage<'_>,
+    lines: &[Line],
+    of_drawing: bool,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> (Vec<Texture>, Vec<Note>) {
+    let (classes, of_ground) = areas_of(old.page, old.plan, plan);
+    let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
+    let mut unlearned = take_unlearned(&mut textures, plan.profile().colours.min_area, |_| true);
+    if of_drawing {
+        // they are told among those that have no sign
+        unlearned.clear();
+    }
+    let told = |classes| told_bare(classes, &textures, lines, layout, (of_drawing, &unlearned), plan);
+    let bare = classes.as_ref().and_then(told);
+    let notes = of_ground.into_iter().chain(bare.or_else(|| told_unlearned(&unlearned, plan))).collect();
+    (textures, notes)
 }
 
 /// The lines of a page that are told otherwise where they are not drawn: heads of arrows, and those that lie outside of

@@ -1,6 +1,8 @@
 //! Bars of one colour are a series of a chart, which its legend names by that colour. So all of them have its texture
 //! or none: of a series of which only the high bars have one, the low ones would be taken for another series.
 
+use std::collections::BTreeSet;
+
 use super::bars::Chart;
 use super::given::blank_cells;
 use super::legend::LegendEntry;
@@ -112,7 +114,8 @@ pub(super) fn textured(
         take_unlearned(&mut textures, plan.profile().colours.min_area, is_of_bars);
         notes.extend(made_alike(&bars, classes, &mut textures, legend, layout.figure));
     }
-    let bare = classes.as_ref().and_then(|classes| told_bare(classes, &textures, lines, layout, of_drawing, plan));
+    let of_whom = (of_drawing, &BTreeSet::new());
+    let bare = classes.as_ref().and_then(|classes| told_bare(classes, &textures, lines, layout, of_whom, plan));
     notes.extend(bare);
     (textures, notes)
 }
@@ -153,8 +156,7 @@ fn made_alike(
     textures.retain(|texture| !texture.glyphs.is_empty());
     let bare = bars.iter().zip(&is_bare).filter(|(_, is_bare)| **is_bare).map(|(bar, _)| bar.place);
     let blank: Vec<MmRect> = own.into_iter().chain(bare).collect();
-    let cells: std::collections::BTreeSet<usize> =
-        blank.iter().flat_map(|place| cells_in(*place, classes, figure)).collect();
+    let cells: BTreeSet<usize> = blank.iter().flat_map(|place| cells_in(*place, classes, figure)).collect();
     let numbers: Vec<bool> = classes.regions.iter().map(|region| is_lacking(region.class)).collect();
     blank_cells(classes, |cell, region| numbers[region as usize] && cells.contains(&cell));
     Some(told(&blanked, &partly, !legend.is_empty()))

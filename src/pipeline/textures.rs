@@ -12,6 +12,7 @@ use crate::classes::{self, Class, Classes};
 use crate::geom::components::{self, Connectivity};
 use crate::geom::{nearest_on_segment, ninths};
 use crate::lines::Line;
+use crate::listing::list;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Texture};
 use crate::profile::Plan;
@@ -193,13 +194,13 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layo
 }
 
 /// What the maker is told of areas that have a colour and no room for its texture: of a drawing how many and where, as
-/// the colours of a photograph change from place to place.
+/// the colours of a photograph change from place to place. Of a page of dots that tells of `unlearned` colours, too.
 pub(super) fn told_bare(
     classes: &Classes,
     textures: &[Texture],
     lines: &[Line],
     layout: &Layout,
-    of_drawing: bool,
+    (of_drawing, unlearned): (bool, &BTreeSet<Class>),
     plan: &Plan,
 ) -> Option<Note> {
     match layout.medium {
@@ -207,17 +208,17 @@ pub(super) fn told_bare(
         Medium::Print(_) => None,
         Medium::Dots(_) => {
             let bare = if of_drawing { bare_areas(classes, textures, lines, layout.figure) } else { Vec::new() };
-            told_bare_on_dots(classes, textures, &bare, layout, plan)
+            told_bare_on_dots(classes, textures, (&bare, unlearned), layout, plan)
         }
     }
 }
 
 /// What the maker is told of the areas of a page of dots that have a colour and no texture: as a share of the figure,
-/// and of a drawing how many.
+/// and of a drawing how many; and of colours that went as they are `unlearned`.
 fn told_bare_on_dots(
     classes: &Classes,
     textures: &[Texture],
-    bare: &[usize],
+    (bare, unlearned): (&[usize], &BTreeSet<Class>),
     layout: &Layout,
     plan: &Plan,
 ) -> Option<Note> {
@@ -231,11 +232,32 @@ fn told_bare_on_dots(
         (Some(areas), Some(of_figure)) => format!("{of_figure}, {areas}"),
         (areas, of_figure) => areas.or(of_figure)?,
     };
+    let or_unlearned = match unlearned.is_empty() {
+        true => String::new(),
+        false => format!(", or are of colours of which {}", why_unlearned(unlearned, plan)),
+    };
     let told = format!(
         "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
-         (dots.texture_rows); a larger figure has"
+         (dots.texture_rows){or_unlearned}; a larger figure has"
     );
     Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
+}
+
+/// What the maker of a page that is laid out anew is told of colours whose textures went as they are unlearned.
+pub(super) fn told_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> Option<Note> {
+    let why = why_unlearned(colours, plan);
+    let told = format!("the textures of these colours, as {why}; on larger paper there is room");
+    (!colours.is_empty()).then_some(Note::NotOnPage(About::Areas, Reason::ColourTooSmall, told))
+}
+
+/// Why colours have no texture that are unlearned, with their names.
+fn why_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> String {
+    let names: Vec<&str> = colours.iter().map(|class| class.name()).collect();
+    let least = plan.profile().colours.min_area;
+    format!(
+        "none has an area of {least} square mm any more (colours.min_area), in which fingers learn a texture: {}",
+        list(&names, "and")
+    )
 }
 
 /// Takes the textures that no area of at least `least`, square mm, has out of those of which `counts` is true: fingers

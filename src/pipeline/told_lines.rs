@@ -75,17 +75,17 @@ pub(super) fn told_whole(drawn: &Lines, texts: &[Text]) -> impl Iterator<Item = 
 }
 
 /// A text stands beside a line no farther from it than this, mm.
-const BESIDE: f32 = 6.0;
+const FARTHEST_TEXT: f32 = 6.0;
 
 /// The texts that stand beside a line that is gone, and beside none that is drawn.
 fn beside_gone<'t>(gone: &[&LostLine], drawn: &[Line], texts: &'t [Text]) -> Vec<&'t str> {
     let has_line = |text: &Text| {
         let mut sides = drawn.iter().flat_map(|line| &line.runs).flat_map(|run| run.path().zip(run.path().skip(1)));
         let middle = text.place.center();
-        sides.any(|(a, b)| nearest_on_segment(middle, a, b).0 <= BESIDE + 0.5 * text.size)
+        sides.any(|(a, b)| nearest_on_segment(middle, a, b).0 <= FARTHEST_TEXT + 0.5 * text.size)
     };
     let is_beside = |text: &&Text| {
-        let near = text.place.inflate(BESIDE, BESIDE);
+        let near = text.place.inflate(FARTHEST_TEXT, FARTHEST_TEXT);
         let is_near = |line: &&LostLine| near.contains(line.extent.center()) || line.extent.intersects(&text.place);
         text.is_read() && gone.iter().any(is_near) && !has_line(text)
     };

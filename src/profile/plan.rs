@@ -6,6 +6,7 @@ use crate::Error;
 use crate::devices::Device;
 use crate::dots::textures::Least;
 use crate::legibility::{MediumLimits, RuleLimits};
+use crate::lines::PagePart;
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
 use crate::{classes, dots, edges, legibility, lines, regions, textures};
@@ -35,7 +36,7 @@ const _: () = assert!(
         && legibility::STRAIGHTNESS <= lines::STRAIGHTNESS
         && legibility::APPROACH >= lines::APPROACH_OF_DRAWINGS
         && legibility::CLUSTER_APPROACH >= lines::CLUSTER_APPROACH
-        && legibility::BESIDE >= lines::APART
+        && legibility::APART >= lines::APART
         && legibility::RING_CORNER >= lines::CORNER
         && legibility::RING_CORNER_ARMS[0] == lines::CORNER_ARMS[0]
         && legibility::RING_CORNER_ARMS[1] == lines::CORNER_ARMS[1]
@@ -61,7 +62,7 @@ const COLOUR_CELL: f32 = 1.0;
 /// Pixels this near to a contour do not count for the colour of an area, mm: what lies there is a mixture of both
 /// sides, or a drawn outline, whose own contours lie at its two edges. From 0.3 to 0.9 mm it is nearly the same
 /// (`tests/colours/stains.rs`).
-const BESIDE: f32 = 0.6;
+const MIXED_WITHIN: f32 = 0.6;
 
 /// Which regions get outlines.
 struct Shapes {
@@ -194,7 +195,7 @@ impl Plan {
             tolerance: lines.tolerance,
             detail: lines.detail,
             most_shapes: (lines.shapes > 0).then_some(lines.shapes),
-            part: lines::PagePart::Figure,
+            part: PagePart::Figure,
             whole_rings: false,
             of_drawing: false,
             widen_bars: false,
@@ -208,11 +209,13 @@ impl Plan {
         self.profile.lines.regions.then_some(regions::Detail::OUTLINES)
     }
 
-    /// Which regions get an outline, in the figure or in the overview.
-    pub fn regions(&self, of_overview: bool) -> regions::Params {
+    /// Which regions get an outline in a part of the page.
+    pub fn regions(&self, part: PagePart) -> regions::Params {
         let lines = self.lines();
-        let Shapes { most, least_gain, most_near, spacing, narrowest } =
-            if of_overview { OVERVIEW_SHAPES } else { FIGURE_SHAPES };
+        let Shapes { most, least_gain, most_near, spacing, narrowest } = match part {
+            PagePart::Figure => FIGURE_SHAPES,
+            PagePart::Overview => OVERVIEW_SHAPES,
+        };
         let (distance, smoothing) = (lines.max_spacing(), lines.smoothing);
         let (spacing, narrowest) = (spacing * distance, narrowest * distance);
         regions::Params { most, drawn: lines.most_shapes, least_gain, most_near, spacing, narrowest, smoothing }
@@ -269,7 +272,7 @@ impl Plan {
         classes::Params {
             cell: COLOUR_CELL * px_per_mm,
             blur: colours.blur * px_per_mm,
-            beside: BESIDE * px_per_mm,
+            beside: MIXED_WITHIN * px_per_mm,
             smoothing: colours.smoothing * px_per_mm,
             min_saturation: colours.min_saturation,
             min_value: colours.min_value,

@@ -13,7 +13,7 @@ use crate::units::{PxPoint, PxVector};
 /// Cracks of an arc within this distance, cells, give a crack's direction.
 const TANGENT_REACH: f32 = 4.0;
 /// How far from a crack the colours of its two sides are looked at, cells.
-const BESIDE: f32 = 5.0;
+const SIDE_DISTANCE: f32 = 5.0;
 /// Steps are counted up to this strength: a stronger one closes a region no better.
 const CLEAR: f32 = 20.0;
 /// Strength from which a crack counts as seen.
@@ -189,7 +189,7 @@ fn measure(
         sums.strength += f64::from(strength);
         sums.clear += f64::from(strength.min(CLEAR));
         sums.seen += f64::from(u8::from(strength >= SEEN));
-        for (side, at) in [(first, middle - across * BESIDE), (1 - first, middle + across * BESIDE)] {
+        for (side, at) in [(first, middle - across * SIDE_DISTANCE), (1 - first, middle + across * SIDE_DISTANCE)] {
             let place = SubpixelPosition::new(grid.cells, at.x, at.y);
             for (sum, plane) in sums.colours[side].iter_mut().zip(colours) {
                 *sum += f64::from(place.look_up(&plane.values));

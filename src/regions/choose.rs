@@ -36,9 +36,8 @@ pub struct Params {
 pub struct Chosen {
     /// Their numbers, the first first.
     pub regions: Vec<u32>,
-    /// How many of them come first whatever they tell: the subjects, or the main thing.
-    pub first: usize,
-    /// How many tell enough for an outline beside these, and are beyond the most that are drawn.
+    /// How many tell enough for an outline beside these, and are beyond the most that are drawn. No more are looked for
+    /// than [`Params::most`] in all.
     pub beyond: usize,
 }
 

@@ -8,6 +8,9 @@ use crate::units::{PxPoint, Size};
 /// larger picture has larger cells, so that time does not grow with it.
 const MOST_CELLS: f64 = 200_000.0;
 
+/// How far from a place a trace or a border may pass and still count there, cells.
+pub(super) const REACH: f32 = 2.5;
+
 /// Cells over a picture, corner on corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RegionGrid {

@@ -1,12 +1,9 @@
 //! How much keeps the regions on both sides of a place apart: the height in the tree at which they become one, as in an
 //! ultrametric contour map (Arbelaez et al. 2011).
 
-use super::grid::RegionGrid;
+use super::grid::{REACH, RegionGrid};
 use super::tree::Tree;
 use crate::units::PxPoint;
-
-/// How far from a place a border may pass and still count there, cells.
-const REACH: f32 = 2.5;
 
 /// Heights of all borders of basins.
 #[derive(Debug, Clone, PartialEq)]

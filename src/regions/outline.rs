@@ -25,7 +25,7 @@ impl Tree {
     /// areas that the outlines surround.
     pub fn outlines(&self, mm_per_px: f32, params: &Params, chosen: &Chosen) -> (Vec<RegionOutline>, OutlineAreas) {
         let mm = self.mm_of_cell(mm_per_px);
-        let Chosen { regions, beyond, .. } = chosen;
+        let Chosen { regions, beyond } = chosen;
         let labels = label_map(self, regions, mm, params.narrowest);
         let mut placed = vec![None; (self.grid.cells.width as usize + 1) * (self.grid.cells.height as usize + 1)];
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
@@ -45,7 +45,7 @@ impl Tree {
         let mut regions = choose(self, self.mm_of_cell(mm_per_px), params, first, preferred);
         let count = regions.len();
         regions.truncate(params.drawn.map_or(count, |most| most.max(first.len())));
-        Chosen { beyond: count - regions.len(), regions, first: first.len() }
+        Chosen { beyond: count - regions.len(), regions }
     }
 
     /// The region that is the main thing of the picture, for a sheet with so many millimetres for a pixel, if there is

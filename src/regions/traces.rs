@@ -1,6 +1,6 @@
 //! Traced contours on the grid of cells: where the nearest one runs, how strong, in which direction.
 
-use super::grid::RegionGrid;
+use super::grid::{REACH, RegionGrid};
 use super::trace::TracedContour;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};
@@ -28,8 +28,6 @@ pub(super) struct TraceMap {
 const SPAN: isize = 2;
 /// Twice the square of the distance, in cells, over which a trace counts less and less for a place.
 const FALL: f32 = 4.5;
-/// How far from a place a trace may pass and still count there, cells.
-pub(super) const REACH: f32 = 2.5;
 
 impl TraceMap {
     /// The traces, whose points are about a pixel apart and in pixels of the picture.

@@ -12,7 +12,7 @@ use crate::units::{Mm, MmPoint, MmRect};
 /// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
 const LEAST_STEP: f32 = 0.75;
 /// A row of dots leads to a line of which a dot is no farther from its end, in pitches.
-const BESIDE: f32 = 1.5;
+const LEADS_TO: f32 = 1.5;
 
 /// A line as its first row of dots.
 struct FirstRow<'a> {
@@ -65,7 +65,7 @@ fn drop_short(rows: &mut [FirstRow<'_>], has_points: &[bool], part: MmRect, para
     for (own, first) in rows.iter_mut().enumerate().filter(|(own, _)| !has_points[*own]) {
         let dots = &first.row.dots;
         let leads = |end: Option<&MmPoint>| {
-            end.is_some_and(|&end| !placed.is_free(end, BESIDE * params.pitch, |line| line != own))
+            end.is_some_and(|&end| !placed.is_free(end, LEADS_TO * params.pitch, |line| line != own))
         };
         // a dot stands for half a pitch to both sides
         let length = polyline::length(dots) + params.pitch + ROUNDED_OFF;

@@ -129,6 +129,12 @@ pub const fn longest_approach(gap: u32) -> u32 {
     2 * gap
 }
 
+/// Where a line touches another that it ends on still with its dot of this number, counted from 0, it runs along it and
+/// does not end there.
+const fn longest_touch(gap: u32) -> u32 {
+    longest_approach(gap) + 2
+}
+
 /// Most dots of a line that are left out where it crosses another one with a gap of so many dots: at no smaller angle
 /// than makes the gap on both sides twice as long as at a right one.
 pub const fn longest_cut(gap: u32) -> u32 {
@@ -450,7 +456,7 @@ impl OccupiedDots {
         let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
         let Some(last) = touches else { return false };
         let longest = longest_approach(self.gap as u32) as usize;
-        if near - last > longest || last > longest + 2 {
+        if near - last > longest || last > longest_touch(self.gap as u32) as usize {
             return false;
         }
         let skipped = if distances[last] == Some(0) { last + 1 } else { last };

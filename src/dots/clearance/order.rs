@@ -5,16 +5,8 @@
 use crate::dots::params::polyline_of;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
-use crate::lines::Line;
+use crate::lines::{CORNER, HIGHEST_STACK, Line, TOUCH};
 use crate::units::{MmPoint, MmRect};
-
-/// A line ends on another if it comes this near to its middle, mm: junctions are drawn so, but for the tolerance with
-/// which lines are simplified.
-const TOUCH: f32 = 0.1;
-/// At a corner a line turns by at least 30 degrees: the cosine.
-const CORNER: f32 = 0.866;
-/// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
-const DEPTH: usize = 8;
 
 /// The numbers of the lines of a part of the sheet, the strongest given first, in this order. Ends that meet other ends
 /// within `corner` mm are corners, and change nothing.
@@ -22,11 +14,11 @@ pub(super) fn order(lines: &[Line], part: MmRect, corner: f32) -> Vec<usize> {
     let on_bases = lines_on_bases(lines, part, corner);
     // the place of each line, and how many stand above one another on it there
     let mut places: Vec<(usize, usize)> = (0..lines.len()).map(|number| (number, 0)).collect();
-    for _ in 0..DEPTH {
+    for _ in 0..HIGHEST_STACK {
         let before = places.clone();
         for &(stem, base) in &on_bases {
             let (place, above) = before[stem];
-            if (place, DEPTH - above) <= (places[base].0, DEPTH - places[base].1) {
+            if (place, HIGHEST_STACK - above) <= (places[base].0, HIGHEST_STACK - places[base].1) {
                 places[base] = (place, above + 1);
             }
         }
@@ -35,7 +27,7 @@ pub(super) fn order(lines: &[Line], part: MmRect, corner: f32) -> Vec<usize> {
         }
     }
     let mut order: Vec<usize> = (0..lines.len()).collect();
-    order.sort_by_key(|&number| (places[number].0, DEPTH.saturating_sub(places[number].1), number));
+    order.sort_by_key(|&number| (places[number].0, HIGHEST_STACK.saturating_sub(places[number].1), number));
     order
 }
 

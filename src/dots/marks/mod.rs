@@ -38,7 +38,7 @@ const BETWEEN: f32 = 3.2;
 /// Of two dots as near the one with the greater column and row is taken, as lines are: so much nearer, in steps.
 const MIDWAY: f32 = 1e-3;
 /// The direction of a row is taken over so many dots to both sides.
-const BESIDE: usize = 2;
+const DIRECTION_SPAN: usize = 2;
 /// A row is that of a tick if it leads as its line does but for 30 degrees: the cosine.
 const ALONG: f32 = 0.87;
 /// A row is that of a tick if it lies no farther than this beside the tick, in pitches.
@@ -231,7 +231,7 @@ impl Places<'_> {
     /// Which way a row runs at one of its dots.
     fn along(&self, RowDot { row, number, .. }: RowDot) -> MmVector {
         let dots = &self.rows[row].dots;
-        let way = dots[(number + BESIDE).min(dots.len() - 1)] - dots[number.saturating_sub(BESIDE)];
+        let way = dots[(number + DIRECTION_SPAN).min(dots.len() - 1)] - dots[number.saturating_sub(DIRECTION_SPAN)];
         way.try_normalize().unwrap_or(MmVector::new(1.0, 0.0))
     }
 

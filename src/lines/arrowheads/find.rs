@@ -9,7 +9,7 @@ use crate::lines::vertex::{Tip, Vertex};
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// The end of a shaft is no farther from its head than this, mm, nor are its strokes from its tip.
-const BESIDE: f32 = 1.0;
+const NEAR_HEAD: f32 = 1.0;
 /// A head points as its shaft leads, but for 32 degrees: the cosine.
 const ALONG: f32 = 0.85;
 /// The tip lies no farther from the line of the shaft than this share of half its width, and this more, mm: a pixel or
@@ -104,7 +104,7 @@ impl<'a> Contours<'a> {
     /// A head of one contour at the end of a shaft.
     fn whole(&self, shaft: &LineEnd, taken: &[bool]) -> Option<(HeadTip, Vec<usize>)> {
         let mut best: Option<(f32, usize, HeadTip)> = None;
-        self.tips.around(shaft.at, shaft.at, BESIDE, |&(line, tip)| {
+        self.tips.around(shaft.at, shaft.at, NEAR_HEAD, |&(line, tip)| {
             if line == shaft.line || taken[line] || !fits(&tip, shaft) || !self.is_free(&tip, line) {
                 return;
             }
@@ -119,9 +119,9 @@ impl<'a> Contours<'a> {
     /// A head of two strokes that begin at the end of a shaft.
     fn of_legs(&self, shaft: &LineEnd, taken: &[bool]) -> Option<(HeadTip, Vec<usize>)> {
         let mut sides: [Option<(f32, usize, MmPoint)>; 2] = [None; 2];
-        self.ends.around(shaft.at, shaft.at, BESIDE, |leg| {
+        self.ends.around(shaft.at, shaft.at, NEAR_HEAD, |leg| {
             let far = (leg.at - shaft.at).length();
-            if leg.line == shaft.line || taken[leg.line] || !self.is_leg[leg.line] || far > BESIDE {
+            if leg.line == shaft.line || taken[leg.line] || !self.is_leg[leg.line] || far > NEAR_HEAD {
                 return;
             }
             let Some(wing) = end(&self.polylines[leg.line], leg.which.other()) else { return };
@@ -154,10 +154,10 @@ impl<'a> Contours<'a> {
     fn goes_on(&self, tip: &HeadTip, shaft: usize) -> bool {
         let Some(axis) = tip.axis().try_normalize() else { return true };
         let mut goes_on = false;
-        self.ends.around(tip.apex, tip.apex, BESIDE, |end| {
+        self.ends.around(tip.apex, tip.apex, NEAR_HEAD, |end| {
             let is_line = end.line != shaft && !self.is_leg[end.line] && !self.is_head[end.line];
             let is_line = is_line && self.polylines[end.line].length() > tip.axis().length();
-            let is_at = (end.at - tip.apex).length() <= BESIDE;
+            let is_at = (end.at - tip.apex).length() <= NEAR_HEAD;
             goes_on |= is_line && is_at && end.heading.dot(axis) <= -ALONG;
         });
         goes_on
@@ -169,8 +169,8 @@ fn fits(tip: &HeadTip, shaft: &LineEnd) -> bool {
     let Some(axis) = tip.axis().try_normalize() else { return false };
     let length = tip.axis().length();
     let along = (shaft.at - tip.base()).dot(axis);
-    let line = (shaft.at - shaft.heading * length, shaft.at + shaft.heading * (length + BESIDE));
+    let line = (shaft.at - shaft.heading * length, shaft.at + shaft.heading * (length + NEAR_HEAD));
     axis.dot(shaft.heading) >= ALONG
-        && (-BESIDE..=length + BESIDE).contains(&along)
+        && (-NEAR_HEAD..=length + NEAR_HEAD).contains(&along)
         && nearest_on_segment(tip.apex, line.0, line.1).0 <= ASIDE * tip.half_width() + OFF_LINE
 }

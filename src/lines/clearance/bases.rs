@@ -10,8 +10,8 @@ use crate::lines::params::Params;
 use crate::lines::vertex::{FoundIn, Tip, Vertex};
 use crate::units::MmRect;
 
-/// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
-const DEPTH: usize = 8;
+/// How many lines that stand on one another are followed; following a cycle of such lines stops there too.
+pub(crate) const HIGHEST_STACK: usize = 8;
 /// A straight line on which so many others end is the axis of a chart or a wall: it goes before all lines.
 const AXIS: usize = 4;
 /// A line is straight if the distance of its ends is at least this share of its length.
@@ -36,7 +36,7 @@ pub(super) fn raised(
             *own = own.max(most);
         }
     }
-    for _ in 0..DEPTH {
+    for _ in 0..HIGHEST_STACK {
         let before = all.clone();
         for &(stem, base) in &on_bases {
             if before[base] <= before[stem] {

@@ -21,8 +21,9 @@ mod shift;
 mod split;
 
 pub(super) use apart::move_apart;
+pub(crate) use bases::HIGHEST_STACK;
 pub(crate) use cluster::APART;
-pub(super) use passage::TOUCH;
+pub(crate) use passage::TOUCH;
 pub(super) use queue::Cleared;
 pub(crate) use self_distance::{BEND, BEND_LEAST};
 

@@ -7,7 +7,7 @@ use crate::units::{MmPoint, MmVector};
 
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
 /// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
-pub(in crate::lines) const TOUCH: f32 = 0.1;
+pub(crate) const TOUCH: f32 = 0.1;
 /// Crossings of one line with this much arc length between them, mm, or less, are those of one spike.
 pub(super) const SPIKE: f32 = 1.0;
 /// Crossings nearer than this, mm, are one.

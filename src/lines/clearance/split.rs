@@ -10,7 +10,7 @@ use crate::geom::polyline::Polyline;
 use crate::lines::links;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
-use crate::lines::vertex::{Vertex, dot};
+use crate::lines::vertex::Vertex;
 
 /// A line that joins another this near to its end, mm, ends there.
 const TIP: f32 = 0.01;
@@ -106,9 +106,8 @@ pub(super) fn split(
         return coarse;
     }
     // a stroke on which many lines end, as bars on an axis, is nowhere free; what is left is judged once more
-    let is_stroke = |vertex: &Vertex| dot(vertex.contrast, vertex.contrast) <= 0.0;
-    let strokes = polyline.vertices.iter().filter(|vertex| is_stroke(vertex)).count();
-    let fine = match 2 * strokes > polyline.vertices.len() {
+    let in_stroke = polyline.vertices.iter().filter(|vertex| vertex.is_in_stroke()).count();
+    let fine = match 2 * in_stroke > polyline.vertices.len() {
         true => pieces(&open.vertices, apart_stretches(&open_states), ends, drawn),
         false => Vec::new(),
     };

@@ -6,7 +6,7 @@ use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines may lie this far outside of their figure, mm: a stroke has a width.
-const BESIDE: f32 = 0.5;
+const OUTSIDE: f32 = 0.5;
 /// Most steps in which a side of a line that leaves the figure is looked at.
 const MOST_STEPS: f32 = 10_000.0;
 /// Places that differ by less are one but for rounding, in shares of the figure.
@@ -81,7 +81,7 @@ impl HandLine {
 
     /// Its parts inside the figure, of this width and height in mm.
     pub(super) fn parts_inside(self, [width, height]: [f32; 2]) -> Vec<Self> {
-        let (x, y) = (BESIDE / width, BESIDE / height);
+        let (x, y) = (OUTSIDE / width, OUTSIDE / height);
         let is_outside = |&([a, b], _): &([f32; 2], f32)| a < -x || a > 1.0 + x || b < -y || b > 1.0 + y;
         if !self.vertices.iter().any(is_outside) {
             return vec![self];
@@ -94,7 +94,7 @@ impl HandLine {
         for pair in vertices.windows(2) {
             let [(a, strength), (b, other)] = [pair[0], pair[1]];
             let length = ((b[0] - a[0]) * width).hypot((b[1] - a[1]) * height);
-            let steps = (length / BESIDE).ceil().clamp(1.0, MOST_STEPS);
+            let steps = (length / OUTSIDE).ceil().clamp(1.0, MOST_STEPS);
             let at = |k: f32| ([a[0] + (b[0] - a[0]) * k, a[1] + (b[1] - a[1]) * k], strength + (other - strength) * k);
             fine.extend((0..steps as usize).map(|step| at(step as f32 / steps)));
         }

@@ -47,7 +47,7 @@ fn a_line_on_which_nothing_ends_keeps_its_saliency_and_a_circle_of_lines_comes_t
         stroke(&[(30.0, 90.0), (30.0, 30.0)], 60.0),
     ];
     let own = own(&circle);
-    let most = own.iter().copied().fold(0.0, f32::max) * (1.0 + MORE).powi(DEPTH as i32 + 1);
+    let most = own.iter().copied().fold(0.0, f32::max) * (1.0 + MORE).powi(HIGHEST_STACK as i32 + 1);
     let raised = raised(&own, &circle, area(), &Params::TEST);
     assert!(raised.iter().zip(&own).all(|(raised, own)| (*own..most).contains(raised)), "{own:?} {raised:?}");
     assert!(raised[0] > own[0], "something stands on it");
