@@ -37,6 +37,11 @@ pub(super) struct Join {
 }
 
 impl Join {
+    /// Of a place of a path with one of another, both with how far along them, mm.
+    fn of(arc: f32, (other, there): (u32, f32), paths: &Paths) -> Self {
+        Self { arc, other, there, line: paths.paths[other as usize].line, by_third: None }
+    }
+
     /// How far from here along the path the two may be near, mm.
     fn reach(&self, clearance: f32) -> f32 {
         self.by_third.map_or(APPROACH * clearance, |apart| CLUSTER_APPROACH * clearance - apart)
@@ -47,39 +52,8 @@ impl Join {
 /// lines that cross again before they have been apart only wind round one another: these are no joins.
 pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
     let widest = paths.widest();
-    let of = |number: usize| {
-        let mut found: Vec<Join> = Vec::new();
-        let path = &paths.paths[number];
-        let mut add = |arc: f32, there: f32, other: u32| {
-            let bent = other as usize == number && path.between(arc, there) <= BEND_LEAST;
-            if !bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 4.0 * VERTEX) {
-                let line = paths.paths[other as usize].line;
-                found.push(Join { arc, other, there, line, by_third: None });
-            }
-        };
-        // an end first: where it also crosses, by a rounding, it is an end all the same
-        for (own, tip, arc) in paths.tips(number) {
-            index.around(tip, tip, own.half_width + widest + touch, |other| {
-                let (distance, _, there) = nearest(other, tip);
-                if distance <= own.half_width + other.half_width + touch {
-                    add(arc, there, other.line);
-                }
-            });
-        }
-        for segment in paths.segments_of(number) {
-            index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
-                if !may_be_near(segment, other, 0.0) {
-                    return;
-                }
-                // in a vertex of both, too
-                if let Some(at) = crossing(longer(segment), longer(other)) {
-                    add(segment.arc + (at - segment.a).length(), nearest(other, at).2, other.line);
-                }
-            });
-        }
-        found
-    };
-    let mut found: Vec<Vec<Join>> = (0..paths.paths.len()).map(of).collect();
+    let mut found: Vec<Vec<Join>> =
+        (0..paths.paths.len()).map(|path| joins_of(path, paths, index, (widest, touch))).collect();
     add_meetings_in_rings(&mut found, paths, least);
     // of a line of dots the last two dots may both touch another line: it ends there, and does not wind round it
     let winds = |number: usize, join: &Join| {
@@ -98,6 +72,39 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
     kept
 }
 
+/// Where one path ends on others, or on itself, and where it crosses them; each place once.
+fn joins_of(number: usize, paths: &Paths, index: &Nearby, (widest, touch): (f32, f32)) -> Vec<Join> {
+    let mut found: Vec<Join> = Vec::new();
+    let path = &paths.paths[number];
+    let mut add = |arc: f32, other: u32, there: f32| {
+        let is_bent = other as usize == number && path.between(arc, there) <= BEND_LEAST;
+        if !is_bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 4.0 * VERTEX) {
+            found.push(Join::of(arc, (other, there), paths));
+        }
+    };
+    // an end first: where it also crosses, by a rounding, it is an end all the same
+    for (own, tip, arc) in paths.tips(number) {
+        index.around(tip, tip, own.half_width + widest + touch, |other| {
+            let (distance, _, there) = nearest(other, tip);
+            if distance <= own.half_width + other.half_width + touch {
+                add(arc, other.line, there);
+            }
+        });
+    }
+    for segment in paths.segments_of(number) {
+        index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
+            if !may_be_near(segment, other, 0.0) {
+                return;
+            }
+            // in a vertex of both, too
+            if let Some(at) = crossing(longer(segment), longer(other)) {
+                add(segment.arc + (at - segment.a).length(), other.line, nearest(other, at).2);
+            }
+        });
+    }
+    found
+}
+
 /// The corners of rings that stand on other lines, whichever way these go on there.
 fn add_corners(joins: &mut [Vec<Join>], paths: &Paths, index: &Nearby) {
     let widest = paths.widest();
@@ -105,9 +112,8 @@ fn add_corners(joins: &mut [Vec<Join>], paths: &Paths, index: &Nearby) {
         for (own, corner, arc) in paths.corners_of_ring(number) {
             index.around(corner, corner, own.half_width + widest, |other| {
                 let (distance, _, there) = nearest(other, corner);
-                let line = paths.paths[other.line as usize].line;
                 if other.line as usize != number && distance <= own.half_width + other.half_width {
-                    found.push(Join { arc, other: other.line, there, line, by_third: None });
+                    found.push(Join::of(arc, (other.line, there), paths));
                 }
             });
         }
@@ -117,7 +123,7 @@ fn add_corners(joins: &mut [Vec<Join>], paths: &Paths, index: &Nearby) {
 /// A path that ends on another no farther than two lines may be apart from where a third one joins that, and does not
 /// run beside the third, joins it as well: fingers feel one meeting of all three.
 fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
-    // of every path: where along it which other is joined, whichever of the two it is that ends there
+    // of every path: where along it which other is joined, and where along that, whichever of the two ends there
     let mut meetings: Vec<Vec<(f32, usize, f32)>> = vec![Vec::new(); paths.paths.len()];
     for (number, own) in joins.iter().enumerate() {
         for join in own {
@@ -147,8 +153,8 @@ fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
             let near = near.filter(|(apart, other, _)| *other != number && *apart <= spacing);
             let others = near.filter(|(_, other, there)| is_apart((number, arc), (*other, *there)));
             joins[number].extend(others.map(|(apart, other, there)| {
-                let line = paths.paths[other].line;
-                Join { arc, other: other as u32, there, line, by_third: Some(apart) }
+                let join = Join::of(arc, (other as u32, there), paths);
+                Join { by_third: Some(apart), ..join }
             }));
         }
     }
@@ -182,13 +188,7 @@ fn add_meetings_in_rings(joins: &mut [Vec<Join>], paths: &Paths, least: f32) {
     for of_ring in ends.chunk_by(|a, b| a.0 == b.0) {
         for &(_, number, arc) in of_ring {
             let others = of_ring.iter().map(|(_, other, there)| (*other, *there)).filter(|other| other.0 != number);
-            joins[number].extend(others.map(|(other, there)| Join {
-                arc,
-                other: other as u32,
-                there,
-                line: paths.paths[other].line,
-                by_third: None,
-            }));
+            joins[number].extend(others.map(|(other, there)| Join::of(arc, (other as u32, there), paths)));
         }
     }
 }
@@ -240,3 +240,6 @@ pub(super) fn free_parts(
     // of a dot on its own there is no part
     if joined { parts } else { vec![whole] }
 }
+
+#[cfg(test)]
+mod tests;

@@ -135,7 +135,7 @@ fn finished(drawn: &[&Cleared], points: &DrawnPoints, heads: &DrawnHeads, params
     let finish = |(number, line): (usize, &&Cleared)| -> Vec<Line> {
         let (shaft, anchored) = heads.shaft(number, &line.polyline, &line.anchored);
         let parts = points.parts(number, &shaft, &anchored, params);
-        parts.iter().filter_map(|(part, anchored)| weight::finish(part, anchored, params)).collect()
+        parts.iter().filter_map(|part| weight::finish(&part.polyline, &part.anchored, params)).collect()
     };
     let finish_mark = |mark: &Polyline<Vertex>| weight::finish(mark, &vec![false; mark.vertices.len()], params);
     // on a grid of dots the first lines get the dots that they need

@@ -1,7 +1,7 @@
 //! Points on lines as they are drawn: beads, and rings at which lines end.
 
 use super::{BEAD, MIDDLE, Point};
-use crate::geom::nearby::Nearby;
+use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
@@ -20,6 +20,25 @@ const BEAD_LENGTH: f32 = 0.1;
 const PASSES: f32 = 0.5;
 /// A line that passes through a point is near to it for about this many times as far as its ring keeps from lines.
 const RETURNS: f32 = 2.0;
+
+/// A part of a line, with which of its vertices are anchored.
+#[derive(Debug)]
+pub(in crate::lines) struct LinePart {
+    pub(in crate::lines) polyline: Polyline<Vertex>,
+    pub(in crate::lines) anchored: Vec<bool>,
+}
+
+impl LinePart {
+    /// A part without vertices.
+    fn empty() -> Self {
+        Self { polyline: Polyline::open(Vec::new()), anchored: Vec::new() }
+    }
+
+    fn push(&mut self, vertex: Vertex, is_anchored: bool) {
+        self.polyline.vertices.push(vertex);
+        self.anchored.push(is_anchored);
+    }
+}
 
 /// The marks of those points that have room on the lines that are drawn.
 #[derive(Debug, Default)]
@@ -71,40 +90,14 @@ pub(super) struct AmongLines {
 
 /// Draws those of the points that are wanted and have room; says which.
 fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Params) -> (DrawnPoints, Vec<bool>) {
-    let AmongLines { segments, faint, ring_lengths } = lines;
     let mut drawn = DrawnPoints::default();
-    // on the line that goes through it, wherever that was moved
-    let place = |point: &Point| {
-        let reach = RING_FARTHEST + MIDDLE * point.radius;
-        let nearest =
-            |of_faint: bool| segments.nearest(point.at, reach, |segment| faint[segment.line as usize] == of_faint);
-        let on_line = nearest(false).or_else(|| nearest(true)).filter(|_| !point.is_alone);
-        let place = on_line.map(|(_, at, segment)| (at, Some(segment.line), radius(point, params)));
-        place.or_else(|| point.is_alone.then(|| (point.at, None, radius(point, params))))
-    };
     let half = 0.5 * params.width_max;
     let mut has_room = vec![false; points.len()];
     for (number, point) in points.iter().enumerate().filter(|(number, _)| wanted[*number]) {
-        let Some((at, line, radius)) = place(point) else { continue };
+        let Some((at, line)) = lines.place(point) else { continue };
+        let radius = radius(point, params);
         let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
-        let beside = radius + params.min_gap + half;
-        // lines near to it, by number, with the place along each and how far off that is
-        let mut near: Vec<(u32, f32, f32)> = Vec::new();
-        segments.around_point(at, beside, |segment| {
-            let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
-            if !faint[segment.line as usize] && distance < beside {
-                near.push((segment.line, segment.arc + (nearest - segment.a).length(), distance));
-            }
-        });
-        // one that passes through the middle may be near it there, not where it comes back beside it
-        let passes = |&(line, arc, _): &(u32, f32, f32)| {
-            let along = |other: f32| arc_between(arc, other, ring_lengths[line as usize]);
-            let is_through = |&(other, there, distance): &(u32, f32, f32)| {
-                other == line && distance <= PASSES * radius && along(there) <= RETURNS * beside
-            };
-            !point.is_alone && near.iter().any(is_through)
-        };
-        if drawn.discs.iter().any(is_near) || !near.iter().all(passes) {
+        if drawn.discs.iter().any(is_near) || !lines.leave_room(point, at, radius, params) {
             continue;
         }
         has_room[number] = true;
@@ -119,6 +112,55 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
     }
     drawn.lost = has_room.iter().filter(|has_room| !**has_room).count();
     (drawn, has_room)
+}
+
+/// A place of a line that is near to a point.
+struct NearPlace {
+    line: u32,
+    /// How far along the line, mm.
+    arc: f32,
+    /// How far from the middle of the point, mm.
+    distance: f32,
+}
+
+impl AmongLines {
+    /// Where a point is drawn, and on which line: that which goes through it, wherever that was moved; none if there is
+    /// no such line any more. One beside lines stays where it is.
+    fn place(&self, point: &Point) -> Option<(MmPoint, Option<u32>)> {
+        if point.is_alone {
+            return Some((point.at, None));
+        }
+        let reach = RING_FARTHEST + MIDDLE * point.radius;
+        let nearest =
+            |of_faint: bool| self.segments.nearest(point.at, reach, |segment| self.is_faint(segment) == of_faint);
+        nearest(false).or_else(|| nearest(true)).map(|(_, at, segment)| (at, Some(segment.line)))
+    }
+
+    /// Whether a disc with this radius, mm, can be drawn for a point: no line is too near to it but those that pass
+    /// through its middle. These may be near it there, and not where they come back beside it; faint ones give way.
+    fn leave_room(&self, point: &Point, at: MmPoint, radius: f32, params: &Params) -> bool {
+        let beside = radius + params.min_gap + 0.5 * params.width_max;
+        let mut near: Vec<NearPlace> = Vec::new();
+        self.segments.around_point(at, beside, |segment| {
+            let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
+            if !self.is_faint(segment) && distance < beside {
+                let arc = segment.arc + (nearest - segment.a).length();
+                near.push(NearPlace { line: segment.line, arc, distance });
+            }
+        });
+        let passes = |place: &NearPlace| {
+            let along = |arc: f32| arc_between(place.arc, arc, self.ring_lengths[place.line as usize]);
+            let is_through = |other: &NearPlace| {
+                other.line == place.line && other.distance <= PASSES * radius && along(other.arc) <= RETURNS * beside
+            };
+            !point.is_alone && near.iter().any(is_through)
+        };
+        near.iter().all(passes)
+    }
+
+    fn is_faint(&self, segment: &Segment) -> bool {
+        self.faint[segment.line as usize]
+    }
 }
 
 /// Radius of what is drawn for a point, mm, with its ink.
@@ -150,31 +192,29 @@ impl DrawnPoints {
         line: &Polyline<Vertex>,
         anchored: &[bool],
         params: &Params,
-    ) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+    ) -> Vec<LinePart> {
         let is_own = |(of, _): &&(usize, MmPoint)| *of == number;
         if is_faint(line) && !self.beads.iter().any(|bead| is_own(&bead)) {
             return self.interrupted(line, anchored, params);
         }
-        let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
+        let mut whole = LinePart { polyline: line.clone(), anchored: anchored.to_vec() };
         for (_, at) in self.beads.iter().filter(is_own) {
-            add_bead(&mut line, &mut anchored, *at, BEAD * params.width_max);
+            add_bead(&mut whole, *at, BEAD * params.width_max);
         }
-        match self.holes[..] {
-            [] => vec![(line, anchored)],
-            // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
-            ref holes => {
-                let mut parts = outside(&line, &anchored, holes, params.min_gap);
-                parts.retain(|(part, _)| !self.is_stub(part, number, &line, params));
-                parts
-            }
+        if self.holes.is_empty() {
+            return vec![whole];
         }
+        // what sticks out of a ring for less than a gap, as the ends of a tick, is felt as a fault in the ring
+        let mut parts = outside(&whole.polyline, &whole.anchored, &self.holes, params.min_gap);
+        parts.retain(|part| !self.is_stub(&part.polyline, number, &whole.polyline, params));
+        parts
     }
 
     /// What of these lines is not drawn, as it would stick out of a hollow point and be too short for a line.
     pub(in crate::lines) fn stubs(&self, lines: &[&Polyline<Vertex>], params: &Params) -> Vec<Polyline<Vertex>> {
         let stubs = |(number, line): (usize, &&Polyline<Vertex>)| -> Vec<Polyline<Vertex>> {
             let parts = outside(line, &vec![false; line.vertices.len()], &self.holes, params.min_gap).into_iter();
-            parts.map(|(part, _)| part).filter(|part| self.is_stub(part, number, line, params)).collect()
+            parts.map(|part| part.polyline).filter(|part| self.is_stub(part, number, line, params)).collect()
         };
         let all = if self.holes.is_empty() { &[] } else { lines };
         all.iter().enumerate().flat_map(stubs).collect()
@@ -192,16 +232,9 @@ impl DrawnPoints {
         };
         !part.closed && part.length() < params.min_length && ends(part).into_iter().zip(ends(line)).any(ends_loose)
     }
-}
 
-impl DrawnPoints {
     /// The parts of a faint line beside points, whose other lines they keep clear of too.
-    fn interrupted(
-        &self,
-        line: &Polyline<Vertex>,
-        anchored: &[bool],
-        params: &Params,
-    ) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+    fn interrupted(&self, line: &Polyline<Vertex>, anchored: &[bool], params: &Params) -> Vec<LinePart> {
         // the two ends at a point are as far apart as any, even where the line would only touch the hole
         let (clearance, half) = (params.clearance(0.5 * params.width_min), 0.5 * params.clearance(params.width_min));
         let hole = |&(at, radius): &(MmPoint, f32)| {
@@ -220,8 +253,8 @@ impl DrawnPoints {
                 segments.nearest(vertex.at, reach, |segment| !faint[segment.line as usize]).is_some()
             })
         };
-        let clear = |(part, mut anchored): (Polyline<Vertex>, Vec<bool>)| {
-            let mut vertices = part.vertices;
+        let clear = |LinePart { polyline, mut anchored }: LinePart| {
+            let mut vertices = polyline.vertices;
             if vertices.last().is_some_and(is_cut) {
                 while vertices.pop_if(|vertex| is_near(vertex)).is_some() {}
                 anchored.truncate(vertices.len());
@@ -231,18 +264,16 @@ impl DrawnPoints {
                 vertices.drain(..near);
                 anchored.drain(..near);
             }
-            let part = Polyline::open(vertices);
-            (part.length() >= params.min_length).then_some((part, anchored))
+            let polyline = Polyline::open(vertices);
+            (polyline.length() >= params.min_length).then_some(LinePart { polyline, anchored })
         };
-        outside(line, anchored, &holes, 0.0)
-            .into_iter()
-            .filter_map(|part| if part.0.closed { Some(part) } else { clear(part) })
-            .collect()
+        let parts = outside(line, anchored, &holes, 0.0).into_iter();
+        parts.filter_map(|part| if part.polyline.closed { Some(part) } else { clear(part) }).collect()
     }
 }
 
-/// Makes a line as broad as this for a moment.
-fn add_bead(line: &mut Polyline<Vertex>, anchored: &mut Vec<bool>, at: MmPoint, width: f32) {
+/// Makes a line as broad as `width`, mm, over [`BEAD_LENGTH`] where it is nearest to a place.
+fn add_bead(LinePart { polyline: line, anchored }: &mut LinePart, at: MmPoint, width: f32) {
     let distance = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(at, a.at, b.at).0;
     let distances: Vec<f32> = line.segments().map(distance).collect();
     let Some(nearest) = (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b])) else { return };
@@ -258,54 +289,46 @@ fn add_bead(line: &mut Polyline<Vertex>, anchored: &mut Vec<bool>, at: MmPoint, 
 
 /// The parts of a line, with what is anchored of it, that lie in none of the holes. An end of the line shorter than
 /// `least`, mm, is none of them.
-fn outside(
-    line: &Polyline<Vertex>,
-    anchored: &[bool],
-    holes: &[(MmPoint, f32)],
-    least: f32,
-) -> Vec<(Polyline<Vertex>, Vec<bool>)> {
+fn outside(line: &Polyline<Vertex>, anchored: &[bool], holes: &[(MmPoint, f32)], least: f32) -> Vec<LinePart> {
     let hole_at = |vertex: &Vertex| holes.iter().find(|(at, radius)| (vertex.at - *at).length() < *radius);
     let Some(inside) = line.vertices.iter().position(|vertex| hole_at(vertex).is_some()) else {
-        return vec![(line.clone(), anchored.to_vec())];
+        return vec![LinePart { polyline: line.clone(), anchored: anchored.to_vec() }];
     };
     let count = line.vertices.len();
     // a ring is gone round from a hole to the same hole
     let (start, steps) = if line.closed { (inside, count + 1) } else { (0, count) };
-    let mut parts: Vec<(Vec<Vertex>, Vec<bool>)> = vec![Default::default()];
+    // where the step from a vertex in a hole to the one outside leaves the hole
+    let side = |inner: &Vertex, outer: &Vertex| -> Option<Vertex> {
+        let (at, radius) = hole_at(inner)?;
+        let away = (outer.at - *at).try_normalize()?;
+        Some(Vertex { at: *at + away * *radius, ..*outer })
+    };
+    let mut parts = vec![LinePart::empty()];
     let mut before: Option<&Vertex> = None;
     for i in (start..start + steps).map(|i| i % count) {
         let vertex = &line.vertices[i];
-        let side = |inner: &Vertex, outer: &Vertex| -> Option<Vertex> {
-            let (at, radius) = hole_at(inner)?;
-            let away = (outer.at - *at).try_normalize()?;
-            Some(Vertex { at: *at + away * *radius, ..*outer })
-        };
+        let in_hole = |vertex: &Vertex| hole_at(vertex).is_some();
         let Some(part) = parts.last_mut() else { break };
-        match (before.and_then(hole_at).is_some(), hole_at(vertex).is_some()) {
-            (true, false) => {
-                part.0.extend(before.and_then(|before| side(before, vertex)).into_iter().chain([*vertex]));
-                part.1.extend([true, anchored[i]]);
+        match (before.filter(|before| in_hole(before)), in_hole(vertex)) {
+            (Some(inner), false) => {
+                side(inner, vertex).into_iter().for_each(|side| part.push(side, true));
+                part.push(*vertex, anchored[i]);
             }
-            (false, true) => {
-                part.0.extend(before.and_then(|before| side(vertex, before)));
-                part.1.resize(part.0.len(), true);
-                parts.push(Default::default());
+            (None, true) => {
+                let side = before.and_then(|before| side(vertex, before));
+                side.into_iter().for_each(|side| part.push(side, true));
+                parts.push(LinePart::empty());
             }
-            (false, false) => {
-                part.0.push(*vertex);
-                part.1.push(anchored[i]);
-            }
+            (None, false) => part.push(*vertex, anchored[i]),
             // within a hole nothing is drawn
-            (true, true) => {}
+            (Some(_), true) => {}
         }
         before = Some(vertex);
     }
     let last = parts.len() - 1;
-    let parts = parts.into_iter().enumerate().filter(|(_, (vertices, _))| vertices.len() > 1);
-    let parts = parts.map(|(number, (vertices, anchored))| (number, Polyline::open(vertices), anchored));
     let is_end = |number: usize| !line.closed && (number == 0 || number == last);
-    let stays = |(number, part, anchored): (usize, Polyline<Vertex>, Vec<bool>)| {
-        (!is_end(number) || part.length() >= least).then_some((part, anchored))
+    let stays = |(number, part): &(usize, LinePart)| {
+        part.anchored.len() > 1 && (!is_end(*number) || part.polyline.length() >= least)
     };
-    parts.filter_map(stays).collect()
+    parts.into_iter().enumerate().filter(stays).map(|(_, part)| part).collect()
 }

@@ -4,6 +4,7 @@ use super::super::line::HeavyStrokes;
 use super::super::params::LineMedium;
 use super::super::tests::area;
 use super::super::vertex::{FoundIn, SPACING};
+use super::drawn::LinePart;
 use super::*;
 
 const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
@@ -91,7 +92,9 @@ fn a_filled_point_is_a_bead_and_a_hollow_one_a_ring_at_which_the_line_ends() {
     assert!(drawn.rings.len() == 1 && drawn.lost == 0);
     let count = lines[0].vertices.len();
     let parts = drawn.parts(0, &lines[0], &vec![false; count], &PARAMS);
-    let [(before, anchored), (after, _)] = &parts[..] else { panic!("{} parts", parts.len()) };
+    let [LinePart { polyline: before, anchored }, LinePart { polyline: after, .. }] = &parts[..] else {
+        panic!("{} parts", parts.len())
+    };
     let radius = 0.5 * PARAMS.max_spacing();
     assert!((before.length() - (50.0 - radius)).abs() < 0.02 && (after.length() - (30.0 - radius)).abs() < 0.02);
     let bead: Vec<f32> = before.vertices.iter().filter(|at| at.width > 4.0).map(|at| at.at.x).collect();

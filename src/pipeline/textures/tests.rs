@@ -4,6 +4,7 @@ use super::*;
 use crate::classes::Region;
 use crate::lines::Run;
 use crate::page::{Glyph, Shape};
+use crate::pipeline::request::{Fit, OverviewSize};
 use crate::profile::Profile;
 use crate::raster::plane::Plane;
 
@@ -86,4 +87,19 @@ fn what_holds_less_than_a_third_of_the_edge_is_no_ground() {
     assert_eq!(blanked(bars, "dot-pad"), (vec![10, 10, 10], None));
     let white = ["............"; 6];
     assert_eq!(blanked(white, "dot-pad"), (vec![], None));
+}
+
+#[test]
+fn a_photograph_on_dots_is_told_once_of_areas_without_a_texture() {
+    let (plan, size) = (plan("index-basic-d"), Size::new(120, 60));
+    let layout = Fit::default().layout(size, &plan, OverviewSize::Own).expect("there is room");
+    let classes =
+        classes(["............", ".bbbb..yyyy.", ".bbbb..yyyy.", ".bbbb..yyyy.", ".bbbb..yyyy.", "............"]);
+    let told = |unlearned: &[Class]| {
+        let unlearned: BTreeSet<Class> = unlearned.iter().copied().collect();
+        told_bare(&classes, &[], &[], &layout, (false, &unlearned), &plan).expect("half of it is bare").to_string()
+    };
+    assert!(!told(&[]).contains("learn"));
+    let both = told(&[Class::Blue]);
+    assert!(both.contains("no room for") && both.ends_with("learn a texture: blue; a larger figure has"), "{both}");
 }

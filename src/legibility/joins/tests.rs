@@ -1,0 +1,75 @@
+//! Tests of `joins`.
+
+use super::*;
+use crate::page::{Line, Run};
+
+type Points<'a> = &'a [(f32, f32)];
+
+/// The paths of strokes of 1 mm through these points.
+fn paths(of: &[Points]) -> Paths {
+    let line = |points: &Points| {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength: 100.0, runs: vec![Run::stroke(1.0, points)] }
+    };
+    Paths::of(&of.iter().map(line).collect::<Vec<_>>(), f32::INFINITY)
+}
+
+/// The joins of strokes that have to be 3 mm apart.
+fn joins_of_strokes(of: &[Points]) -> Vec<Vec<Join>> {
+    let paths = paths(of);
+    joins(&paths, &paths.index(5.0), 3.0, 0.0)
+}
+
+/// Which others each of these strokes joins, each once.
+fn joined(of: &[Points]) -> Vec<Vec<u32>> {
+    let others = |joins: &Vec<Join>| {
+        let mut others: Vec<u32> = joins.iter().map(|join| join.other).collect();
+        others.sort_unstable();
+        others.dedup();
+        others
+    };
+    joins_of_strokes(of).iter().map(others).collect()
+}
+
+const BASE: Points<'static> = &[(0.0, 0.0), (60.0, 0.0)];
+const STEM: Points<'static> = &[(28.0, 30.0), (28.0, 0.0)];
+
+#[test]
+fn a_line_that_ends_on_another_may_be_near_it_within_an_approach() {
+    let joins = joins_of_strokes(&[BASE, STEM]);
+    let is_near = |arc: f32| arrives(&joins[1], None, arc, 0, 4.0);
+    assert!(is_near(30.0) && is_near(30.0 - 0.9 * APPROACH * 4.0) && !is_near(30.0 - 1.1 * APPROACH * 4.0));
+    assert!(!arrives(&joins[1], None, 30.0, 2, 4.0), "it does not end on others");
+    let stem = paths(&[BASE, STEM]).segments_of(1)[0];
+    let [(from, to)] = free_parts(&joins[1], None, &stem, 0, 4.0)[..] else { panic!("one part") };
+    assert!((from - 0.0).abs() < 0.01 && (to - (30.0 - APPROACH * 4.0)).abs() < 0.01, "{from} to {to}");
+}
+
+#[test]
+fn lines_that_cross_join_one_another() {
+    assert_eq!(joined(&[BASE, &[(28.0, 30.0), (28.0, -30.0)]]), [[1], [0]]);
+    assert_eq!(joined(&[BASE, &[(28.0, 30.0), (28.0, 2.0)]]), [[0; 0]; 2], "it ends before the other");
+}
+
+#[test]
+fn lines_that_wind_round_one_another_do_not_join() {
+    let wave = |high: f32| [(10.0, -high), (30.0, high), (50.0, -high)];
+    assert_eq!(joined(&[BASE, &wave(1.5)]), [[0; 0]; 2]);
+    assert_eq!(joined(&[BASE, &wave(9.0)]), [[1], [0]], "they are apart between the two crossings");
+}
+
+#[test]
+fn a_ring_joins_the_line_on_which_its_corner_stands() {
+    let ring = |low: f32| [(20.0, 12.0), (30.0, low), (40.0, 12.0), (20.0, 12.0)];
+    assert_eq!(joined(&[BASE, &ring(0.4)]), [vec![], vec![0]]);
+    assert_eq!(joined(&[BASE, &ring(2.0)]), [[0; 0]; 2]);
+}
+
+#[test]
+fn lines_that_end_on_a_third_at_nearly_one_place_join_one_another() {
+    let below = |x: f32| [(x, 0.0), (x + 18.0, -30.0)];
+    assert_eq!(joined(&[BASE, STEM, &below(31.0)]), [vec![1, 2], vec![0, 2], vec![0, 1]]);
+    assert_eq!(joined(&[BASE, STEM, &below(34.0)]), [vec![1, 2], vec![0], vec![0]], "too far along it");
+    let beside = [(31.0, 0.0), (32.0, 30.0)];
+    assert_eq!(joined(&[BASE, STEM, &beside]), [vec![1, 2], vec![0], vec![0]], "they run beside one another");
+}
