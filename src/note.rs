@@ -287,8 +287,8 @@ pub enum Note {
         /// Where in the overview most of it would be, in words; none if it is all over it.
         place: Option<&'static str>,
     },
-    /// None of a drawing's lines has room in an overview, so there is none.
-    #[error("there is no overview, as no line of the drawing has room in it; spread the figure over several sheets")]
+    /// No line has room in an overview, so there is none.
+    #[error("there is no overview, as no line of the figure has room in it; spread the figure over several sheets")]
     NoRoomForOverview,
     /// Areas that are outlined have textures of several colours, as none of these holds the area clearly.
     #[error("{}", mixed_areas(*.count, .places))]

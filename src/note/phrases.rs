@@ -67,7 +67,7 @@ pub(super) fn mixed_areas(count: usize, places: &[&str]) -> String {
     let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
     format!(
         "{areas}, in the {places} of the figure, {have} the textures of several colours{each}, as none of them fills \
-         two thirds{of_it}"
+         two thirds{of_it}; say in a label what is there"
     )
 }
 
@@ -76,7 +76,7 @@ pub(super) fn simplified(shapes: usize, lines: usize, most: usize) -> String {
     let all: Vec<String> = all.map(|(count, noun)| counted(count, noun)).collect();
     if all.is_empty() {
         return format!(
-            "nothing is left out for few shapes (lines.shapes = {most}), as there are no more; ask for fewer to have \
+            "nothing is left out for few shapes (lines.shapes = {most}), as no more have room; ask for fewer to have \
              less"
         );
     }

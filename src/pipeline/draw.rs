@@ -16,7 +16,9 @@ use super::lost_signs;
 use super::margins::Lettered;
 use super::named::NamedThings;
 use super::outlines::{outlines_of_figure, regions_of_figure};
-use super::overview::{DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview};
+use super::overview::{
+    DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
+};
 use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
@@ -180,7 +182,7 @@ pub(super) fn draw(
         notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
-    notes.extend(told_of_overview(&overview));
+    notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &drawn.lines, &layout)));
     notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
@@ -193,6 +195,8 @@ pub(super) fn draw(
     let areas = areas_of_colours.map(|areas| (areas.classes, areas.bars));
     let (textures, told) = series::textured(areas, of_legend, &layout, &drawn.lines, plan, watch);
     notes.extend(told);
+    // around a subject all of them may be left out
+    notes.retain(|note| !textures.is_empty() || !matches!(note, Note::MixedAreas { .. }));
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let (lost_signs, overview) = (drawn.lost.signs, overview.marks);

@@ -213,6 +213,13 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     shapes.into_iter().chain(marks).chain(grid).chain(lines)
 }
 
+/// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what is
+/// lost.
+pub(super) fn told_without_overview(overview: &DrawnOverview, figure: &[Line], layout: &Layout) -> Option<Note> {
+    let is_missing = layout.overview.is_some() && overview.marks.is_none() && !figure.is_empty();
+    (is_missing && overview.lost.share() < LACKS).then_some(Note::NoRoomForOverview)
+}
+
 /// What the maker is told of gridlines that an overview has not.
 fn told_gridlines(lines: usize) -> Option<Note> {
     // how many says little: bars part them
@@ -229,8 +236,8 @@ pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &La
     let is_lacking = |line: &&Line| drawn.share_of_line(line, [layout.figure, *place]) < HALF;
     let count = figure.iter().filter(is_lacking).count();
     let (noun, it_has) = if count == 1 { ("line", "it has") } else { ("lines", "they have") };
-    let why =
-        format!("{it_has} no room there, or would be too short; ask for fewer shapes, or do without the overview");
+    let fewer = if plan.lines().most_shapes == Some(1) { "" } else { "ask for fewer shapes, or " };
+    let why = format!("{it_has} no room there, or would be too short; {fewer}do without the overview");
     (count > 0).then(|| {
         Note::NotOnPage(
             About::Overview,
