@@ -213,8 +213,8 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     shapes.into_iter().chain(marks).chain(grid).chain(lines)
 }
 
-/// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what is
-/// lost.
+/// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what
+/// is lost.
 pub(super) fn told_without_overview(overview: &DrawnOverview, figure: &[Line], layout: &Layout) -> Option<Note> {
     let is_missing = layout.overview.is_some() && overview.marks.is_none() && !figure.is_empty();
     (is_missing && overview.lost.share() < LACKS).then_some(Note::NoRoomForOverview)

@@ -95,9 +95,8 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let no_figure = elements.is_page() && elements.layer(Layer::Figure).is_none();
     let notes = tally.notes().chain(tally::told_of_file([pictures, elsewhere, far, cut, patterned]));
-    let notes = notes.chain(no_figure.then(tally::told_no_figure)).collect();
+    let notes = notes.chain(tally::told_no_figure(elements)).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();

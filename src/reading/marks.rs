@@ -146,6 +146,24 @@ fn layer_of_object(element: Node<'_, '_>, around: Option<Layer>) -> Option<Layer
     }
 }
 
+/// How an object that we wrote is painted: its layer says that, and in another one it is still what it was, a line a
+/// stroke and an area filled.
+fn painted_as_its_object(
+    object: Node<'_, '_>,
+    own: Node<'_, '_>,
+    painted: (Option<u8>, Option<PaintedStroke>),
+    area_scale: f32,
+) -> (Option<u8>, Option<PaintedStroke>) {
+    let width = own.attribute("stroke-width").and_then(|width| width.parse::<f32>().ok());
+    match (painted, width) {
+        ((Some(shade), None), Some(width)) if object.has_attribute("data-strength") => {
+            (None, Some(PaintedStroke { width: clean(width * area_scale.sqrt()), shade, is_dashed: false }))
+        }
+        ((None, Some(stroke)), _) if object.has_attribute("data-class") => (Some(stroke.shade), None),
+        (painted, _) => painted,
+    }
+}
+
 /// From CSS pixels to mm.
 fn to_mm(transform: Transform) -> Transform {
     transform.post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX)
@@ -281,15 +299,7 @@ impl<'a> PaintedShapes<'a> {
             shade: self.shade(stroke.paint(), stroke.opacity().get() * opacity),
             is_dashed: stroke.dasharray().is_some(),
         });
-        // how objects are painted their layers say: in another layer they are still what they were
-        let width = own.attribute("stroke-width").and_then(|width| width.parse::<f32>().ok());
-        let (fill, stroke) = match (fill, stroke, width) {
-            (Some(shade), None, Some(width)) if element.has_attribute("data-strength") => {
-                (None, Some(PaintedStroke { width: clean(width * area_scale.sqrt()), shade, is_dashed: false }))
-            }
-            (None, Some(stroke), _) if element.has_attribute("data-class") => (Some(stroke.shade), None),
-            (fill, stroke, _) => (fill, stroke),
-        };
+        let (fill, stroke) = painted_as_its_object(element, own, (fill, stroke), area_scale);
         let is_direct = own.parent() == Some(element) || own == element;
         let Inherited { layer, clone, .. } = around;
         let layer = if around.object.is_none() { layer_of_object(own, layer) } else { layer };

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::document::Elements;
 use crate::listing::counted;
+use crate::output::layer::Layer;
 use crate::units::MmPoint;
 use crate::{About, Note, Reason};
 
@@ -53,13 +55,16 @@ pub(super) fn told_of_file([pictures, elsewhere, far, clipped, patterned]: [usiz
 }
 
 /// What is told of a page without the layer of its figure.
-pub(super) fn told_no_figure() -> Note {
+pub(super) fn told_no_figure(elements: &Elements<'_>) -> Option<Note> {
     let remedy = "undo that, or give a group of its lines and textures this name and the data-box that it had";
-    Note::TakenAs(
-        About::Marks,
-        Reason::NoFigure,
-        format!("the whole sheet is taken as the figure, as its layer is gone: {remedy}"),
-    )
+    let is_gone = elements.is_page() && elements.layer(Layer::Figure).is_none();
+    is_gone.then(|| {
+        Note::TakenAs(
+            About::Marks,
+            Reason::NoFigure,
+            format!("the whole sheet is taken as the figure, as its layer is gone: {remedy}"),
+        )
+    })
 }
 
 impl Tally {
