@@ -101,7 +101,7 @@
 //!   [`feel`] runs; progress also from threads of its own, one call at a time. A caller
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
 //!   any of them, or both wait for each other for ever. In a browser there are no threads, and a function
-//!   of JavaScript needs a wrapper that promises so. What is called must not call this crate, nor wait for work of
+//!   of JavaScript needs a wrapper that is `Send + Sync` by an `unsafe impl`, sound as nothing is sent. What is called must not call this crate, nor wait for work of
 //!   the pool of threads in which it runs: it may be called from the middle of that. A wrapper that does not know what
 //!   its users write puts events into a queue.
 //! * What a caller gives may fail: a translator and a reader of text say why, which a note tells, and the page is made
@@ -119,6 +119,9 @@
 //!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
 //!   settings cannot be asked for again; a class that has properties keeps what it was given. What is given as a value
 //!   says what it is: [`Crop`], [`Position`], [`SheetGrid`], [`Dpi`], [`Embossing`].
+//! * The sentences of errors, notes and findings are in English, with names, numbers and places in them. Ids of kinds
+//!   ([`Error::id`], [`Note::id`], [`Reason::name`], `rule.id` of a [`Finding`]) are for programs, which can say the
+//!   general part in another language. [`describe`] has languages of its own.
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.

@@ -323,3 +323,35 @@ fn a_stroke_ends_where_the_picture_ends() {
     let mut points = trace.polylines.iter().flat_map(|line| &line.points);
     assert!(trace.polylines.len() == 1 && points.all(|at| (-0.5..=600.5).contains(&at.x)), "{trace:?}");
 }
+
+/// Two atoms and the bond between them; the dark one has a thin outline, and the bond goes on under both.
+#[test]
+fn a_bond_of_a_dark_atom_with_a_thin_outline_is_in_figure_and_overview() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='800' height='600'>\
+        <line x1='220' y1='300' x2='220' y2='170' stroke='#888' stroke-width='12'/>\
+        <circle cx='220' cy='300' r='50' fill='#333' stroke='#000'/>\
+        <circle cx='220' cy='170' r='32' fill='#fff' stroke='#000' stroke-width='2'/></svg>";
+    for profile in ["swell-a4", "index-basic-d"] {
+        let options = Options::new(Profile::named(profile).expect("it is built in"));
+        let drawing = tactograph::convert(svg.as_bytes(), &options).expect("a page");
+        assert_eq!(drawing.page.figure.lines.len(), 3, "{profile}: {:?}", drawing.notes);
+        if let Some(overview) = &drawing.page.overview {
+            assert_eq!(overview.lines.len(), 3, "{profile}: {:?}", drawing.notes);
+        }
+    }
+}
+
+#[test]
+fn every_point_of_a_circle_is_drawn() {
+    let points = [(400, 80), (609, 232), (529, 478), (271, 478), (191, 232)];
+    let discs: String =
+        points.iter().map(|(x, y)| format!("<circle cx='{x}' cy='{y}' r='9' fill='#1e88e5'/>")).collect();
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='800' height='600'>\
+         <circle cx='400' cy='300' r='220' fill='none' stroke='#000' stroke-width='2'/>{discs}</svg>"
+    );
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+    let page = tactograph::convert(svg.as_bytes(), &options).expect("a page").page;
+    let beads = page.figure.lines.iter().flat_map(|line| &line.runs).filter(|run| run.width > 3.0).count();
+    assert_eq!(beads, points.len());
+}

@@ -77,6 +77,11 @@ impl Options {
         }
     }
 
+    /// The same for another profile.
+    pub fn with_profile(self, profile: Profile) -> Self {
+        Self { profile, ..self }
+    }
+
     /// What the page is called: shown by viewers, read out by screen readers, and written in braille above the figure
     /// unless `braille.on` of the profile is off. Default: the picture's name, which is not written.
     pub fn title(mut self, title: impl Into<String>) -> Self {

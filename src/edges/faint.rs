@@ -1,5 +1,5 @@
 //! Strokes of a vector drawing that are much thinner and paler than its others, such as the grid behind a curve. How a
-//! stroke is painted says how much it matters.
+//! stroke is painted says how much it matters. The outline of an area is none of them, however thin: the area is seen.
 
 use super::edgel::Edgel;
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};

@@ -233,7 +233,11 @@ fn places(count: usize) -> String {
     if count == 1 { "1 place".into() } else { format!("{count} places") }
 }
 
-/// A blank in words, to 0.01 mm: it may be just short of the least.
+/// A blank in words; to 0.01 mm, as it may be just short of the least.
 pub(super) fn millimetres(blank: f32) -> String {
-    format!("{} mm", (100.0 * blank).round().max(0.0) / 100.0)
+    match (100.0 * blank).round().max(0.0) as u32 {
+        0 => "0 mm".into(),
+        hundredths if hundredths % 10 == 0 => format!("{blank:.1} mm"),
+        _ => format!("{blank:.2} mm"),
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Edges -> smooth -> [overview: gridlines out] -> arrowheads and points (taken out)
-//!       -> join (ends that continue one another) -> ticks, crossbars (lengthened)
+//!       -> join (ends that continue one another) -> [figure: ticks, crossbars, strokes alone (lengthened)]
 //!       -> centreline (the two sides of a thin stroke become one line) -> join
 //!       -> outlines (of regions, which go before other lines)
 //!       -> junction (ends extended to lines before them) -> weight (width by strength)

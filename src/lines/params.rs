@@ -1,4 +1,4 @@
-//! How lines are drawn, and the distances that follow from it. They are computed here and nowhere else.
+//! How lines are drawn, and the distances that follow from it. They are computed here.
 
 use super::line::HeavyStrokes;
 
@@ -168,6 +168,11 @@ impl Params {
     /// The clearance of a line from the widest, mm, whatever its own width.
     pub(super) fn max_clearance(&self) -> f32 {
         self.clearance(self.width_max)
+    }
+
+    /// How near the centre line of another line may come to the middle of a disc of this radius, mm.
+    pub(super) fn beside_disc(&self, radius: f32) -> f32 {
+        radius + self.min_gap + 0.5 * self.width_max
     }
 
     fn longest_approach(&self) -> f32 {

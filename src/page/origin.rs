@@ -37,7 +37,7 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
-    /// From this share on the maker of a page of a photograph is told, and whoever checks it. Photographs of many
+    /// From this share on whoever checks a page of a photograph is told; its maker is from less on. Photographs of many
     /// things leave out 0.2 to 0.3 and lose little by it.
     pub const CROWDED: f32 = 0.35;
 

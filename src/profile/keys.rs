@@ -1,5 +1,5 @@
 //! The table of all keys. From it come the typed fields of [`Profile`], the list behind [`Profile::keys`], and what
-//! reading, checking and documenting a profile need, so that a key is added in one place. The values themselves are
+//! reading, checking and documenting a profile need, so that a key is described in one place. The values themselves are
 //! in `profiles/*.toml`, each with its reason; the ranges here only keep out what can be no page at all.
 
 use super::built_in::built_in;

@@ -86,7 +86,7 @@ fn lines_by_hand_come_first_on_another_device_and_those_that_are_lost_are_named(
     assert!(top.y < beside.y);
     let roof = line("my roof", &format!("M{},{}v24", beside.x, beside.y), 0.8);
     let cross = line("my cross", &format!("M{},{}h32", across.x, across.y), 1.0);
-    let crumb = line("my crumb", &format!("M{},{}h3", of_figure(0.9, 0.1).x, of_figure(0.9, 0.1).y), 1.0);
+    let crumb = line("my crumb", &format!("M{},{}h2", of_figure(0.9, 0.1).x, of_figure(0.9, 0.1).y), 1.0);
     with(&place, "page.svg", &(roof + &cross + &crumb), "drawn.svg");
     for profile in ["index-basic-d", "viewplus-columbia", "swell-a3"] {
         let args = ["render", "drawn.svg", "--profile", profile, "--set", "overview=false", "-o", "new.svg"];

@@ -33,6 +33,10 @@ const NARROWEST: f32 = 0.1;
 const HIDDEN: f32 = 6.0;
 const HIDDEN_WIDTHS: f32 = 1.5;
 
+/// A stroke is the outline of an area where the step between its two grounds is at least this share of its contrast.
+/// Chosen by us.
+const OF_OUTLINE: f32 = 0.5;
+
 /// The stretches of a proposal that the picture shows, with their contrast.
 pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> Vec<Confirmed> {
     let Proposal { line, stroke, .. } = proposal;
@@ -51,7 +55,11 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
     stretches(&shown, line.closed)
         .into_iter()
         .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
-        .map(|stretch| Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, faint: false })
+        .map(|stretch| {
+            let outlines = stretch.indices().filter(|i| seen[i % seen.len()].is_outline()).count();
+            let is_outline = 2 * outlines >= stretch.count;
+            Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, is_outline, faint: false }
+        })
         .collect()
 }
 
@@ -61,11 +69,20 @@ struct SegmentStep {
     strength: f32,
     /// Colour on the right less colour on the left.
     contrast: [f32; 3],
+    /// Of a stroke, the step from the ground on one side to that on the other.
+    between_grounds: f32,
+}
+
+impl SegmentStep {
+    /// Whether it is one of a stroke around an area that is darker or lighter than what is around it.
+    fn is_outline(&self) -> bool {
+        self.between_grounds >= OF_OUTLINE * self.strength
+    }
 }
 
 /// Looks across the middle of a segment.
 fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentStep {
-    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3] };
+    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3], between_grounds: 0.0 };
     let at = a.lerp(b, 0.5);
     let size = picture.size;
     let Some(along) = (b - a).try_normalize() else { return nothing };
@@ -78,7 +95,11 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
     let colour = |distance: f32| picture.colour(at + right * distance);
     match stroke {
         None => step(colour).unwrap_or(nothing),
-        Some(width) => SegmentStep { strength: stroke_contrast(width, colour), contrast: [0.0; 3] },
+        Some(width) => {
+            let [left, right] = grounds(width, &colour);
+            let strength = stroke_contrast(width, colour);
+            SegmentStep { strength, contrast: [0.0; 3], between_grounds: norm(less(right, left)) }
+        }
     }
 }
 
@@ -92,18 +113,23 @@ fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<SegmentStep> {
     }
     // a strip narrower than the pixels look has its own ground on both sides
     Some(if all >= near {
-        SegmentStep { strength: all, contrast: far }
+        SegmentStep { strength: all, contrast: far, between_grounds: 0.0 }
     } else {
-        SegmentStep { strength: near, contrast: close }
+        SegmentStep { strength: near, contrast: close, between_grounds: 0.0 }
     })
+}
+
+/// The colours beside a stroke, on its left and on its right.
+fn grounds(width: f32, colour: impl Fn(f32) -> [f32; 3]) -> [[f32; 3]; 2] {
+    let outside = 0.5 * width + FAR;
+    [colour(-outside), colour(outside)]
 }
 
 /// Contrast of a stroke to its ground, whatever share of the pixels it covers: the sum of what differs from the ground
 /// beside it, over its width. 0 where it is not seen, or not here. Between two grounds it is at least their step.
 fn stroke_contrast(width: f32, colour: impl Fn(f32) -> [f32; 3]) -> f32 {
-    let half = 0.5 * width;
-    let outside = half + FAR;
-    let (left, right) = (colour(-outside), colour(outside));
+    let [left, right] = grounds(width, &colour);
+    let outside = 0.5 * width + FAR;
     let steps = (outside / STEP).ceil() as i32;
     let (mut sum, mut moment, mut weight) = ([0.0; 3], 0.0, 0.0);
     for k in -steps..=steps {

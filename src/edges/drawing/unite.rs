@@ -28,7 +28,8 @@ pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Ve
     let strokes = confirmed.iter().filter_map(|contour| Some(WeighedStroke::of(contour.stroke?, contour.line.view())));
     let faint = FaintStrokes::among(strokes.collect());
     for contour in &mut confirmed {
-        contour.faint = contour.stroke.is_some_and(|width| faint.holds(width, contour.line.view()));
+        let is_faint = |width: f32| !contour.is_outline && faint.holds(width, contour.line.view());
+        contour.faint = contour.stroke.is_some_and(is_faint);
     }
     let rank = |contour: &Confirmed| contour.stroke.map_or(1, |_| 2 * u8::from(contour.faint));
     // in whole pixels: rounding decides nothing
@@ -57,7 +58,7 @@ fn longest_side(line: &Polyline<Edgel>) -> f32 {
 
 /// The parts of a contour that coincide with none of those before it. They end on what covers the rest.
 fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
-    let Confirmed { line, stroke, faint } = contour;
+    let Confirmed { line, stroke, is_outline, faint } = contour;
     let cover: Vec<Option<PxPoint>> =
         line.segments().map(|(a, b)| covered.under(a.at, b.at, stroke.is_some())).collect();
     if cover.iter().all(Option::is_none) {
@@ -77,7 +78,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
                 vertices[end].at = covered.nearest(vertices[end].at).unwrap_or(vertices[end].at);
             }
         }
-        Confirmed { line: Polyline::open(vertices), stroke: *stroke, faint: *faint }
+        Confirmed { line: Polyline::open(vertices), stroke: *stroke, is_outline: *is_outline, faint: *faint }
     };
     let parts = stretches(&free, line.closed).into_iter().map(part);
     parts.filter(|part| part.line.length() >= SHORTEST).collect()

@@ -167,9 +167,10 @@ impl Places<'_> {
                 let is_own = segment.line as usize == self.line && is_own_end(segment.index);
                 is_free &= is_own || segment_distance(stroke, (segment.a, segment.b)) >= clearance;
             });
-            let beside = self.params.min_gap + 0.5 * self.params.width_max;
-            let of_point = |(at, radius): &(MmPoint, f32)| nearest_on_segment(*at, stroke.0, stroke.1).0 - radius;
-            is_free &= self.points.iter().all(|point| of_point(point) >= beside);
+            let is_beside = |(at, radius): &(MmPoint, f32)| {
+                nearest_on_segment(*at, stroke.0, stroke.1).0 >= self.params.beside_disc(*radius)
+            };
+            is_free &= self.points.iter().all(is_beside);
             let others = self.others.iter().flat_map(|head| head.vertices.windows(2));
             is_free && others.map(|pair| (pair[0].at, pair[1].at)).all(|at| segment_distance(stroke, at) >= clearance)
         })

@@ -139,7 +139,7 @@ impl AmongLines {
     /// Whether a disc with this radius, mm, can be drawn for a point: no line is too near to it but those that pass
     /// through its middle. These may be near it there, and not where they come back beside it; faint ones give way.
     fn leave_room(&self, point: &Point, at: MmPoint, radius: f32, params: &Params) -> bool {
-        let beside = radius + params.min_gap + 0.5 * params.width_max;
+        let beside = params.beside_disc(radius);
         let mut near: Vec<NearPlace> = Vec::new();
         self.segments.around_point(at, beside, |segment| {
             let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
@@ -272,11 +272,22 @@ impl DrawnPoints {
     }
 }
 
+/// So many vertices from a bead a ring may begin.
+const ASIDE: usize = 2;
+
 /// Makes a line as broad as `width`, mm, over [`BEAD_LENGTH`] where it is nearest to a place.
 fn add_bead(LinePart { polyline: line, anchored }: &mut LinePart, at: MmPoint, width: f32) {
     let distance = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(at, a.at, b.at).0;
-    let distances: Vec<f32> = line.segments().map(distance).collect();
-    let Some(nearest) = (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b])) else { return };
+    let nearest = |line: &Polyline<Vertex>| {
+        let distances: Vec<f32> = line.segments().map(distance).collect();
+        (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b]))
+    };
+    // a ring begins elsewhere: its first run would begin within the bead
+    if line.closed && line.vertices.len() > ASIDE && nearest(line).is_some_and(|nearest| nearest == 0) {
+        line.vertices.rotate_left(ASIDE);
+        anchored.rotate_left(ASIDE);
+    }
+    let Some(nearest) = nearest(line) else { return };
     let (a, b) = (line.vertices[nearest], line.vertices[(nearest + 1) % line.vertices.len()]);
     let (chord, half) = (b.at - a.at, 0.5 * BEAD_LENGTH);
     let Some(along) = chord.try_normalize() else { return };
