@@ -100,10 +100,10 @@
 //!   [`RenderOptions`] while [`render`] runs, and what is given to [`PageOptions`] while [`check`], [`describe`] or
 //!   [`feel`] runs; progress also from threads of its own, one call at a time. A caller
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
-//!   any of them, or both wait for each other for ever. In a browser there are no threads, and a function
-//!   of JavaScript needs a wrapper that is `Send + Sync` by an `unsafe impl`, sound as nothing is sent. What is called must not call this crate, nor wait for work of
-//!   the pool of threads in which it runs: it may be called from the middle of that. A wrapper that does not know what
-//!   its users write puts events into a queue.
+//!   any of them, or both wait for each other for ever. In a browser there are no threads, and a function of
+//!   JavaScript needs a wrapper that is `Send + Sync` by an `unsafe impl`, which is sound there as nothing is sent.
+//!   What is called must not call this crate, nor wait for work of the pool of threads in which it runs: it may be
+//!   called from the middle of that. A wrapper that does not know what its users write puts events into a queue.
 //! * What a caller gives may fail: a translator and a reader of text say why, which a note tells, and the page is made
 //!   without those words. One that panics ends the work, and its panic goes on through the function that was called (a
 //!   wrapper catches it there, with [`catch_unwind`](std::panic::catch_unwind) and
