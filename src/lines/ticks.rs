@@ -51,14 +51,18 @@ pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params:
     ticks.sort_by_key(|tick| tick.base);
     for on_line in ticks.chunk_by(|a, b| a.base == b.base) {
         let Some(scale) = scale(on_line, polylines, params) else { continue };
-        let shortest = scale.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
-        let more = params.min_length + MARGIN - shortest;
-        let longer: Vec<Polyline<Vertex>> =
-            scale.iter().map(|tick| longer(&polylines[tick.number], tick, more)).collect();
-        if have_room(&longer, &scale, polylines, area, params) {
-            for (tick, longer) in scale.iter().zip(longer) {
-                polylines[tick.number] = longer;
-            }
+        lengthen_together(&scale, polylines, area, params);
+    }
+}
+
+/// Makes ticks longer by the same length, so that the shortest is as long as a line has to be, if all have room.
+fn lengthen_together(group: &[&Tick], polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
+    let shortest = group.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
+    let more = params.min_length + MARGIN - shortest;
+    let longer: Vec<Polyline<Vertex>> = group.iter().map(|tick| tick.longer(&polylines[tick.number], more)).collect();
+    if have_room(&longer, group, polylines, area, params) {
+        for (tick, longer) in group.iter().zip(longer) {
+            polylines[tick.number] = longer;
         }
     }
 }
@@ -183,14 +187,21 @@ fn is_straight(line: &Polyline<Vertex>) -> bool {
     !line.closed && line.chord() >= STRAIGHT * line.length()
 }
 
-/// A tick that is longer by so much, mm, at its free ends, and stands on its line.
-fn longer(line: &Polyline<Vertex>, tick: &Tick, more: f32) -> Polyline<Vertex> {
-    let mut line = line.clone();
-    let each = more / tick.stands.iter().filter(|gap| gap.is_none()).count().max(1) as f32;
-    for (which, gap) in Tip::BOTH.into_iter().zip(tick.stands) {
+impl Tick {
+    /// Its line, longer by so much, mm, at its free ends, and standing on the line that it belongs to.
+    fn longer(&self, line: &Polyline<Vertex>, more: f32) -> Polyline<Vertex> {
+        let each = more / self.stands.iter().filter(|gap| gap.is_none()).count().max(1) as f32;
+        longer(line, self.stands.map(|gap| gap.unwrap_or(each)))
+    }
+}
+
+/// A straight line that is longer by so much, mm, at its first and at its last end.
+fn longer(line: &Polyline<Vertex>, by: [f32; 2]) -> Polyline<Vertex> {
+    let (mut line, length) = (line.clone(), line.length());
+    for (which, by) in Tip::BOTH.into_iter().zip(by) {
         let tip = which.of(&line).map(|tip| tip.at);
-        let (Some(tip), Some(heading)) = (tip, heading(&line, which, tick.length)) else { continue };
-        extend_to(&mut line, which, tip + heading * gap.unwrap_or(each));
+        let (Some(tip), Some(heading)) = (tip, heading(&line, which, length)) else { continue };
+        extend_to(&mut line, which, tip + heading * by);
     }
     line
 }

@@ -96,7 +96,7 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
     match stroke {
         None => step(colour).unwrap_or(nothing),
         Some(width) => {
-            let [left, right] = grounds(width, &colour);
+            let [left, right] = grounds(width, colour);
             let strength = stroke_contrast(width, colour);
             SegmentStep { strength, contrast: [0.0; 3], between_grounds: norm(less(right, left)) }
         }

@@ -79,7 +79,7 @@ pub(in crate::lines) fn draw(
     let mut taken: Vec<(usize, Tip)> = Vec::new();
     for mark in marks {
         let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
-        let places = Places { line, lines, segments: &segments, points, others: &drawn.heads, area, params };
+        let places = HeadPlaces { line, lines, segments: &segments, points, others: &drawn.heads, area, params };
         let Some((head, cut)) = places.head(which) else { continue };
         taken.push((line, which));
         drawn.heads.push(head);
@@ -102,7 +102,7 @@ fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, Tip)
 }
 
 /// Where a head may be on a line.
-struct Places<'a> {
+struct HeadPlaces<'a> {
     line: usize,
     lines: &'a [&'a Polyline<Vertex>],
     segments: &'a Nearby,
@@ -112,7 +112,7 @@ struct Places<'a> {
     params: &'a Params,
 }
 
-impl Places<'_> {
+impl HeadPlaces<'_> {
     /// The largest head for which there is room, and by how much the shaft is shorter then, mm.
     fn head(&self, which: Tip) -> Option<(Polyline<Vertex>, f32)> {
         let line = self.lines[self.line];

@@ -1,15 +1,15 @@
 //! Straight strokes that stand alone, as the hours of a clock face that do not touch its rim: one that is a little too
 //! short for a line is drawn longer where it has room, about its middle, or else beyond one of its ends.
 
-use super::{MARGIN, Tick, is_straight, longer};
+use super::{MARGIN, is_straight, longer};
 use crate::geom::polyline::Polyline;
 use crate::lines::links;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Vertex, nearby};
 use crate::units::MmRect;
 
-/// How far each end of a stroke may be moved: as far as it has to, or not at all.
-const WAYS: [[Option<f32>; 2]; 3] = [[None, None], [Some(0.0), None], [None, Some(0.0)]];
+/// By which shares of what a stroke lacks its first and its last end are led on, in the order in which that is tried.
+const SHARES: [[f32; 2]; 3] = [[0.5, 0.5], [0.0, 1.0], [1.0, 0.0]];
 
 /// Makes strokes that are shorter than a line, yet not shorter than a link, as long as a line has to be, if no other
 /// line is near.
@@ -24,10 +24,9 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
     let mut all = nearby(polylines.iter(), area, params);
     for number in short {
         let stroke = &polylines[number];
-        let length = stroke.length();
-        let candidate = |stands: [Option<f32>; 2]| {
-            let tick = Tick { number, base: number, length, stands };
-            let mut longer = longer(stroke, &tick, params.min_length + MARGIN - length);
+        let more = params.min_length + MARGIN - stroke.length();
+        let candidate = |shares: [f32; 2]| {
+            let mut longer = longer(stroke, shares.map(|share| share * more));
             longer.fill();
             longer
         };
@@ -35,7 +34,7 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
             let is_other = |line: u32| line as usize != number;
             area.contains(vertex.at) && all.nearest(vertex.at, clearance, |near| is_other(near.line)).is_none()
         };
-        let mut candidates = WAYS.into_iter().map(candidate);
+        let mut candidates = SHARES.into_iter().map(candidate);
         if let Some(longer) = candidates.find(|longer| longer.vertices.iter().all(is_free)) {
             all.insert_line(number as u32, longer.view(), 0.0);
             polylines[number] = longer;
@@ -69,8 +68,8 @@ mod tests {
     fn a_stroke_beside_a_line_is_drawn_longer_away_from_it() {
         let mut lines = vec![line((10.0, 50.0), (90.0, 50.0)), line((40.0, 44.8), (40.0, 38.8))];
         lengthen(&mut lines, area(), &PARAMS);
-        let ends = [0, lines[1].vertices.len() - 1].map(|end| (10.0 * lines[1].vertices[end].at.y).round());
-        assert_eq!(ends, [448.0, 366.0]);
+        let ends = [0, lines[1].vertices.len() - 1].map(|end| (10.0 * lines[1].vertices[end].at.y).round() as i32);
+        assert_eq!(ends, [448, 366]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //! ends there is felt as torn, so they are drawn longer where there is room, like ticks: those that belong together by
 //! the same length, so that a longer plate stays longer.
 
-use super::{ACROSS, MARGIN, STEEP, Tick, have_room, is_straight, longer, ticks};
+use super::{ACROSS, STEEP, Tick, is_straight, lengthen_together, ticks};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
@@ -38,14 +38,7 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
         let group: Vec<usize> = (0..bars.len()).filter(|&other| belongs(&bars[other])).collect();
         group.iter().for_each(|&other| done[other] = true);
         let group: Vec<&Tick> = group.into_iter().map(|other| &bars[other]).collect();
-        let shortest = group.iter().map(|bar| bar.length).fold(f32::INFINITY, f32::min);
-        let more = params.min_length + MARGIN - shortest;
-        let longer: Vec<Polyline<Vertex>> = group.iter().map(|bar| longer(&polylines[bar.number], bar, more)).collect();
-        if have_room(&longer, &group, polylines, area, params) {
-            for (bar, longer) in group.iter().zip(longer) {
-                polylines[bar.number] = longer;
-            }
-        }
+        lengthen_together(&group, polylines, area, params);
     }
 }
 

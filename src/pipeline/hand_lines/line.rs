@@ -161,5 +161,5 @@ pub(super) fn graded(width: f32, plan: &Plan) -> Option<f32> {
     let params = plan.lines();
     let range = (params.width_max - params.width_min).max(f32::EPSILON);
     let share = ((width - params.width_min) / range).clamp(0.0, 1.0);
-    (share <= 0.99).then(|| params.least_strength + share * (params.full_strength - params.least_strength))
+    (share <= 0.99).then_some(params.least_strength + share * (params.full_strength - params.least_strength))
 }
