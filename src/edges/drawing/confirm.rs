@@ -96,9 +96,13 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
     match stroke {
         None => step(colour).unwrap_or(nothing),
         Some(width) => {
-            let [left, right] = grounds(width, colour);
             let strength = stroke_contrast(width, colour);
-            SegmentStep { strength, contrast: [0.0; 3], between_grounds: norm(less(right, left)) }
+            // a stroke along the border of the picture has one ground only
+            let outside = right * (reach + FAR);
+            let has_both = [at - outside, at + outside].into_iter().all(|side| picture.holds(side));
+            let [left, right] = grounds(width, colour);
+            let between_grounds = if has_both { norm(less(right, left)) } else { 0.0 };
+            SegmentStep { strength, contrast: [0.0; 3], between_grounds }
         }
     }
 }
@@ -176,6 +180,11 @@ impl Lab {
         let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
         lab::convert(Arch::new(), &from, &mut planes);
         Self { size: raster.size(), planes }
+    }
+
+    /// Whether a point lies in the picture.
+    fn holds(&self, at: PxPoint) -> bool {
+        (0.0..=self.size.width as f32).contains(&at.x) && (0.0..=self.size.height as f32).contains(&at.y)
     }
 
     /// Colour at a point; beyond the picture that of its border.
