@@ -4,6 +4,7 @@
 mod arrows;
 mod bars;
 mod bitmaps;
+mod blank_pages;
 mod braille;
 mod calibration;
 mod check;

@@ -58,7 +58,7 @@ pub(super) fn page(
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, palette(&words), sheet);
-    builder.is_foreign = elements.has_layer() && !elements.is_page();
+    builder.is_foreign = elements.has_layer() && !elements.are_of_page;
     let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
         builder.add(mark, &mut runs);

@@ -214,10 +214,14 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
     Ok((out, cut))
 }
 
+/// Whether an element is shown, and no part of what only others show.
+fn is_drawn(node: Node<'_, '_>) -> bool {
+    is_shown(&node) && !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()))
+}
+
 /// Whether what an element has of clip paths, masks and filters would be seen: it is drawn, or it is a style sheet.
 fn is_cut(node: Node<'_, '_>) -> bool {
-    let is_drawn = || !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()));
-    node.tag_name().name() == "style" || is_shown(&node) && is_drawn()
+    node.tag_name().name() == "style" || is_drawn(node)
 }
 
 /// Elements by their ids.
@@ -225,6 +229,8 @@ pub(super) struct Elements<'a> {
     by_id: HashMap<&'a str, Node<'a, 'a>>,
     /// The text in which they are written.
     pub(super) text: &'a str,
+    /// Whether they are those of a page, of which something may be gone.
+    pub(super) are_of_page: bool,
 }
 
 impl<'a> Elements<'a> {
@@ -235,7 +241,8 @@ impl<'a> Elements<'a> {
                 by_id.entry(id).or_insert(node);
             }
         }
-        Self { by_id, text: document.input_text() }
+        let are_of_page = document.descendants().any(is_of_page);
+        Self { by_id, text: document.input_text(), are_of_page }
     }
 
     pub(super) fn get(&self, id: &str) -> Option<Node<'a, 'a>> {
@@ -266,18 +273,6 @@ impl<'a> Elements<'a> {
         self.by_id.values().any(|node| node.tag_name().name() == "g" && layer_of(*node).is_some())
     }
 
-    /// Whether they are those of a page, of which something may be gone: an object or a place that the writer of pages
-    /// marks, or its lines or textures in its figure. Other drawings may have a group that is called "labels" too.
-    pub(super) fn is_page(&self) -> bool {
-        let is_marked = |node: Node<'_, '_>| is_object(node) || node.has_attribute("data-box");
-        let is_part = |node: Node<'_, '_>| {
-            let of_figure = |layer: Layer| matches!(layer, Layer::Lines | Layer::Textures | Layer::Texture(_));
-            let around = || node.ancestors().skip(1).any(|above| layer_of(above) == Some(Layer::Figure));
-            node.tag_name().name() == "g" && layer_of(node).is_some_and(of_figure) && around()
-        };
-        self.by_id.values().any(|node| is_marked(*node) || is_part(*node))
-    }
-
     /// Whether an element that is drawn shows something that is not read: a clone of what is in another file or is not
     /// there, or content of another language than SVG.
     pub(super) fn is_elsewhere(&self, node: Node<'a, 'a>) -> bool {
@@ -286,8 +281,7 @@ impl<'a> Elements<'a> {
             "use" => self.shown_by(node).is_none(),
             _ => false,
         };
-        let is_drawn = || !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()));
-        is_lost && is_shown(&node) && is_drawn()
+        is_lost && is_drawn(node)
     }
 
     /// The texts that are shown, in their order.
@@ -303,6 +297,17 @@ impl<'a> Elements<'a> {
         found.sort_by_key(|(start, _)| *start);
         found.into_iter().map(|(_, text)| text).collect()
     }
+}
+
+/// Whether an element is one of a page: an object or a place that the writer of pages marks, or its lines or textures
+/// in its figure. Other drawings may have a group that is called "labels" too.
+fn is_of_page(node: Node<'_, '_>) -> bool {
+    let of_figure = |layer: Layer| matches!(layer, Layer::Lines | Layer::Textures | Layer::Texture(_));
+    let is_part = || {
+        let around = || node.ancestors().skip(1).any(|above| layer_of(above) == Some(Layer::Figure));
+        node.tag_name().name() == "g" && layer_of(node).is_some_and(of_figure) && around()
+    };
+    is_object(node) || node.has_attribute("data-box") || is_part()
 }
 
 /// What a text says, its lines apart.

@@ -115,7 +115,7 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let (text, cut) = document::with_ids(&given)?;
     let document = document::parse(&text)?;
     let elements = Elements::of(&document);
-    if needs_layers && !elements.is_page() {
+    if needs_layers && !elements.are_of_page {
         let why = "it has none of the layers of a page, such as lines in a figure";
         let remedy = "convert it, if it is a drawing, or give the SVG of a page that tactograph made";
         return Err(Error::NotAPage { why, remedy });

@@ -57,7 +57,7 @@ pub(super) fn told_of_file([pictures, elsewhere, far, clipped, patterned]: [usiz
 /// What is told of a page without the layer of its figure.
 pub(super) fn told_no_figure(elements: &Elements<'_>) -> Option<Note> {
     let remedy = "undo that, or give a group of its lines and textures this name and the data-box that it had";
-    let is_gone = elements.is_page() && elements.layer(Layer::Figure).is_none();
+    let is_gone = elements.are_of_page && elements.layer(Layer::Figure).is_none();
     is_gone.then(|| {
         Note::TakenAs(
             About::Marks,

@@ -56,7 +56,7 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
         .into_iter()
         .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
         .map(|stretch| {
-            let outlines = stretch.indices().filter(|i| seen[i % seen.len()].is_outline()).count();
+            let outlines = stretch.indices().filter(|i| seen[i % seen.len()].is_outline).count();
             let is_outline = 2 * outlines >= stretch.count;
             Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, is_outline, faint: false }
         })
@@ -69,20 +69,13 @@ struct SegmentStep {
     strength: f32,
     /// Colour on the right less colour on the left.
     contrast: [f32; 3],
-    /// Of a stroke, the step from the ground on one side to that on the other.
-    between_grounds: f32,
-}
-
-impl SegmentStep {
     /// Whether it is one of a stroke around an area that is darker or lighter than what is around it.
-    fn is_outline(&self) -> bool {
-        self.between_grounds >= OF_OUTLINE * self.strength
-    }
+    is_outline: bool,
 }
 
 /// Looks across the middle of a segment.
 fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentStep {
-    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3], between_grounds: 0.0 };
+    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3], is_outline: false };
     let at = a.lerp(b, 0.5);
     let size = picture.size;
     let Some(along) = (b - a).try_normalize() else { return nothing };
@@ -96,13 +89,14 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
     match stroke {
         None => step(colour).unwrap_or(nothing),
         Some(width) => {
-            let strength = stroke_contrast(width, colour);
+            let outside = reach + FAR;
+            let grounds = [-outside, outside].map(colour);
+            let strength = stroke_contrast(width, grounds, colour);
             // a stroke along the border of the picture has one ground only
-            let outside = right * (reach + FAR);
-            let has_both = [at - outside, at + outside].into_iter().all(|side| picture.holds(side));
-            let [left, right] = grounds(width, colour);
-            let between_grounds = if has_both { norm(less(right, left)) } else { 0.0 };
-            SegmentStep { strength, contrast: [0.0; 3], between_grounds }
+            let has_both = [-outside, outside].into_iter().all(|side| picture.holds(at + right * side));
+            let step = norm(less(grounds[1], grounds[0]));
+            let is_outline = strength > 0.0 && has_both && step >= OF_OUTLINE * strength;
+            SegmentStep { strength, contrast: [0.0; 3], is_outline }
         }
     }
 }
@@ -117,22 +111,16 @@ fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<SegmentStep> {
     }
     // a strip narrower than the pixels look has its own ground on both sides
     Some(if all >= near {
-        SegmentStep { strength: all, contrast: far, between_grounds: 0.0 }
+        SegmentStep { strength: all, contrast: far, is_outline: false }
     } else {
-        SegmentStep { strength: near, contrast: close, between_grounds: 0.0 }
+        SegmentStep { strength: near, contrast: close, is_outline: false }
     })
 }
 
-/// The colours beside a stroke, on its left and on its right.
-fn grounds(width: f32, colour: impl Fn(f32) -> [f32; 3]) -> [[f32; 3]; 2] {
-    let outside = 0.5 * width + FAR;
-    [colour(-outside), colour(outside)]
-}
-
-/// Contrast of a stroke to its ground, whatever share of the pixels it covers: the sum of what differs from the ground
-/// beside it, over its width. 0 where it is not seen, or not here. Between two grounds it is at least their step.
-fn stroke_contrast(width: f32, colour: impl Fn(f32) -> [f32; 3]) -> f32 {
-    let [left, right] = grounds(width, &colour);
+/// Contrast of a stroke to its grounds, those on its left and on its right, whatever share of the pixels it covers: the
+/// sum of what differs from the ground beside it, over its width. 0 where it is not seen, or not here. Between two
+/// grounds it is at least their step.
+fn stroke_contrast(width: f32, [left, right]: [[f32; 3]; 2], colour: impl Fn(f32) -> [f32; 3]) -> f32 {
     let outside = 0.5 * width + FAR;
     let steps = (outside / STEP).ceil() as i32;
     let (mut sum, mut moment, mut weight) = ([0.0; 3], 0.0, 0.0);

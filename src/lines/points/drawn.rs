@@ -283,7 +283,7 @@ fn add_bead(LinePart { polyline: line, anchored }: &mut LinePart, at: MmPoint, w
         (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b]))
     };
     // a ring begins elsewhere: its first run would begin within the bead
-    if line.closed && line.vertices.len() > ASIDE && nearest(line).is_some_and(|nearest| nearest == 0) {
+    if line.closed && line.vertices.len() > ASIDE && nearest(line) == Some(0) {
         line.vertices.rotate_left(ASIDE);
         anchored.rotate_left(ASIDE);
     }
