@@ -137,8 +137,8 @@
 //!   [`Options::languages`] of braille, [`Description::languages`]. A [`Fault`] names the keys that it is about;
 //!   [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences change, and
 //!   [`Error::ids`], [`Note::ids`] and [`Rule::all`] list them. Notes of one id that are made for several reasons have
-//!   a [`Reason`] each ([`Note::reason`]). Errors that want another remedy have another id; all
-//!   faults of a profile are one error ([`Error::Profile`]).
+//!   a [`Reason`] each ([`Note::reason`]). Errors of one id may want several remedies, which their sentences say
+//!   ([`Error::NotAPage`]); all faults of a profile are one error ([`Error::Profile`]).
 //! * A profile that a form changed by [`Profile::set`] is kept as [`Profile::to_toml`] writes it.
 //!
 //! # Names and text
@@ -228,7 +228,7 @@ pub use contours::{Polyline, Trace};
 pub use description::Description;
 pub use error::Error;
 pub use legibility::{Checked, Finding, Rule, Severity, Verdict};
-pub use note::{About, Note, Reason};
+pub use note::{About, GivenFile, Note, Reason};
 pub use page::{Class, Page};
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;

@@ -42,6 +42,18 @@ pub enum About {
     Overview,
 }
 
+/// A file that is given beside a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum GivenFile {
+    /// That of [`Options::lines`](crate::Options::lines).
+    Lines,
+    /// That of [`Options::add_lines`](crate::Options::add_lines).
+    AddedLines,
+    /// That of [`Options::areas`](crate::Options::areas).
+    Areas,
+}
+
 /// One remark about a page that was made all the same. It says itself in one line, and is an error only in that it can
 /// be handed on as one, to a log of warnings say.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -51,8 +63,8 @@ pub enum Note {
     #[error("the picture's colour profile could not be used, colours were taken as sRGB: {0}")]
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
-    #[error("left out of the page: {0}")]
-    LeftOut(String),
+    #[error("left out of the page: {1}")]
+    LeftOut(Reason, String),
     /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
     #[error("left out of the page: {2}")]
     NotOnPage(About, Reason, String),
@@ -65,6 +77,9 @@ pub enum Note {
     /// Something on the page is as it was given and breaks a rule of legibility; says what, where and what to do.
     #[error("{2}")]
     Faulty(About, Reason, String),
+    /// It is about a file that was given beside the picture, and its places are in the mm of that file.
+    #[error("{}", said_of_file(*.0, .1))]
+    OfFile(GivenFile, Box<Note>),
     /// Of a document only the first page was taken, as no page was asked for.
     #[error("this is page 1 of {pages}; ask for another by its number")]
     FirstPageOnly {
@@ -344,6 +359,7 @@ impl Note {
     id_table! {
         Self::ColourProfileIgnored(..) => "colour-profile-ignored",
         Self::LeftOut(..) => "left-out",
+        Self::OfFile(..) => "of-file",
         Self::NotOnPage(..) => "not-on-page",
         Self::NotInPng(..) => "not-in-png",
         Self::TakenAs(..) => "taken-as",
@@ -388,21 +404,42 @@ impl Note {
     pub fn about(&self) -> Option<About> {
         match self {
             Self::NotOnPage(about, ..) | Self::TakenAs(about, ..) | Self::Faulty(about, ..) => Some(*about),
+            Self::OfFile(_, note) => note.about(),
             _ => None,
         }
     }
 
-    /// Why it is made, of the kinds that have several reasons: `not-on-page`, `taken-as`, `faulty`, `labels-left-out`,
-    /// `no-key` and `not-in-png`.
+    /// Why it is made, of the kinds that have several reasons: `left-out`, `not-on-page`, `taken-as`, `faulty`,
+    /// `labels-left-out`, `no-key` and `not-in-png`.
     pub fn reason(&self) -> Option<Reason> {
         match self {
-            Self::NotOnPage(_, reason, _)
+            Self::LeftOut(reason, _)
+            | Self::NotOnPage(_, reason, _)
             | Self::TakenAs(_, reason, _)
             | Self::Faulty(_, reason, _)
             | Self::LabelsLeftOut { reason, .. }
             | Self::NoKey(reason, _)
             | Self::NotInPng(reason, _) => Some(*reason),
+            Self::OfFile(_, note) => note.reason(),
             _ => None,
+        }
+    }
+}
+
+/// What a remark on a file beside the picture says.
+fn said_of_file(file: GivenFile, note: &Note) -> String {
+    let said = note.to_string();
+    let places = if said.contains(" mm") { ", in its own mm" } else { "" };
+    format!("{said} (said of the file of {}{places})", file.name())
+}
+
+impl GivenFile {
+    /// What is given in it, such as "lines".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lines => "lines",
+            Self::AddedLines => "added lines",
+            Self::Areas => "areas",
         }
     }
 }

@@ -23,7 +23,9 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped!(NumberRange, Fault, Crop, Position, Label, SheetGrid, KeySheets, Depth, Dpi, Embossing);
     can_be_wrapped!(Format, DotFormat, DrawingFormat, Drawing, Sheets, Page, Text, Traced, Trace, Polyline);
     can_be_wrapped!(Felt, Checked, Finding, Rule, Severity, Verdict, Description, Calibration, Class);
-    can_be_wrapped!(Event, Stage, Error, Note, About, Reason, Length, Mm, MmPoint, MmRect, Px, PxPoint, Size);
+    can_be_wrapped!(
+        Event, Stage, Error, Note, About, GivenFile, Reason, Length, Mm, MmPoint, MmRect, Px, PxPoint, Size
+    );
     can_be_wrapped!(marks::BrailleText, marks::Dots, marks::Figure, marks::Glyph, marks::Height, marks::Line);
     can_be_wrapped!(marks::Overview, marks::Parts, marks::Pen, marks::PrintText, marks::Run, marks::Shape);
     can_be_wrapped!(marks::Sign, marks::TextRole, marks::Texture);
@@ -333,6 +335,10 @@ fn a_page_is_no_picture_wherever_one_is_asked_for() {
     let page = made.to_svg();
     let page = page.as_bytes();
     assert_eq!(tactograph::convert(page, &options()).err(), Some(Error::IsAPage));
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    std::io::Write::write_all(&mut packed, page).expect("it is in memory");
+    let packed = packed.finish().expect("it is in memory");
+    assert_eq!(tactograph::convert(&packed, &options()).err(), Some(Error::IsAPage), "as SVGZ");
     let pdf = made.to_pdf();
     assert_eq!(tactograph::convert(&pdf, &options()).err(), Some(Error::IsAPageIn { format: "PDF" }));
     let dpi = Dpi::new(96).expect("a resolution");

@@ -32,8 +32,8 @@ pub struct Felt {
 /// ```
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is no such page, [`Error::Undecodable`] if it is an SVG and broken, [`Error::TooComplex`]
-/// if it is over a limit,
+/// [`Error::NotAPage`] if it is no such page or longer than 100 MB, [`Error::Undecodable`] if it is an SVG and broken,
+/// [`Error::TooComplex`] if it has too many elements or points ([`Limits`](crate::Limits)),
 /// [`Error::TooLargeToFeel`] if a side of what is drawn is longer than 700 mm, [`Error::TooMuchMemory`] if it would
 /// take more than [`Limits::default`](crate::Limits) to draw, [`Error::NoSuchFinger`], or [`Error::Cancelled`].
 pub fn feel(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Felt, Error> {

@@ -26,6 +26,7 @@ use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
 use crate::pipeline::{self, Drawing, Request, Stage, Watch};
 use crate::profile::{Plan, Profile};
+use crate::raster::decode;
 use crate::{Error, calibration, output, reading};
 
 /// Makes the page of a picture. The same picture and options give the same page, however many threads there are.
@@ -147,13 +148,20 @@ pub struct Calibration {
 fn not_a_page<'p>(picture: impl Into<Picture<'p>>) -> Result<Picture<'p>, Error> {
     let picture = picture.into();
     match picture.0 {
-        PixelSource::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
+        PixelSource::File(bytes) if reading::is_page(bytes) || is_packed_page(bytes) => Err(Error::IsAPage),
         PixelSource::File(bytes) => match output::written_as(bytes) {
             Some(format) => Err(Error::IsAPageIn { format }),
             None => Ok(picture),
         },
         PixelSource::Rgba8 { .. } => Ok(picture),
     }
+}
+
+/// Whether a file is a page that was compressed with gzip, as an editor saves SVGZ.
+fn is_packed_page(bytes: &[u8]) -> bool {
+    // the layer of the figure begins behind the frame, whose dots take some 50 kB
+    let start = decode::start_of_packed(bytes, 1_000_000);
+    start.is_some_and(|start| reading::is_page(String::from_utf8_lossy(&start).as_bytes()))
 }
 
 /// Calls `work`, which ends with the stage `last`, with what the pipeline needs, and whom it tells.

@@ -290,9 +290,10 @@ impl Options {
         self
     }
 
-    /// Says what the picture is about, by a place on it, from the left and from the top: the thing around it
-    /// that stands out is outlined before all else, in figure and overview. Can be called several times. Where nothing
-    /// is found, [`Note::NoSubject`](crate::Note::NoSubject) tells. Default: what stands out most comes first.
+    /// Says what the picture is about, by a place on it, from the left and from the top, with a
+    /// [crop](Options::crop) of its part: the thing around it that stands out is outlined before all else, in figure
+    /// and overview. Can be called several times, for at most 100 places. Where nothing is found,
+    /// [`Note::NoSubject`](crate::Note::NoSubject) tells. Default: what stands out most comes first.
     pub fn subject(mut self, x: Position, y: Position) -> Self {
         self.given.subjects.push([x, y]);
         self

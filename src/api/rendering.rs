@@ -103,7 +103,7 @@ impl fmt::Debug for RenderOptions {
 ///
 /// # Errors
 /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if it is over a
-/// limit; [`Error::Profile`] with the faults of the profile; [`Error::TooNarrow`] if the figure would have a side below
+/// limit of elements or points; [`Error::Profile`] with the faults of the profile; [`Error::TooNarrow`] if the figure would have a side below
 /// its `figure.min_side` there;
 /// [`Error::OffSheet`] if a mark would lie off the sheet; [`Error::Cancelled`].
 pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing, Error> {
@@ -125,10 +125,12 @@ fn rendered(svg: &[u8], options: &RenderOptions, watch: &mut Watch<'_>) -> Resul
     }
     let adapted = pipeline::adapted(&read, &own, options.translate.as_deref())?;
     let page = AdaptedPage { options, read: &read, own: &own, adapted: &adapted, was_mirrored, turned_over };
-    match &options.profile {
-        None => run_stage(watch, Stage::Page, || page.as_it_is(notes)),
-        Some(profile) => page.laid_out_anew(profile, notes, watch),
-    }
+    let mut drawing = match &options.profile {
+        None => run_stage(watch, Stage::Page, || page.as_it_is(notes))?,
+        Some(profile) => page.laid_out_anew(profile, notes, watch)?,
+    };
+    Note::sort(&mut drawing.notes);
+    Ok(drawing)
 }
 
 /// A page that was read, as its own paper or device takes it.

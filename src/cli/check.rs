@@ -9,9 +9,6 @@ use super::args::{Check, CheckFormat};
 use super::report::{Exit, Report};
 use super::{input, output, places, remedies, settings};
 
-/// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
-const MOST_BYTES: u64 = 100_000_000;
-
 /// Checks pages, or lists the rules.
 pub(super) fn run(args: &Check) -> Exit {
     let report = Report::plain();
@@ -87,8 +84,7 @@ fn list(profile: Option<Profile>, format: CheckFormat, report: &Report) -> Exit 
 
 /// What is found on a page, and the page with marks if it is wanted.
 fn checked(page: &Path, profile: Option<&Profile>, mark: bool) -> anyhow::Result<(Checked, Option<String>)> {
-    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
-    let bytes = input::read(page, MOST_BYTES, &too_long)?;
+    let bytes = input::read_page(page)?;
     let options = profile.cloned().into_iter().fold(PageOptions::new(), PageOptions::profile);
     let checked = match (tactograph::check(&bytes, &options), input::other_than_svg(page, "check")) {
         (Err(_), Some(why)) => bail!("{why}"),

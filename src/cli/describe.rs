@@ -6,9 +6,6 @@ use super::args::Describe;
 use super::report::{Exit, Report};
 use super::{input, output, places};
 
-/// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
-const MOST_BYTES: u64 = 100_000_000;
-
 /// Describes one page.
 pub(super) fn run(args: &Describe) -> Exit {
     let report = Report::plain();
@@ -31,8 +28,7 @@ pub(super) fn run(args: &Describe) -> Exit {
 }
 
 fn described(args: &Describe) -> anyhow::Result<String> {
-    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
-    let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
+    let bytes = input::read_page(&args.page)?;
     let other = input::other_than_svg(&args.page, "describe");
     let options = args.lang.iter().fold(PageOptions::new(), PageOptions::language);
     let description = match (tactograph::describe(bytes, &options), other) {

@@ -9,9 +9,6 @@ use super::args::Feel;
 use super::report::{Exit, Report};
 use super::{input, output, places};
 
-/// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
-const MOST_BYTES: u64 = 100_000_000;
-
 /// Feels pages and tells what is felt.
 pub(super) fn run(args: &Feel) -> Exit {
     let report = Report::plain();
@@ -61,8 +58,7 @@ fn one(args: &Feel, page: &Path, report: &Report) -> Exit {
 
 /// The report, and the map if it is wanted.
 fn feel(args: &Feel, page: &Path) -> anyhow::Result<(String, Option<Vec<u8>>)> {
-    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
-    let bytes = input::read(page, MOST_BYTES, &too_long)?;
+    let bytes = input::read_page(page)?;
     let felt = match (
         tactograph::feel(bytes, &PageOptions::new().finger_mm(args.finger)),
         input::other_than_svg(page, "feel"),

@@ -30,6 +30,17 @@ pub(super) fn read(path: &Path, most_bytes: u64, too_long: &str) -> anyhow::Resu
     Ok(bytes)
 }
 
+/// Most bytes that are read of the file of a page, as many as the library takes.
+const MOST_OF_PAGE: u64 = 100_000_000;
+
+/// The file of a page.
+///
+/// # Errors
+/// As [`read`].
+pub(super) fn read_page(path: &Path) -> anyhow::Result<Vec<u8>> {
+    read(path, MOST_OF_PAGE, "the file is longer than 100 MB, which is no page")
+}
+
 /// Looks whether there is a file at `path` that can be read, or that standard input is meant.
 ///
 /// # Errors

@@ -31,6 +31,11 @@ pub(super) fn of_note(note: &Note) -> String {
         Note::LinesNotInOverview { .. } => format!("{note} (--no-overview, --sheets 2x2)"),
         Note::EmptyPage => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
+        Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
+        Note::LinesLeftOut { is_larger_turned: true, .. } => {
+            format!("{note} (--set page.orientation=landscape)")
+        }
+        Note::OfFile(_, of) => note.to_string().replace(&of.to_string(), &of_note(of)),
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => {
             format!("{note} (--braille-table TABLE)")

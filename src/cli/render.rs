@@ -10,9 +10,6 @@ use super::settings::Change;
 use super::sheets::Failure;
 use super::{input, louis, places, remedies, settings, sheets};
 
-/// Longest page that is read, bytes.
-const MOST_BYTES: u64 = 100_000_000;
-
 /// Reads one page and writes it.
 pub(super) fn run(args: &Render) -> Exit {
     let report = Report::of_pictures(1, args.quiet);
@@ -64,8 +61,7 @@ fn read(
     name: &str,
 ) -> Result<(Vec<Page>, String), (Exit, Vec<String>)> {
     let failed = |what: String| (Exit::Failed, vec![what]);
-    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
-    let bytes = input::read(&args.page, MOST_BYTES, &too_long).map_err(|error| failed(format!("{error:#}")))?;
+    let bytes = input::read_page(&args.page).map_err(|error| failed(format!("{error:#}")))?;
     let own = Profile::of_page(&bytes).map_err(|error| failed(error.to_string()))?;
     if other.is_none() {
         let (chosen, _) = args.writing.choose(Some(&args.output));

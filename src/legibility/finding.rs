@@ -26,6 +26,8 @@ pub struct Finding {
     pub measured: Option<f32>,
     /// What `render` makes of it, where that puts it right: then it is a warning only.
     pub mended: Option<&'static str>,
+    /// The name of the object that it is of, as on the page ("line 7"), where it is of one.
+    pub object: Option<String>,
     /// The line of the file in which the element of the object begins, counted from 1, as far as that is known.
     pub line: Option<u32>,
 }
@@ -88,10 +90,13 @@ impl FoundBreach {
     /// `rows` says where objects stand in the file.
     pub(super) fn placed(self, page: &Page, render: Render, rows: &BTreeMap<String, u32>) -> Finding {
         let Self { rule, what, at, extent, measured, becomes_braille, in_file } = self;
-        let line = match in_file {
-            InFile::Object(name) => rows.get(&name).copied(),
-            InFile::Row(row) => Some(row),
-            InFile::Page => None,
+        let (object, line) = match in_file {
+            InFile::Object(name) => {
+                let line = rows.get(&name).copied();
+                (Some(name), line)
+            }
+            InFile::Row(row) => (None, Some(row)),
+            InFile::Page => (None, None),
         };
         let mended = match render {
             Render::Mends if becomes_braille => Some(rules::IN_BRAILLE),
@@ -99,7 +104,7 @@ impl FoundBreach {
             Render::LeavesAsItIs => None,
         };
         let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));
-        Finding { rule, what, at, place, extent, measured, mended, line }
+        Finding { rule, what, at, place, extent, measured, mended, object, line }
     }
 }
 

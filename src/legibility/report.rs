@@ -8,8 +8,8 @@ use super::finding::Finding;
 use super::limits::RuleLimits;
 use super::rules::{RULES, Rule, Severity};
 use super::verdict::{Textures, Verdict};
-use crate::Note;
 use crate::units::{MmPoint, MmRect};
+use crate::{About, Note, Reason};
 
 /// What was found on a page. Its `Display` has a line for each finding, errors first, and the verdict at the end.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,8 +44,9 @@ impl Checked {
     /// The same as JSON: how many `errors` and `warnings`; `verdict`, and the shares 0..=1 that it tells of: `faulty`
     /// of the figure, and of `textures` what is `of_figure`, `judged` and `right` (null where none were felt);
     /// `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the sheet's top left), `what`,
-    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null), `line` (of the file, or
-    /// null); and `notes`, what was taken otherwise than it looks.
+    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null), `object` (its name, or null),
+    /// `line` (of the file, or null); and `notes`, what was taken otherwise than it looks, with `id`, `about`, `reason`
+    /// (null where there is none) and `what`.
     pub fn to_json(&self) -> String {
         let finding = |finding: &Finding| {
             let (limit, unit) = self.number(&finding.rule);
@@ -61,7 +62,16 @@ impl Checked {
                 "unit": unit,
                 "remedy": finding.remedy(),
                 "render": finding.mended,
+                "object": finding.object,
                 "line": finding.line,
+            })
+        };
+        let note = |note: &Note| {
+            json!({
+                "id": note.id(),
+                "about": note.about().map(About::name),
+                "reason": note.reason().map(Reason::name),
+                "what": note.to_string(),
             })
         };
         let findings: Vec<Value> = self.findings.iter().map(finding).collect();
@@ -78,7 +88,7 @@ impl Checked {
             "faulty": rounded(self.verdict.faulty),
             "textures": textures,
             "findings": findings,
-            "notes": self.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+            "notes": self.notes.iter().map(note).collect::<Vec<_>>(),
         });
         format!("{all:#}\n")
     }

@@ -14,6 +14,7 @@ impl Note {
     /// How far down it is told.
     fn rank(&self) -> u8 {
         match self {
+            Self::OfFile(_, note) => note.rank(),
             // there is nothing on the page, or hardly anything
             Self::EmptyPage | Self::AllErased | Self::NoLines | Self::NoContours | Self::LinesOff => 0,
             Self::NoBrailleCode(_) => 0,
@@ -33,7 +34,7 @@ impl Note {
             Self::NotOnPage(..)
             | Self::LabelsLeftOut { .. }
             | Self::LetteringLeftOut { .. }
-            | Self::LeftOut(_)
+            | Self::LeftOut(..)
             | Self::NotInBraille { .. }
             | Self::NotTranslated { .. }
             | Self::NoRoomForTitle { .. }

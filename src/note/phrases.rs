@@ -9,7 +9,7 @@ pub(super) fn most_in(place: Option<&str>, whole: &str) -> String {
 
 /// What a sheet that lies across is better for, as the rest of a sentence.
 pub(super) fn turned(is_larger: bool) -> &'static str {
-    if is_larger { "; on the same sheet lying across (page.orientation = landscape) it is larger" } else { "" }
+    if is_larger { "; on the same sheet lying across (page.orientation) it is larger" } else { "" }
 }
 
 /// Most texts that a note shows; it is read aloud.

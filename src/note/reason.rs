@@ -3,8 +3,8 @@
 /// `Reason`, `Reason::ALL` and `Reason::name` from one table, so that none of them lacks a reason.
 macro_rules! reasons {
     ($($(#[doc = $doc:literal])+ $case:ident => $name:literal,)+) => {
-        /// Why a remark of the kinds `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key` and `not-in-png`
-        /// is made, for programs: its sentence may change, and this stays. Remarks of one kind and reason that are
+        /// Why a remark of the kinds `left-out`, `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key` and
+        /// `not-in-png` is made, for programs: its sentence may change, and this stays. Remarks of one kind and reason that are
         /// about the same say the same, but for names, numbers and places.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
@@ -27,6 +27,17 @@ macro_rules! reasons {
 }
 
 reasons! {
+    // of the file of a picture
+    /// A picture inside a drawing has more pixels than the limit.
+    OverLimit => "over-limit",
+    /// A picture inside a drawing or a document cannot be read.
+    Unreadable => "unreadable",
+    /// A document does not say which letters it has.
+    UnknownLetters => "unknown-letters",
+    /// A form field or a remark of a document does not say what it looks like.
+    NoAppearance => "no-appearance",
+    /// Of the same kinds there is more, which is not named.
+    AndMore => "and-more",
     // of a page that was read
     /// Pictures of pixels in a file have no lines.
     Pixels => "pixels",

@@ -149,7 +149,8 @@ pub enum TextRole {
 pub struct Figure {
     /// Where the picture lies on the sheet.
     pub place: MmRect,
-    /// Size of the upright source picture, px.
+    /// Size of the upright source picture, or of the part of it that is drawn: px, of a vector drawing in CSS px (1/96
+    /// inch).
     pub source: Size,
     /// One texture a region.
     pub textures: Vec<Texture>,

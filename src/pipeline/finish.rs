@@ -91,6 +91,11 @@ pub fn title_of_overview(title: &str, language: &str) -> String {
     Wording::nearest(language).say("title-of-overview", &[("title", title.into())])
 }
 
+/// What one of several sheets of a page is called in a language (BCP 47).
+pub(super) fn title_of_sheet(title: &str, sheet: &str, language: &str) -> String {
+    Wording::nearest(language).say("title-of-sheet", &[("title", title.into()), ("sheet", sheet.into())])
+}
+
 /// The entry of a page's origin by which a description that was made is told from a person's: the seal of its text.
 const MADE: &str = "seal of the description";
 

@@ -16,7 +16,7 @@ use crate::raster::decode;
 use crate::reading::DrawnArea;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
-use crate::{About, Error, Note, Reason};
+use crate::{About, Error, GivenFile, Note, Reason};
 
 /// What a person gives beside the picture.
 #[derive(Debug, Clone, Default)]
@@ -56,20 +56,6 @@ pub struct GivenNotes {
     pub of_added: Vec<Note>,
     /// Of that of the areas.
     pub of_areas: Vec<Note>,
-}
-
-/// A note as that of a file beside the picture: places are those in it.
-fn of_file(note: &Note, file: &str) -> Note {
-    let said = |what: &str| {
-        let places = if what.contains(" mm") { ", in its own mm" } else { "" };
-        format!("{what} (said of the file of {file}{places})")
-    };
-    match note {
-        Note::NotOnPage(about, reason, what) => Note::NotOnPage(*about, *reason, said(what)),
-        Note::TakenAs(about, reason, what) => Note::TakenAs(*about, *reason, said(what)),
-        Note::Faulty(about, reason, what) => Note::Faulty(*about, *reason, said(what)),
-        other => other.clone(),
-    }
 }
 
 /// Lines in place of those that would be found.
@@ -125,14 +111,14 @@ impl Given {
     /// What is told of the files that are given; of one that is given as two things, once.
     pub(super) fn told(&self) -> Vec<Note> {
         let GivenNotes { of_lines, of_added, of_areas } = &self.notes;
-        let files = [("lines", of_lines), ("added lines", of_added), ("areas", of_areas)];
-        let mut told: Vec<(&Note, &str)> = Vec::new();
+        let files = [(GivenFile::Lines, of_lines), (GivenFile::AddedLines, of_added), (GivenFile::Areas, of_areas)];
+        let mut told: Vec<(&Note, GivenFile)> = Vec::new();
         for (note, file) in files.into_iter().flat_map(|(file, notes)| notes.iter().map(move |note| (note, file))) {
             if !told.iter().any(|(other, _)| *other == note) {
                 told.push((note, file));
             }
         }
-        told.into_iter().map(|(note, file)| of_file(note, file)).collect()
+        told.into_iter().map(|(note, file)| Note::OfFile(file, Box::new(note.clone()))).collect()
     }
 
     /// What is told of areas that somebody drew beside lines of which only these are taken.

@@ -46,7 +46,7 @@ impl Position {
         Self::of(Length::Percent(percent))
     }
 
-    /// A place in pixels of the picture from its left or upper edge.
+    /// A place in pixels of the upright picture from its left or upper edge; of SVG and PDF in CSS px (1/96 inch).
     ///
     /// # Errors
     /// [`Error::NotAPosition`] if the number is not finite.

@@ -1,7 +1,7 @@
 //! From bytes to a picture on several sheets.
 
 use super::draw::{DrawnMarks, FromPerson, draw, find};
-use super::finish::{finished, origin, title_of_overview, told_empty, too_black};
+use super::finish::{finished, origin, title_of_overview, title_of_sheet, told_empty, too_black};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
@@ -229,7 +229,7 @@ fn assemble(
     let before = usize::from(on_overview.is_some());
     for (number, cut) in (before..).zip(cuts) {
         let Cut { figure, frame, ticks, label, braille, name } = cut;
-        let title = format!("{}, sheet {name}", request.title);
+        let title = title_of_sheet(request.title, &name, request.language);
         let braille = [heading(&layout, number), braille].concat();
         let in_set = InSet::One(name, names.clone());
         let parts = Parts {

@@ -6,7 +6,8 @@ use std::str::FromStr;
 use crate::Error;
 use crate::units::{Length, Size};
 
-/// A part of a picture: where it begins, from the left and from the top, its width and its height. Each is in pixels,
+/// A part of a picture: where it begins, from the left and from the top, its width and its height. The picture counts
+/// upright, after the turn that EXIF asks for. Each is in pixels (of SVG and PDF CSS px, 1/96 inch),
 /// in percent or, for what is [erased](crate::Options::erase) or [kept](crate::Options::keep), in mm of the figure on
 /// the sheet, from its top left corner; these may be mixed.
 ///

@@ -18,6 +18,9 @@ const SODIPODI: &str = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd";
 /// Id of the layer in which a check marks what it found, which is no part of a page.
 pub const FINDINGS: &str = "findings";
 
+/// Longest page that is read, bytes: the fullest page of the samples has a quarter of a megabyte.
+const MOST_BYTES: usize = 100_000_000;
+
 /// Most clones of clones.
 const MOST_CLONES: usize = 20;
 
@@ -34,6 +37,9 @@ pub(super) fn not_a_page(why: &'static str) -> Error {
 /// # Errors
 /// [`Error::NotAPage`] if the bytes are plainly something else, which is called by its name.
 pub fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, Error> {
+    if bytes.len() > MOST_BYTES {
+        return Err(not_a_page("it is longer than 100 MB"));
+    }
     const OF_A_PICTURE: &str = "give the SVG of the page, or convert the picture to a page.svg";
     const OTHERS: [(&[u8], &str, &str); 6] = [
         (b"%PDF-", "it is a PDF, and pages are read from their SVG", OF_A_PICTURE),

@@ -18,6 +18,7 @@ percent = { $size ->
 
 title-of-key = { $title }, Legende
 title-of-overview = { $title }, Übersicht
+title-of-sheet = { $title }, Blatt { $sheet }
 title = Die Seite heißt „{ $title }“.
 sheet = Ein Blatt im { $orientation ->
     [across] Querformat

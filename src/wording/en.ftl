@@ -20,6 +20,7 @@ percent = { $size ->
 
 title-of-key = { $title }, key
 title-of-overview = { $title }, overview
+title-of-sheet = { $title }, sheet { $sheet }
 title = The page is called "{ $title }".
 # $orientation: across or upright
 sheet = A sheet { $orientation ->

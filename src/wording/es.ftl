@@ -18,6 +18,7 @@ percent = { $size ->
 
 title-of-key = { $title }, leyenda
 title-of-overview = { $title }, vista general
+title-of-sheet = { $title }, hoja { $sheet }
 title = La página se llama «{ $title }».
 sheet = Una hoja { $orientation ->
     [across] horizontal

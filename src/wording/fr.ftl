@@ -18,6 +18,7 @@ percent = { $size ->
 
 title-of-key = { $title }, légende
 title-of-overview = { $title }, vue d’ensemble
+title-of-sheet = { $title }, feuille { $sheet }
 title = La page s’appelle « { $title } ».
 sheet = Une feuille { $orientation ->
     [across] en largeur

@@ -18,6 +18,7 @@ percent = { $size ->
 
 title-of-key = { $title }, legenda
 title-of-overview = { $title }, podgląd
+title-of-sheet = { $title }, arkusz { $sheet }
 title = Strona nosi tytuł „{ $title }”.
 sheet = Arkusz { $orientation ->
     [across] poziomy

@@ -2,7 +2,7 @@
 
 use tactograph::internals::raster::decode::{DecodeOptions, Header, Limits, decode};
 use tactograph::internals::units::Size;
-use tactograph::{Error, Note};
+use tactograph::{Error, Note, Reason};
 
 use crate::decode::{decode_to, fault, folder, open, read, whole};
 
@@ -219,7 +219,10 @@ fn a_palette_of_broken_colours_is_refused_by_its_header() {
          <image width='9' height='9' href='data:image/png,{text}'/></svg>"
     );
     let notes = whole(drawing.as_bytes()).unwrap().notes;
-    assert!(matches!(&notes[..], [Note::LeftOut(what)] if what.contains("cannot be read")), "{notes:?}");
+    assert!(
+        matches!(&notes[..], [Note::LeftOut(Reason::Unreadable, what)] if what.contains("cannot be read")),
+        "{notes:?}"
+    );
 }
 
 /// Numbers that look random and are the same in every run (xorshift, Marsaglia 2003).

@@ -5,16 +5,31 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use tactograph::internals::raster::decode::{DecodeOptions, Header, decode};
 use tactograph::internals::units::Size;
-use tactograph::{Error, Note};
+use tactograph::{Error, Note, Reason};
 
 use crate::decode::{check, decode_to, fault, folder, open, read, whole};
+
+#[test]
+fn a_text_of_too_many_elements_or_attributes_is_refused_before_it_is_parsed() {
+    // parsed, these would take 400 MB; an element of the second would be refused for naming its attributes alike
+    let elements = "<g/>".repeat(2_000_001);
+    let attributes = format!("<g {}/>", "a=''".repeat(5_000_001));
+    for (inside, what) in [(elements, "more than 1000000 elements"), (attributes, "more than 5000000 attributes")] {
+        let svg = format!("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>{inside}</svg>");
+        let refused = whole(svg.as_bytes());
+        let Err(Error::TooComplex { format: "SVG", why }) = &refused else { panic!("{what}") };
+        assert_eq!(why, &format!("it has {what}"));
+    }
+}
 
 #[test]
 fn nothing_outside_a_drawing_is_reached() {
     // The linked picture lies beside the drawing, and in the folder tests run in; it must not show.
     let picture = open("linked.svg");
     assert_eq!(picture.raster.planes().as_slice(), [vec![1.0; 64 * 32]]);
-    let [Note::LeftOut(file), Note::LeftOut(net)] = &picture.notes[..] else { panic!("{:?}", picture.notes) };
+    let [Note::LeftOut(Reason::Elsewhere, file), Note::LeftOut(Reason::Elsewhere, net)] = &picture.notes[..] else {
+        panic!("{:?}", picture.notes)
+    };
     assert!(file.contains("rgb.png") && net.contains("http://localhost/rgb.png"), "{file} {net}");
     let path = folder().join("rgb.png");
     for what in [
@@ -66,7 +81,11 @@ fn fonts_are_asked_for_once_and_only_by_texts() {
 #[test]
 fn a_text_without_a_font_is_a_remark() {
     let picture = open("text.svg");
-    assert!(matches!(&picture.notes[..], [Note::LeftOut(what)] if what.contains("Block")), "{:?}", picture.notes);
+    assert!(
+        matches!(&picture.notes[..], [Note::LeftOut(Reason::NoFonts, what)] if what.contains("Block")),
+        "{:?}",
+        picture.notes
+    );
 }
 
 fn svg(attributes: &str) -> Vec<u8> {
@@ -318,7 +337,7 @@ fn a_drawing_inside_a_drawing_is_drawn_but_no_deeper() {
     assert_eq!(one.notes, []);
     let two = whole(inside(&inside(black)).as_bytes()).unwrap();
     assert_eq!(two.raster.planes().as_slice(), [vec![1.0; 81]]);
-    assert!(matches!(&two.notes[..], [Note::LeftOut(_)]), "{:?}", two.notes);
+    assert!(matches!(&two.notes[..], [Note::LeftOut(..)]), "{:?}", two.notes);
 }
 
 #[test]
@@ -328,7 +347,7 @@ fn a_huge_picture_inside_a_drawing_is_left_out() {
                 href='data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAdTAAAHUwCAIAAADpRW/t'/></svg>";
     let picture = whole(text.as_bytes()).unwrap();
     assert!(
-        matches!(&picture.notes[..], [Note::LeftOut(what)] if what.contains("30000 x 30000")),
+        matches!(&picture.notes[..], [Note::LeftOut(Reason::OverLimit, what)] if what.contains("30000 x 30000")),
         "{:?}",
         picture.notes
     );

@@ -60,6 +60,30 @@ fn a_ring_that_has_no_room_in_any_overview_is_told() {
     assert!(told.contains(&Note::ShapesNotInOverview(1)), "{told:?}");
 }
 
+/// A comb: a ring that has no room as a whole where its teeth are near one another.
+fn comb() -> Edges {
+    let mut edges = Edges::none(Size::new(300, 200));
+    let kind = ChainKind { of_drawing: true, exact: true, ..ChainKind::default() };
+    let teeth = (0..6).flat_map(|tooth| {
+        let left = 60.0 + 30.0 * tooth as f32;
+        [(left, 60.0), (left, 150.0), (left + 4.0, 150.0), (left + 4.0, 60.0)]
+    });
+    let corners = [(20.0, 60.0)].into_iter().chain(teeth).chain([(280.0, 60.0), (280.0, 20.0), (20.0, 20.0)]);
+    let edgel = |(x, y): (f32, f32)| Edgel { at: PxPoint::new(x, y), strength: 90.0, contrast: [90.0, 0.0, 0.0] };
+    edges.push_as(kind, corners.map(edgel), true);
+    edges
+}
+
+#[test]
+fn where_whole_rings_would_leave_nearly_nothing_they_are_drawn_in_part() {
+    let (drawn, ..) = overview(&comb(), &[], OverviewSize::Own);
+    let (_, lines) = drawn.marks.as_ref().expect("it has lines");
+    assert_eq!(drawn.rings, Rings::InParts);
+    assert!(drawn.lost.share() < 0.8 && lines.len() > 1, "{} lines, lost {}", lines.len(), drawn.lost.share());
+    let told: Vec<String> = told_of_overview(&drawn).map(|note| note.to_string()).collect();
+    assert!(told.iter().any(|told| told.starts_with("1 closed shape is open or missing in the overview")), "{told:?}");
+}
+
 #[test]
 fn the_overview_of_a_photograph_is_larger_from_the_first() {
     let mut edges = drawing(60.0);

@@ -15,6 +15,13 @@ pub(super) const MOST_LEVELS: u32 = 200;
 /// Most elements with each reference counted as often as it is drawn; usvg has the same limit for elements.
 const MOST_ELEMENTS: u64 = 1_000_000;
 
+/// Most elements, texts and comments of a file: between elements there is text.
+pub(super) const MOST_NODES: u32 = 3_000_000;
+
+/// Most attributes of a file, by the signs that stand between their names and values. In memory each takes ten times
+/// its least length in the file.
+const MOST_ATTRIBUTES: usize = 5_000_000;
+
 /// Most octaves of a turbulence filter: each is half as strong as the one before, so the ninth is under a step of 8
 /// bits. Each costs as much as the first.
 const MOST_OCTAVES: f64 = 16.0;
@@ -42,6 +49,26 @@ const LENGTHS: &[&str] = &["d", "r", "rx", "ry", "cx", "cy", "x", "y", "width", 
 /// Most digits of these before the point. Maps in metres have 8; usvg and resvg compute in f32, which of numbers of 10
 /// digits knows only every 512th, and tiny-skia 0.12 panics on some.
 const MOST_DIGITS: usize = 9;
+
+/// Refuses a text that would take too much memory to be parsed: 40 MB of elements without attributes take 2 GB.
+///
+/// # Errors
+/// What there is too much of.
+pub(super) fn check_text(text: &str) -> Result<(), String> {
+    let count = |sign: u8| text.as_bytes().iter().filter(|byte| **byte == sign).count();
+    // each element begins, and most end
+    if count(b'<') > 2 * MOST_ELEMENTS as usize {
+        return Err(too_many_elements());
+    }
+    if count(b'=') > MOST_ATTRIBUTES {
+        return Err(format!("it has more than {MOST_ATTRIBUTES} attributes"));
+    }
+    Ok(())
+}
+
+pub(super) fn too_many_elements() -> String {
+    format!("it has more than {MOST_ELEMENTS} elements")
+}
 
 /// # Errors
 /// What there is too much of.

@@ -9,7 +9,7 @@ use image::ImageDecoder;
 use image::metadata::Orientation;
 use resvg::tiny_skia;
 use usvg::fontdb::Database;
-use usvg::roxmltree::{Document, ParsingOptions};
+use usvg::roxmltree::{self, Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
 use super::colour::{ColourKind, Meaning, one_line};
@@ -25,12 +25,15 @@ use crate::raster::crop::PixelPart;
 use crate::raster::planes::Raster;
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
-use crate::{Error, Note};
+use crate::{Error, Note, Reason};
 
 const FORMAT: &str = "SVG";
 
 /// Longest side of a drawing in CSS pixels: a kilometre of paper. Beyond it f32, in which usvg computes, is coarse.
 const LONGEST_SIDE: f32 = 4_000_000.0;
+
+/// What to do about a drawing that takes too much memory where no limit can be raised.
+const FLATTER: &str = "make it smaller, or take groups with an opacity, a mask or a filter apart";
 
 /// Most remarks on one drawing; a drawing of a thousand links would hide all else.
 const MOST_NOTES: usize = 8;
@@ -49,6 +52,15 @@ pub(super) fn decode_gzip(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<D
         Ok(super::sniff::PictureFormat::Svg) => decode(&text, options),
         _ => Err(Error::UnknownFormat { looks_like: Some("something compressed with gzip: unpack it first") }),
     }
+}
+
+/// The first bytes of what is packed in a file by gzip, at most so many; none if it is no such file.
+pub(crate) fn start_of_packed(bytes: &[u8], most: u64) -> Option<Vec<u8>> {
+    let mut start = Vec::new();
+    let is_packed = bytes.starts_with(b"\x1f\x8b");
+    // one that is cut or broken is told of when it is decoded
+    let _ = is_packed.then(|| flate2::read::GzDecoder::new(bytes).take(most).read_to_end(&mut start))?;
+    Some(start)
 }
 
 pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
@@ -242,7 +254,14 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
 /// [`Error::TooMuchMemory`] and [`Error::TooComplex`].
 pub(crate) fn check_canvases(tree: &Tree, transform: tiny_skia::Transform, target: Size) -> Result<(), Error> {
     let canvas = target.area().saturating_mul(4);
-    check_memory(FORMAT, target, (1 + canvases(tree.root())).saturating_mul(canvas), Limits::default())?;
+    let bytes = (1 + canvases(tree.root())).saturating_mul(canvas);
+    // who looks at a page sets no limits
+    check_memory(FORMAT, target, bytes, Limits::default()).map_err(|error| match error {
+        Error::TooMuchMemory { format, size, needed_mb, limit_mb, .. } => {
+            Error::TooMuchMemory { format, size, needed_mb, limit_mb, remedy: FLATTER }
+        }
+        other => other,
+    })?;
     filters::check(tree, transform, target, 1).map_err(|why| Error::too_complex(FORMAT, why))
 }
 
@@ -268,15 +287,20 @@ fn canvases(group: &usvg::Group) -> u64 {
 /// # Errors
 /// [`Error::Undecodable`] or [`Error::TooComplex`].
 fn document(text: &str, most_levels: u32) -> Result<Document<'_>, Error> {
-    let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let too_complex = |why: String| Error::too_complex(FORMAT, why);
+    complexity::check_text(text).map_err(too_complex)?;
+    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: complexity::MOST_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, parsing).map_err(|fault| {
+        if matches!(fault, roxmltree::Error::NodesLimitReached) {
+            return too_complex(complexity::too_many_elements());
+        }
         let place = fault.pos();
         let what = one_line(&fault);
         // Most messages of roxmltree end with the position; here it comes first, in words.
         let what = what.trim_end_matches(&format!(" at {place}"));
         Error::undecodable(FORMAT, format!("line {}, column {}: {what}", place.row, place.col))
     })?;
-    complexity::check(&document, most_levels).map_err(|why| Error::too_complex(FORMAT, why))?;
+    complexity::check(&document, most_levels).map_err(too_complex)?;
     Ok(document)
 }
 
@@ -290,14 +314,15 @@ pub(crate) fn checked_document(text: &str) -> Result<Document<'_>, Error> {
 
 /// What is left out of a drawing, each once. usvg asks for links and fonts from closures that have to be `Sync`.
 #[derive(Default)]
-struct DrawingLosses(Mutex<Vec<String>>);
+struct DrawingLosses(Mutex<Vec<(Reason, String)>>);
 
 impl DrawingLosses {
-    fn add(&self, what: String) {
+    fn add(&self, why: Reason, what: String) {
+        let loss = (why, what);
         if let Ok(mut list) = self.0.lock()
-            && !list.contains(&what)
+            && !list.contains(&loss)
         {
-            list.push(what);
+            list.push(loss);
         }
     }
 
@@ -306,9 +331,9 @@ impl DrawingLosses {
         let more = list.len().saturating_sub(MOST_NOTES);
         list.truncate(MOST_NOTES);
         if more > 0 {
-            list.push(format!("{more} more links or texts"));
+            list.push((Reason::AndMore, format!("{more} more links or texts")));
         }
-        list.into_iter().map(Note::LeftOut).collect()
+        list.into_iter().map(|(why, what)| Note::LeftOut(why, what)).collect()
     }
 }
 
@@ -320,10 +345,11 @@ fn links<'a>(left_out: &'a DrawingLosses, limits: Limits) -> ImageHrefResolver<'
             let found = match size_of_picture(&data) {
                 Ok(Some(size)) if is_over(size, limits) => {
                     let most = limits.megapixels;
-                    left_out.add(format!(
+                    let told = format!(
                         "a picture inside the drawing, of {size} pixels, which is over the limit of {most} megapixels \
                          (raise it, or make that picture smaller)"
-                    ));
+                    );
+                    left_out.add(Reason::OverLimit, told);
                     return None;
                 }
                 Ok(Some(_)) => inside(mime, data, options),
@@ -331,12 +357,14 @@ fn links<'a>(left_out: &'a DrawingLosses, limits: Limits) -> ImageHrefResolver<'
                 Err(Unreadable) => None,
             };
             if found.is_none() {
-                left_out.add(format!("a picture inside the drawing, which cannot be read ({})", short(mime)));
+                let told = format!("a picture inside the drawing, which cannot be read ({})", short(mime));
+                left_out.add(Reason::Unreadable, told);
             }
             found
         }),
         resolve_string: Box::new(move |href, _| {
-            left_out.add(format!("the linked picture {} (only pictures inside the drawing are used)", short(href)));
+            let told = format!("the linked picture {} (only pictures inside the drawing are used)", short(href));
+            left_out.add(Reason::Elsewhere, told);
             None
         }),
     }
@@ -401,7 +429,7 @@ fn font_resolver<'a>(
             let found = select(font, database);
             if found.is_none() {
                 let families = font.families().iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-                left_out.add(format!("a text, for which there is no font ({})", short(&families)));
+                left_out.add(Reason::NoFonts, format!("a text, for which there is no font ({})", short(&families)));
             }
             found
         }),

@@ -29,7 +29,7 @@ use self::sniff::PictureFormat;
 use crate::{Error, picture};
 
 pub(crate) use self::complexity::no_longer_than;
-pub(crate) use self::drawing::{check_canvases, checked_document, tree_of};
+pub(crate) use self::drawing::{check_canvases, checked_document, start_of_packed, tree_of};
 pub use self::job::{DecodeOptions, Decoded, FontLoader, Header, Limits};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.

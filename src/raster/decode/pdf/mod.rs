@@ -24,7 +24,7 @@ use super::drawing;
 use super::job::{DecodeOptions, Decoded};
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
-use crate::{Error, Note};
+use crate::{Error, Note, Reason};
 
 /// The page of a document that is asked for; the first if none is.
 pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
@@ -59,7 +59,7 @@ fn decode_page(page: &Page<'_>, options: &DecodeOptions<'_>) -> Result<Decoded, 
     if !options.keep_text && found.unknown_letters > 0 {
         let count = found.unknown_letters;
         let what = format!("{count} letters or signs, of which the document does not tell which they are");
-        picture.notes.push(Note::LeftOut(what));
+        picture.notes.push(Note::LeftOut(Reason::UnknownLetters, what));
     }
     picture.notes.extend(warnings.notes(options.keep_text));
     Ok(picture)
@@ -116,10 +116,11 @@ impl Warnings {
     fn notes(&self, keep_text: bool) -> Vec<Note> {
         let Ok(found) = self.0.lock() else { return Vec::new() };
         let kinds = [
-            (found.pictures, "a picture inside the page, which cannot be read"),
-            (found.fonts && keep_text, "a text whose font cannot be used"),
-            (found.annotations, "a form field or remark that does not say what it looks like"),
+            (found.pictures, Reason::Unreadable, "a picture inside the page, which cannot be read"),
+            (found.fonts && keep_text, Reason::NoFonts, "a text whose font cannot be used"),
+            (found.annotations, Reason::NoAppearance, "a form field or remark that does not say what it looks like"),
         ];
-        kinds.into_iter().filter(|(is_found, _)| *is_found).map(|(_, what)| Note::LeftOut(what.to_owned())).collect()
+        let found = kinds.into_iter().filter(|(is_found, ..)| *is_found);
+        found.map(|(_, why, what)| Note::LeftOut(why, what.to_owned())).collect()
     }
 }

@@ -44,6 +44,8 @@ pub(crate) fn all() -> Result<Vec<Seed>, Fault> {
     );
     add("tiff whose directories form a circle", Input::Picture, tiff_in_a_circle());
     add("svgz of 4 GB of blanks", Input::Picture, gzip_of(b" ", 4 << 30)?);
+    add("svgz of 10 million elements", Input::Picture, svgz_of(b"<g/>", 10 << 20)?);
+    add("svgz of 100 million attributes", Input::Picture, svgz_of(b"<g a='' b='' c='' d='' />", 25 << 20)?);
     for (name, svg) in drawings() {
         add(&format!("svg {name}"), Input::Picture, svg.clone().into_bytes());
         add(&format!("page {name}"), Input::Page, svg.replace("<svg ", "<svg data-tactograph='1' ").into_bytes());
@@ -83,6 +85,18 @@ fn gzip_of(byte: &[u8; 1], count: usize) -> Result<Vec<u8>, Fault> {
     for _ in 0..count >> 20 {
         encoder.write_all(&block)?;
     }
+    Ok(encoder.finish()?)
+}
+
+/// A drawing of `count` of these elements.
+fn svgz_of(element: &[u8], count: usize) -> Result<Vec<u8>, Fault> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::fast());
+    encoder.write_all(b"<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>")?;
+    let block = element.repeat(1 << 20);
+    for _ in 0..count >> 20 {
+        encoder.write_all(&block)?;
+    }
+    encoder.write_all(b"</svg>")?;
     Ok(encoder.finish()?)
 }
 
