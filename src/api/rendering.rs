@@ -103,8 +103,8 @@ impl fmt::Debug for RenderOptions {
 ///
 /// # Errors
 /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken, [`Error::TooComplex`] if it is over a
-/// limit of elements or points; [`Error::Profile`] with the faults of the profile; [`Error::TooNarrow`] if the figure would have a side below
-/// its `figure.min_side` there;
+/// limit of elements or points; [`Error::Profile`] with the faults of the profile; [`Error::TooNarrow`] if the figure
+/// would have a side below its `figure.min_side` there;
 /// [`Error::OffSheet`] if a mark would lie off the sheet; [`Error::Cancelled`].
 pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing, Error> {
     options.caller.watched(Stage::Page, |watch| rendered(svg.as_ref(), options, watch))

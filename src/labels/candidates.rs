@@ -59,10 +59,15 @@ pub(super) struct Spacing {
     above: f32,
 }
 
-/// The least blank: where there is room for no more.
-pub(super) const MIN_SPACING: Spacing = Spacing { aside: 6.0, above: 3.5 };
-/// The same, less a hair for sums of floating point.
-pub(super) const MIN_SPACING_ROUNDED: Spacing = Spacing { aside: 5.99, above: 3.49 };
+/// The least blank side by side where there is room for no more, mm, whatever the cells.
+const LEAST_ASIDE: f32 = 6.0;
+/// Within a word the dots of two cells are as far apart as the cells where one of them lacks a column: so much more is
+/// the least between labels, mm, or two are read as one.
+const MORE_THAN_CELLS: f32 = 0.5;
+/// The least blank one above the other, mm.
+pub(super) const LEAST_ABOVE: f32 = 3.5;
+/// A hair for sums of floating point, mm.
+const HAIR: f32 = 0.01;
 
 impl Spacing {
     /// As columns of a table in braille, which two blank cells keep apart; one above the other, more than lines of one
@@ -71,14 +76,21 @@ impl Spacing {
         Self { aside: blank(cells, 2), above: 7.0 }
     }
 
+    /// The least blank: where there is room for no more.
+    pub(super) fn least(cells: &CellGrid<'_>) -> Self {
+        let from_cell_to_cell = cells.extent(2, 1).x - cells.extent(1, 1).x;
+        Self { aside: LEAST_ASIDE.max(from_cell_to_cell + MORE_THAN_CELLS), above: LEAST_ABOVE }
+    }
+
+    /// The same, less a hair.
+    pub(super) fn least_rounded(cells: &CellGrid<'_>) -> Self {
+        let Self { aside, above } = Self::least(cells);
+        Self { aside: aside - HAIR, above: above - HAIR }
+    }
+
     /// Blank on either side.
     pub(super) fn aside(self) -> f32 {
         self.aside
-    }
-
-    /// Blank above and below.
-    pub(super) fn above(self) -> f32 {
-        self.above
     }
 
     /// Side by side as words of a text, which a blank cell keeps apart.
@@ -88,7 +100,7 @@ impl Spacing {
 
     /// The same with the least blank side by side.
     pub(super) fn tight(cells: &CellGrid<'_>) -> Self {
-        Self { aside: MIN_SPACING.aside, ..Self::narrow(cells) }
+        Self { aside: Self::least(cells).aside, ..Self::narrow(cells) }
     }
 }
 
@@ -261,7 +273,7 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     if !params.may_cross || is_open() {
         return None;
     }
-    let segment = leader_from(nearest, around.tip)?;
+    let segment = leader_from(nearest, around.tip, around.leader_off())?;
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear =
         around.is_clear_of_blocked(segment) && (label.lost_leader.is_none() || around.leads_to_own(place, segment));
@@ -269,10 +281,11 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     (is_clear && around.cell.is_none()).then_some(Attachment::LeaderAcross(segment))
 }
 
-/// A leader line from a point of a label to its tip; none if it would be too short to be felt as a line.
-fn leader_from(from: MmPoint, tip: MmPoint) -> Option<[MmPoint; 2]> {
+/// A leader line from a point of a label to its tip, whose marks lie up to `off` mm off it; none if it would be too
+/// short to be felt as a line.
+fn leader_from(from: MmPoint, tip: MmPoint, off: f32) -> Option<[MmPoint; 2]> {
     let chord = tip - from;
-    (chord.length() > SHORTEST_LEADER).then(|| [from + chord.normalize() * BEFORE_LEADER, tip])
+    (chord.length() > SHORTEST_LEADER + off).then(|| [from + chord.normalize() * (BEFORE_LEADER + off), tip])
 }
 
 /// The leader line of a label that crosses no line: from the nearest point of the label, or from a corner where lines
@@ -284,8 +297,8 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
     let segments = starts
         .filter(|from| !room.is_parted(*from, tip, end))
         .filter(|from| side.is_none_or(|side| !room.is_parted_from_text(*from, side, 0.0)))
-        .filter_map(|from| leader_from(from, tip))
-        .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER);
+        .filter_map(|from| leader_from(from, tip, around.leader_off()))
+        .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER + around.leader_off());
     segments
         .into_iter()
         .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))
@@ -312,9 +325,11 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
     let &Surroundings { room, anchor, .. } = around;
     let chord = anchor - nearest;
     let direction = (chord.length() > 0.0).then(|| chord.normalize())?;
-    let blank =
-        room.only_line(nearest, anchor, around.params.widest_outline).filter(|blank| *blank >= SHORTEST_LEADER)?;
-    let (from, outline) = (nearest + direction * BEFORE_LEADER, nearest + direction * blank);
+    let off = around.leader_off();
+    let blank = room
+        .only_line(nearest, anchor, around.params.widest_outline)
+        .filter(|blank| *blank >= SHORTEST_LEADER + off)?;
+    let (from, outline) = (nearest + direction * (BEFORE_LEADER + off), nearest + direction * blank);
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
     let is_clear = room.is_free_segment(from, outline, end) && around.leads_to_own(place, [from, outline]);

@@ -1,6 +1,6 @@
 //! Words one below the other that have no room all in one form, as the names beside a diagram: each as it fits.
 
-use super::candidates::{Candidate, MIN_SPACING_ROUNDED};
+use super::candidates::{Candidate, Spacing};
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::groups::{Group, GroupDirection};
 use super::placed::{Attachment, PlacedAs};
@@ -44,7 +44,9 @@ pub(super) fn each_as_it_fits(
             found.push(places.find(|candidate| {
                 let mut others = found.iter().chain(others.iter().flatten());
                 is_free(label, candidate, context)
-                    && others.all(|other| !candidate.is_too_near(other, MIN_SPACING_ROUNDED, context.params.leader_off))
+                    && others.all(|other| {
+                        !candidate.is_too_near(other, Spacing::least_rounded(context.cells), context.params.leader_off)
+                    })
             })?);
         }
         let short = members.iter().zip(&found).filter(|(label, of)| is_short(**label, of.form)).count();

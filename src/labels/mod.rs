@@ -49,7 +49,7 @@ use crate::braille::Translator;
 use crate::page::Figure;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
-use candidates::{Candidate, MIN_SPACING, Spacing};
+use candidates::{Candidate, Spacing};
 use forms::{Form, FormKind, Forms};
 use groups::Group;
 use room::Room;
@@ -277,7 +277,7 @@ fn chosen_of(
     }
     // rather an abbreviation than two texts that are read as two lines of one
     if best.0.lost.0 > 0 {
-        let least = chosen_with(MIN_SPACING);
+        let least = chosen_with(Spacing::least(cells));
         if least.0.lost.0 < best.0.lost.0 {
             best = least;
         }

@@ -2,7 +2,7 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{BEFORE_LEADER, Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
+use super::candidates::{BEFORE_LEADER, Candidate, LEAST_ABOVE, Spacing};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::cost::LIKE_A_CELL;
@@ -248,7 +248,7 @@ impl<'a> RowOfLabels<'a> {
         let sizes: Vec<MmVector> = forms.iter().map(|form| form.extent(context.cells)).collect();
         let along = along(group, &sizes, arrangement.rows, context)?;
         let largest = sizes.iter().fold(MmVector::zero(), |all, size| all.max(*size));
-        let pitch = in_steps(largest.y + MIN_SPACING.above(), context.cells.steps().map(|steps| steps.y));
+        let pitch = in_steps(largest.y + LEAST_ABOVE, context.cells.steps().map(|steps| steps.y));
         Some(Self { group, numbers, forms, sizes, along, arrangement, largest, pitch, context, others })
     }
 
@@ -305,7 +305,8 @@ impl<'a> RowOfLabels<'a> {
                 let is_free = self.context.room.is_free_aside(candidate.place, aside)
                     && is_free(label, &candidate, self.context)
                     && others.all(|other| {
-                        !candidate.is_too_near(other, MIN_SPACING_ROUNDED, self.context.params.leader_off)
+                        let least = Spacing::least_rounded(self.context.cells);
+                        !candidate.is_too_near(other, least, self.context.params.leader_off)
                     });
                 is_free.then_some(candidate)
             })?;
@@ -320,8 +321,11 @@ impl<'a> RowOfLabels<'a> {
         let corner = self.corner(number, start, offset, self.along[number].0 + moved);
         let place = self.context.cells.snapped(MmRect::new(corner, corner + size));
         let anchor = self.context.around[self.group.members[number]].anchor;
-        let attachment =
-            if at == RowPlace::Led { Attachment::Leader(leader(place, anchor)) } else { Attachment::Beside };
+        let attachment = if at == RowPlace::Led {
+            Attachment::Leader(leader(place, anchor, self.context.params.leader_off))
+        } else {
+            Attachment::Beside
+        };
         let cost = self.forms[number].kind.cost() + offset.abs() + moved.abs() + row * SECOND_ROW;
         let stands = if at == RowPlace::Margin { PlacedAs::InMargin } else { PlacedAs::InRow };
         Candidate::of_row(self.numbers[number], place, attachment, cost, stands)
@@ -364,7 +368,7 @@ impl<'a> RowOfLabels<'a> {
             x - 0.5 * width < lines.min.x || x + 0.5 * width > lines.max.x
         });
         let beside_column = self.group.is_beside_column && reaches_out;
-        let corner = if beside_column { 0.5 * self.largest.y + MIN_SPACING.above() } else { 0.0 };
+        let corner = if beside_column { 0.5 * self.largest.y + LEAST_ABOVE } else { 0.0 };
         let count = members.len() as f32;
         let mean = members.iter().fold(MmVector::zero(), |sum, label| sum + middle(label).to_vector() / count);
         let blank = self.context.params.clearance + self.context.params.step;
@@ -386,9 +390,10 @@ impl<'a> RowOfLabels<'a> {
 /// level one above: those of an axis through the middle are looked for on the left and below.
 const SECOND_SIDE: f32 = 0.6;
 
-/// A leader line from the middle of a label, above or below it.
-fn leader(place: MmRect, anchor: MmPoint) -> [MmPoint; 2] {
-    let y = if anchor.y < place.min.y { place.min.y - BEFORE_LEADER } else { place.max.y + BEFORE_LEADER };
+/// A leader line from the middle of a label, above or below it, whose marks lie up to `off` mm off it.
+fn leader(place: MmRect, anchor: MmPoint, off: f32) -> [MmPoint; 2] {
+    let blank = BEFORE_LEADER + off;
+    let y = if anchor.y < place.min.y { place.min.y - blank } else { place.max.y + blank };
     [MmPoint::new(place.center().x, y), anchor]
 }
 
@@ -398,7 +403,7 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) 
     let is_column = matches!(group.lies, GroupDirection::Column(_));
     let of_point = |at: MmPoint| if is_column { at.y } else { at.x };
     let of_size = |size: MmVector| if is_column { size.y } else { size.x };
-    let blank = if is_column { MIN_SPACING.above() } else { MIN_SPACING.aside() };
+    let blank = if is_column { LEAST_ABOVE } else { Spacing::least(context.cells).aside() };
     let step = context.cells.steps().map(of_size);
     let area = context.params.area;
     let (low, high) = (of_point(area.min), of_point(area.max));

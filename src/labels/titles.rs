@@ -1,7 +1,7 @@
 //! Titles of axes. Print is turned upright beside an axis; braille is not, so that the title of an upright axis stands
 //! above it, as transcribers set it, and that of a level one below its numbers or at their end.
 
-use super::candidates::{Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
+use super::candidates::{Candidate, LEAST_ABOVE, Spacing};
 use super::context::Context;
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
@@ -75,6 +75,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
     let in_print = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
     let text = context.wanted[label].anchor;
     let is_left = text.center().x < in_print.min.x;
+    let least = Spacing::least_rounded(context.cells);
     let furthest = if group.lies == GroupDirection::Row { AWAY } else { ABOVE };
     let in_form = |(number, form): (usize, &super::forms::Form)| {
         let size = form.extent(context.cells);
@@ -82,10 +83,10 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
         let (at, away) = match group.lies {
             GroupDirection::Column(_) => {
                 let x = if is_left { row.min.x } else { row.max.x - size.x };
-                (MmPoint::new(x, row.min.y - MIN_SPACING.above() - size.y), -1.0)
+                (MmPoint::new(x, row.min.y - LEAST_ABOVE - size.y), -1.0)
             }
             GroupDirection::Row | GroupDirection::BelowPoints => {
-                (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + MIN_SPACING.above()), 1.0)
+                (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + LEAST_ABOVE), 1.0)
             }
         };
         // beside an axis it would stand above what the axis is that of, such as the first bar of a chart
@@ -94,7 +95,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
             GroupDirection::Column(_) => corner.x + size.x >= row.min.x,
             GroupDirection::Row | GroupDirection::BelowPoints => true,
         };
-        let at_end = MmPoint::new(row.max.x + MIN_SPACING.aside(), row.max.y - size.y);
+        let at_end = MmPoint::new(row.max.x + Spacing::least(context.cells).aside(), row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {
             let place = context.cells.snapped(MmRect::new(corner, corner + size));
             let candidate =
@@ -102,7 +103,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
             let mut others = placed.iter().flatten();
             let is_free = context.params.holds(&place)
                 && context.room.is_free(place)
-                && others.all(|other| !candidate.is_too_near(other, MIN_SPACING_ROUNDED, context.params.leader_off));
+                && others.all(|other| !candidate.is_too_near(other, least, context.params.leader_off));
             is_free.then_some(candidate)
         };
         let step = context.params.step.max(1.0);
@@ -131,5 +132,5 @@ pub(super) fn top_of_headings(context: &Context<'_>, placed: &[Option<Candidate>
         let form = context.forms[label].as_ref().ok()?.forms.first()?;
         Some(form.extent(context.cells).y)
     });
-    heights.max_by(f32::total_cmp).map(|height| title - MIN_SPACING.above() - height)
+    heights.max_by(f32::total_cmp).map(|height| title - LEAST_ABOVE - height)
 }

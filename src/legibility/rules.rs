@@ -210,7 +210,7 @@ pub(super) const BRAILLE_CELL: Rule = Rule {
 };
 pub(super) const BRAILLE_CLEAR: Rule = Rule {
     id: "braille-gap",
-    asks: "Around braille there is at least this blank.",
+    asks: "Around braille there is at least this blank; 2 mm between a label and its own line.",
     severity: Severity::Error,
     source: "MapGen: 3 mm on each side of a label",
     remedy: "move the text away, or delete what is beside it",

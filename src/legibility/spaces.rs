@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::dotted::empty_between;
 use super::finding::FoundBreach;
-use super::limits::{BRAILLE_GAP, MediumLimits, ROUNDING, RuleLimits};
+use super::limits::{BRAILLE_GAP, MediumLimits, OWN_LEADER_GAP, ROUNDING, RuleLimits};
 use super::marks::{Mark, PageObject, index, marks_of};
 use super::rules::{BRAILLE_CLEAR, OVERLAP, Rule, TEXTURE_GAP};
 use crate::page::{Medium, Names, Page};
@@ -46,8 +46,9 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Rule
         of_texture(&name, breach, limits).of(&name)
     }));
     found.extend(braille.into_iter().map(|((part, other), breach)| {
+        let least = other.map_or(BRAILLE_GAP, |other| braille_gap(part, other));
         let (other, blank) = (other.as_ref().map_or_else(String::new, name), millimetres(breach.blank));
-        let what = format!("{} is {blank} from {other}; {BRAILLE_GAP} mm of blank is the least", name(&part));
+        let what = format!("{} is {blank} from {other}; {least} mm of blank is the least", name(&part));
         finding(BRAILLE_CLEAR, breach, what).of(&name(&part))
     }));
     found.extend(overlaps.into_iter().map(|((part, other), breach)| {
@@ -106,6 +107,14 @@ fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
     all
 }
 
+/// Least blank between braille and something else, mm.
+fn braille_gap(braille: PageObject, other: PageObject) -> f32 {
+    match (braille, other) {
+        (PageObject::Braille(text), PageObject::Leader(of)) if text == of => OWN_LEADER_GAP,
+        _ => BRAILLE_GAP,
+    }
+}
+
 impl All {
     /// Notes what a mark is too near to, or lies on. Each pair comes in both orders.
     fn judge(&mut self, (number, mark): (u32, &Mark), (id, other): (u32, &Mark), page: &Page, limits: &RuleLimits) {
@@ -115,14 +124,13 @@ impl All {
                     note(&mut self.textures, (mark.part, None), number, mark, blank);
                 }
             }
-            // its own leader line
-            (PageObject::Braille(text), PageObject::Leader(of)) if text == of => {}
             // the other order of this pair tells it
             (PageObject::Braille(text), PageObject::Braille(of)) if of > text => {}
             (PageObject::Braille(_), _) => {
-                if mark.may_be_within(other, BRAILLE_GAP) {
+                let least = braille_gap(mark.part, other.part);
+                if mark.may_be_within(other, least) {
                     let blank = mark.blank(other);
-                    if blank < BRAILLE_GAP - ROUNDING {
+                    if blank < least - ROUNDING {
                         note(&mut self.braille, (mark.part, Some(other.part)), number, mark, blank);
                     }
                 }

@@ -4,8 +4,8 @@
 macro_rules! reasons {
     ($($(#[doc = $doc:literal])+ $case:ident => $name:literal,)+) => {
         /// Why a remark of the kinds `left-out`, `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key` and
-        /// `not-in-png` is made, for programs: its sentence may change, and this stays. Remarks of one kind and reason that are
-        /// about the same say the same, but for names, numbers and places.
+        /// `not-in-png` is made, for programs: its sentence may change, and this stays. Remarks of one kind and reason
+        /// that are about the same say the same, but for names, numbers and places.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Reason {

@@ -163,17 +163,19 @@ fn at_leader(place: MmRect, leader: [(f32, f32); 2]) -> Candidate {
     Candidate::of_row(0, place, Attachment::Leader(leader.map(MmPoint::from)), 0.0, PlacedAs::Alone)
 }
 
+const LEAST: Spacing = Spacing { aside: LEAST_ASIDE, above: LEAST_ABOVE };
+
 #[test]
 fn leader_lines_that_are_too_near_conflict() {
     let one = at_leader(box_at(0.0, 0.0), [(23.0, 3.0), (80.0, 3.0)]);
-    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), MIN_SPACING, 0.0);
+    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), LEAST, 0.0);
     assert!(conflicts(5.9) && !conflicts(6.1), "3 mm of blank");
     // and what lies in the way of a leader line
     let label = |y: f32| Candidate { attachment: Attachment::Beside, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
-    assert!(one.conflicts(&label(6.4), MIN_SPACING, 0.0) && !one.conflicts(&label(6.6), MIN_SPACING, 0.0), "3.5 mm");
-    assert!(one.conflicts(&label(6.6), MIN_SPACING, 0.5), "its dots lie off by half a millimetre");
+    assert!(one.conflicts(&label(6.4), LEAST, 0.0) && !one.conflicts(&label(6.6), LEAST, 0.0), "3.5 mm");
+    assert!(one.conflicts(&label(6.6), LEAST, 0.5), "its dots lie off by half a millimetre");
     let fixed = |of: Candidate| Candidate { stands: PlacedAs::InRow, ..of };
-    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), MIN_SPACING, 0.0), "rows keep their own blank");
+    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), LEAST, 0.0), "rows keep their own blank");
 }
 
 #[test]
