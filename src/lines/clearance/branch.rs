@@ -35,7 +35,7 @@ pub(super) fn branch(
 
 /// [`branch`] of a line whose first vertex is on the other.
 fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
-    let (_, _, joined) = drawn.segments().nearest(vertices.first()?.at, TOUCH, |_| true)?;
+    let (_, _, joined) = drawn.segments.nearest(vertices.first()?.at, TOUCH, |_| true)?;
     let line = joined.line;
     let apart = vertices.iter().position(|vertex| !drawn.is_near(vertex, line))?;
     if states[apart..].contains(&LineState::TooNear) {
@@ -45,7 +45,7 @@ fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>)
     // as far back on the other line as the way from there to the place where the two are apart may be long
     let mut foot: Option<MmPoint> = None;
     for vertex in vertices[..apart].iter().rev() {
-        let Some((_, at, segment)) = drawn.segments().nearest_of_line(vertex.at, drawn.params.max_clearance(), line)
+        let Some((_, at, segment)) = drawn.segments.nearest_of_line(vertex.at, drawn.params.max_clearance(), line)
         else {
             break;
         };

@@ -12,6 +12,7 @@ mod cluster;
 mod displace;
 mod drawn;
 mod extend;
+mod junctions;
 mod near_line;
 mod near_map;
 mod passage;

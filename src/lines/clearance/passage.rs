@@ -1,5 +1,6 @@
 //! Where a polyline meets the lines that are drawn.
 
+use super::cluster::Cluster;
 use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
 use crate::geom::walk::arc_between;
@@ -69,24 +70,6 @@ pub(super) struct Passage {
     pub(super) junctions: Vec<Junction>,
     /// Its meetings with lines that these lines join close by.
     pub(super) clusters: Vec<Cluster>,
-}
-
-/// A polyline joins a line where that joins a third one, or so near to that place that fingers feel one meeting of all
-/// three. One of the polyline and the third line ends there. Only of drawings.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Cluster {
-    /// How far along the polyline its junction is, mm.
-    pub(super) arc: f32,
-    /// Whether it ends there.
-    pub(super) ends: bool,
-    /// Number of the third line.
-    pub(super) line: u32,
-    /// How far along that its junction is, mm.
-    pub(super) line_arc: f32,
-    /// Whether that ends there.
-    pub(super) line_ends: bool,
-    /// How far the two junctions are apart, along the line between, mm.
-    pub(super) apart: f32,
 }
 
 impl Passage {
