@@ -1,6 +1,6 @@
 //! Where a device can put dots on a sheet, and what is wrong with sheets and pitches it has no room for.
 
-use super::device::{CELL_DOT, DOT_20_DPI, Device, DotArea, Family, Grid, PIN, SAME, same};
+use super::device::{CELL, CELL_DOT, DOT_20_DPI, Device, DotArea, Family, Grid, LINE, PIN, SAME, same};
 use crate::Error;
 use crate::units::{MmPoint, MmRect};
 
@@ -19,10 +19,6 @@ impl Device {
     }
 }
 
-/// From cell to cell, mm.
-const CELL: f32 = 6.2;
-/// From line to line, mm.
-const LINE: f32 = 10.0;
 /// Blank edge of a sheet of cells, mm, with a dot's radius: embossers differ by some millimetres. Chosen by us; A4
 /// then has 31 cells in 28 lines, where embossers are set to 30 to 33 in 27 to 29.
 const CELLS_EDGE: f32 = 10.0;
@@ -142,7 +138,7 @@ fn within(sheet: [f32; 2], reach: [f32; 2], diameter: f32) -> MmRect {
     MmRect::new(corner.into(), MmPoint::from(corner) + MmPoint::from(size).to_vector())
 }
 
-/// As many cells as the sheet has room for, in its middle.
+/// As many cells of two columns and three rows as the sheet has room for, in its middle.
 fn of_cells(sheet: [f32; 2], diameter: f32) -> Grid {
     let spans = [CELL_DOT + diameter, 2.0 * CELL_DOT + diameter];
     let steps = [CELL, LINE];
