@@ -114,7 +114,7 @@ fn drawing() -> impl TypedValueParser<Value = DrawingFormat> {
 
 /// Options of `tactograph convert` that only some embossers have.
 #[derive(Debug, Args)]
-pub(in crate::cli) struct Embossing {
+pub(in crate::cli) struct EmbossingOptions {
     /// How many copies an Index embosser makes
     ///
     /// For --format idx. Range: 1 to 999.
