@@ -6,7 +6,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::geom::segment_distance;
-use crate::lines::junction::{extend_to, heading};
+use crate::lines::lead_on::{extend_to, heading};
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::{FoundIn, Tip, Vertex, nearby};

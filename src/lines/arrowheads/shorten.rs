@@ -4,7 +4,7 @@ use super::find::FoundHead;
 use super::shapes::{HEADING, end};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::lines::junction::heading;
+use crate::lines::lead_on::heading;
 use crate::lines::marks::HeadMark;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Tip, Vertex, nearby};

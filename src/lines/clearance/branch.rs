@@ -9,7 +9,7 @@
 use super::drawn::{DrawnLines, LineState};
 use super::passage::TOUCH;
 use crate::geom::polyline::{Polyline, PolylineRef};
-use crate::lines::junction;
+use crate::lines::lead_on;
 use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
 
@@ -61,7 +61,7 @@ fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>)
     }
     let foot = foot?;
     let first = Vertex { at: foot, ..*start };
-    let way = junction::straight(&first, start.at);
+    let way = lead_on::straight(&first, start.at);
     let vertices: Vec<Vertex> = [first].into_iter().chain(way).chain(vertices[apart + 1..].iter().copied()).collect();
     let length = PolylineRef { vertices: &vertices, closed: false }.length();
     (length >= drawn.params.min_length).then(|| Polyline::open(vertices))

@@ -27,7 +27,7 @@ pub(super) enum LineState {
     /// Apart from all.
     Free,
     /// Near to lines with which it has a junction close by.
-    Joined,
+    Meets,
     /// Near to a line with which it has none.
     TooNear,
 }
@@ -167,7 +167,7 @@ impl<'a> DrawnLines<'a> {
     fn state(&self, vertex: &Vertex, arc: f32, passage: &Passage) -> LineState {
         let mut state = LineState::Free;
         self.each_near(vertex, arc, passage, |near| {
-            state = if near.joins() && state != LineState::TooNear { LineState::Joined } else { LineState::TooNear };
+            state = if near.joins() && state != LineState::TooNear { LineState::Meets } else { LineState::TooNear };
             state != LineState::TooNear
         });
         state

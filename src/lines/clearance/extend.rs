@@ -8,7 +8,7 @@ use crate::geom::walk::heading_of_end;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
-use crate::lines::{junction, links};
+use crate::lines::{lead_on, links};
 use crate::units::{MmPoint, MmVector};
 
 /// A line whose path comes this near to another, in join gaps, may be extended to it.
@@ -70,7 +70,7 @@ pub(super) fn extension(
         return None;
     }
     let tip = *added.last().unwrap_or(&start);
-    added.extend(junction::straight(&tip, at));
+    added.extend(lead_on::straight(&tip, at));
     extension.keeps_clear(&added).then_some(added)
 }
 
@@ -152,7 +152,7 @@ impl Extension<'_> {
     fn pointed_at(&self, passed: &[Vertex]) -> Option<ExtensionTarget> {
         let tip = passed.last().unwrap_or(&self.start).at;
         let heading = self.heading(passed)?;
-        let at = junction::ahead(tip, heading, &self.drawn.segments, self.drawn.params.join_gap, |_| true)?;
+        let at = lead_on::ahead(tip, heading, &self.drawn.segments, self.drawn.params.join_gap, |_| true)?;
         Some(ExtensionTarget { at, count: passed.len(), distance: (at - tip).length() })
     }
 
