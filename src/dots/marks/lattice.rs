@@ -4,11 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::devices::Grid;
 use crate::dots::cell::{Cell, CellBox, GridPoint, centre, nearest, to_grid};
-use crate::dots::params::ROUNDED_OFF;
+use crate::dots::params::{LEAST_STEP, ROUNDED_OFF};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Dots anywhere that are nearer than this, in steps, to one that is there are left out.
-pub(super) const LEAST_STEP: f32 = 0.75;
 /// Dots of a grid are whole steps apart; elsewhere rounding takes something off a distance.
 const ROUNDING: f32 = 1e-3;
 
