@@ -186,9 +186,10 @@ fn start_of_ring(distances: &[Option<i32>]) -> usize {
     nearest.or_else(|| distances.iter().position(Option::is_some)).unwrap_or(0)
 }
 
-/// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
+/// The dots that are taken, and how many empty dots must lie between.
 pub(super) struct OccupiedDots {
-    pub(super) lines: BTreeMap<Cell, usize>,
+    /// The number of the piece of a line that each dot belongs to.
+    pub(super) piece_of: BTreeMap<Cell, usize>,
     /// The ends of pieces.
     tips: BTreeSet<Cell>,
     pub(super) gap: i32,
@@ -196,7 +197,7 @@ pub(super) struct OccupiedDots {
 
 impl OccupiedDots {
     pub(super) fn new(gap: i32) -> Self {
-        Self { lines: BTreeMap::new(), tips: BTreeSet::new(), gap }
+        Self { piece_of: BTreeMap::new(), tips: BTreeSet::new(), gap }
     }
 
     /// Finds room for the marks of lines, of which these pieces are drawn, within a part of the grid.
@@ -219,7 +220,7 @@ impl OccupiedDots {
         for (number, DrawnPiece { piece, .. }) in drawn.iter_mut().enumerate() {
             let hidden: Vec<Cell> = placed.hidden[number].iter().map(cell).collect();
             hidden.iter().for_each(|cell| {
-                self.lines.remove(cell);
+                self.piece_of.remove(cell);
             });
             piece.cells.retain(|cell| !hidden.contains(cell));
             placed.runs[number].iter().flatten().for_each(|at| self.take(cell(at), number));
@@ -236,7 +237,7 @@ impl OccupiedDots {
             |piece: &RowPiece| polyline::length(&centres(&piece.cells, grid)) + ROUNDED_OFF < params.min_length;
         loop {
             let is_loose = |number: usize, DrawnPiece { line, piece }: &DrawnPiece| {
-                let is_other = |near: &Cell| self.lines.get(near).is_some_and(|of| *of != number);
+                let is_other = |near: &Cell| self.piece_of.get(near).is_some_and(|of| *of != number);
                 let leads = |end: Cell| self.around(end).any(|near| distance(near, end) <= 1 && is_other(&near));
                 let own = || ends(piece).into_iter().flatten();
                 let goes_on = || {
@@ -255,13 +256,13 @@ impl OccupiedDots {
                 return;
             }
             for cell in loose.into_iter().flat_map(|number| std::mem::take(&mut drawn[number].piece.cells)) {
-                self.lines.remove(&cell);
+                self.piece_of.remove(&cell);
             }
         }
     }
 
     pub(super) fn take(&mut self, cell: Cell, piece: usize) {
-        self.lines.entry(cell).or_insert(piece);
+        self.piece_of.entry(cell).or_insert(piece);
     }
 
     /// The cells that are nearer to `cell` than the gap allows.
@@ -272,7 +273,7 @@ impl OccupiedDots {
 
     /// Steps to the nearest dot of another line; none beyond the gap.
     fn to_others(&self, cell: Cell) -> Option<i32> {
-        self.around(cell).filter(|near| self.lines.contains_key(near)).map(|near| distance(near, cell)).min()
+        self.around(cell).filter(|near| self.piece_of.contains_key(near)).map(|near| distance(near, cell)).min()
     }
 
     /// From how many dots along a line on its distance from itself counts.
@@ -362,7 +363,7 @@ impl OccupiedDots {
                 || before.is_some_and(|before| crosses(before, stretch)) && self.is_on_both_sides(dots, steps);
             let (meets_end, mut range) = (self.meets_end(dots), stretch.clone());
             match pieces.last_mut().filter(|_| self.is_steep(dots) && (meets_end || is_crossed())) {
-                // an end beside it parts it not
+                // the other line ends beside it and shares no dot with it: it is not interrupted
                 Some((last, _)) if meets_end && !steps.contains(&Some(0)) => {
                     last.end = range.end;
                     continue;
@@ -413,7 +414,7 @@ impl OccupiedDots {
         let touches = |distance: &Option<i32>| *distance == Some(1);
         let is_beside = distances.iter().skip(2).take(distances.len().saturating_sub(4)).any(touches);
         let near = |cell: &Cell| -> BTreeSet<usize> {
-            self.around(*cell).filter_map(|near| self.lines.get(&near)).copied().collect()
+            self.around(*cell).filter_map(|near| self.piece_of.get(&near)).copied().collect()
         };
         let joined = &near(begin) | &near(end);
         let is_link = cells.len() >= LEAST_DOTS
@@ -425,10 +426,10 @@ impl OccupiedDots {
         is_link.then(|| RowPiece { is_link: true, ..RowPiece::cut_out(cells.to_vec()) })
     }
 
-    /// Whether these dots of a line, which are too near to others, are near to a single one, and the line is soon away
-    /// from it: at more than about 45 degrees.
+    /// Whether these dots of a line, which are too near to others, are near to a single piece of a line, and the line
+    /// is soon away from it: at more than about 45 degrees.
     fn is_steep(&self, cut: &[Cell]) -> bool {
-        let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.lines.get(&near));
+        let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.piece_of.get(&near));
         let others: BTreeSet<usize> = near.copied().collect();
         others.len() == 1 && cut.len() <= longest_steep_cut(self.gap as u32) as usize
     }
@@ -437,7 +438,7 @@ impl OccupiedDots {
     fn is_on_both_sides(&self, cut: &[Cell], steps: &[Option<i32>]) -> bool {
         let ([first, .., last], false) = (cut, steps.contains(&Some(0))) else { return true };
         let side = |dot: Cell| (last[0] - first[0]) * (dot[1] - first[1]) - (last[1] - first[1]) * (dot[0] - first[0]);
-        let others = || cut.iter().flat_map(|&cell| self.around(cell)).filter(|near| self.lines.contains_key(near));
+        let others = || cut.iter().flat_map(|&cell| self.around(cell)).filter(|near| self.piece_of.contains_key(near));
         others().any(|dot| side(dot) > 0) && others().any(|dot| side(dot) < 0)
     }
 
@@ -463,7 +464,7 @@ impl OccupiedDots {
         // beside the lines that meet where it does it may lie, as a radius beside others, not beside a third one
         let within = |cell: Cell, steps: i32| {
             let near = self.around(cell).filter(move |near| distance(*near, cell) <= steps);
-            near.filter_map(|near| self.lines.get(&near)).copied()
+            near.filter_map(|near| self.piece_of.get(&near)).copied()
         };
         let touched: Vec<usize> = within(cells[last], self.gap).collect();
         if cells[skipped.min(near)..near]

@@ -44,7 +44,7 @@ impl OccupiedDots {
             let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
             let mut second = self.wider_side((number, piece), least, params, |cell| within.holds(cell));
             // where a tick goes through it, it has a dot already
-            second.retain(|cell| !self.lines.contains_key(cell));
+            second.retain(|cell| !self.piece_of.contains_key(cell));
             second.iter().for_each(|&cell| self.take(cell, number));
             rows[number] = Some(second);
         }
@@ -95,11 +95,11 @@ impl OccupiedDots {
         let mut row = second_row::on_grid(&piece.cells, piece.closed);
         row.retain(|&(i, cell)| {
             let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
-            let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
+            let is_free = |near: Cell| match (own.get(&near), self.piece_of.get(&near)) {
                 (Some(&j), _) => !is_other_arm(j),
                 (None, other) => other.is_none_or(|&other| other == number),
             };
-            let is_own = self.lines.get(&cell).is_none_or(|&of| of == number);
+            let is_own = self.piece_of.get(&cell).is_none_or(|&of| of == number);
             let is_kept = inside(cell) && is_own && self.around(cell).all(is_free);
             if is_kept {
                 own.insert(cell, i);

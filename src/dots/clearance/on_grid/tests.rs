@@ -95,7 +95,7 @@ fn a_link_goes_with_the_dots_that_it_led_to() {
         let steps: Vec<f32> = (0..40).map(|step| 2.0 * step as f32).collect();
         let grid = Grid { columns: steps.clone(), rows: steps };
         taken.drop_loose(&mut drawn, &[false; 3], &grid, &Params::TEST);
-        (drawn[2].piece.cells.len(), link.iter().filter(|cell| taken.lines.contains_key(*cell)).count())
+        (drawn[2].piece.cells.len(), link.iter().filter(|cell| taken.piece_of.contains_key(*cell)).count())
     };
     assert_eq!(left([row(0, -9..9), row(5, -9..9)]), (4, 4));
     // a hollow point has hidden some of them
@@ -184,7 +184,7 @@ fn a_corner_on_the_end_of_a_line_keeps_its_dots() {
     assert_eq!(dots(&taken), corner.len() - 5);
     taken.tips.insert([0, 0]);
     assert_eq!(dots(&taken), corner.len() - 1);
-    // an end beside it parts it not
+    // a line that ends beside it does not interrupt it
     let beside = self::taken(&[row(0, -20..3)], 2);
     let upright: Vec<Cell> = (-9..10).map(|y| [3, y]).collect();
     assert_eq!(pieces(&beside, &upright, false).iter().map(|(cells, _)| cells.len()).sum::<usize>(), upright.len() - 5);
