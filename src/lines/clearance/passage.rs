@@ -6,8 +6,9 @@ use crate::geom::nearest_on_segment;
 use crate::geom::walk::arc_between;
 use crate::units::{MmPoint, MmVector};
 
-/// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
-/// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
+/// A line ends on another if it comes this near, mm: twice the tolerance of simplification that profiles have (0.05),
+/// so that it is drawn so (see [`super::anchor`], which gives the other a vertex there), and far less than a finger
+/// notices.
 pub(crate) const TOUCH: f32 = 0.1;
 /// Crossings of one line with this much arc length between them, mm, or less, are those of one spike.
 pub(super) const SPIKE: f32 = 1.0;
