@@ -19,7 +19,7 @@ mod scale;
 mod tests;
 
 use self::lattice::{DotDisc, MarkField, Owner};
-use super::cell::GridPoint;
+use super::grid_dot::GridPoint;
 use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
 use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
