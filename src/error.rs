@@ -273,8 +273,8 @@ pub enum Error {
         /// The hardest that it can.
         most_impact: u8,
     },
-    /// Bytes that were given as a font are none.
-    #[error("file {file} of the fonts is none; give files in TTF or OTF, or collections of them")]
+    /// Bytes that were given as a font are no font.
+    #[error("file {file} of the fonts is no font; give files in TTF or OTF, or collections of them")]
     NotAFont {
         /// Which of the files, counted from 1.
         file: usize,

@@ -66,7 +66,6 @@ pub use texts::Text;
 pub use words::Words;
 
 use crate::braille::Translate;
-use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Figure, InSet, Medium, Overview, Page, Parts, frame};
@@ -220,7 +219,7 @@ fn compose(
     }
     match &layout.medium {
         Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
-        Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
+        Medium::Dots(medium) => notes.extend(medium.device.cell_dots().map(|_| Note::UnevenDots)),
     }
     Note::sort(&mut notes);
     Ok(Drawing { page, overview, key, texts, notes })

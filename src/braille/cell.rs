@@ -27,7 +27,7 @@ impl CellSize {
         Self { name: "fr", ..Self::MARBURG },
         // The same measures, as embossing programs have them for the United Kingdom and Australia.
         Self { name: "uk", ..Self::MARBURG },
-        // Library of Congress, NLS specification 800.
+        // Library of Congress, NLS specification 800. `devices` has the same for embossers of text.
         Self { name: "us", dot: 2.34, cell: 6.2, line: 10.0 },
         // Norway: 10 +- 0.1 mm from line to line.
         Self { name: "no", dot: 2.5, cell: 6.1, line: 10.0 },

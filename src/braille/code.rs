@@ -68,7 +68,7 @@ mod tests {
             let table = parse::table(code.text).unwrap_or_else(|fault| panic!("{}: {fault}", code.language));
             let alphabet = ('a'..='z').all(|letter| table.letters.contains_key(&letter));
             assert!(alphabet && !table.name.is_empty(), "{}", code.language);
-            let mut words = ["key"].into_iter().chain(Class::ALL.map(Class::name));
+            let mut words = ["key", "blank"].into_iter().chain(Class::ALL.map(Class::name));
             assert!(words.all(|word| table.words.contains_key(word)), "{}", code.language);
             for (sign, rules) in &table.signs {
                 let is_general = rules.last().is_some_and(|rule| (rule.left, rule.right) == ('*', '*'));

@@ -29,8 +29,8 @@ pub struct Table {
 }
 
 impl Table {
-    /// A word of the key, by its English name, in the language of the code: `key` and the names of colours. Where there
-    /// is none it is the English one.
+    /// A word of the key, by its English name, in the language of the code: `key`, `blank` and the names of colours.
+    /// Where there is none it is the English one.
     pub fn word<'a>(&'a self, name: &'a str) -> &'a str {
         self.words.get(name).map_or(name, String::as_str)
     }

@@ -7,7 +7,7 @@ use crate::units::Size;
 /// A colour that has a texture. White has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Blue, cyan and indigo.
+    /// Blue, cyan and bluish violet.
     Blue,
     /// Green and olive.
     Green,

@@ -36,7 +36,7 @@ pub(super) use self::shared::Shared;
 pub(super) use self::subject::Subject;
 pub(super) use self::trace::Trace;
 pub(super) use self::words::Words;
-pub(super) use self::writing::{Chosen, Embossing, Writing};
+pub(super) use self::writing::{Chosen, EmbossingOptions, Writing};
 use super::report::{Exit, Report};
 
 const ABOUT: &str = "Turns colour pictures into tactile graphics: pages that blind people read with their fingers";
@@ -226,7 +226,7 @@ pub(super) struct Convert {
     pub(super) writing: Writing,
 
     #[command(flatten)]
-    pub(super) embossing: Embossing,
+    pub(super) embossing: EmbossingOptions,
 
     #[command(flatten)]
     pub(super) words: Words,
@@ -400,5 +400,20 @@ mod tests {
     #[test]
     fn the_definitions_agree_with_each_other() {
         Cli::command().debug_assert();
+    }
+
+    /// It names them in texts of its own, where clap would give each a line.
+    #[test]
+    fn the_help_names_every_format() {
+        use tactograph::Format;
+        let mut command = Cli::command();
+        let convert = command.find_subcommand_mut("convert").expect("a command");
+        let help = convert.render_long_help().to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+        let names = |of: &dyn Fn(&Format) -> bool| {
+            Format::ALL.iter().filter(|format| of(format)).map(|format| format.name()).collect::<Vec<_>>().join(", ")
+        };
+        let (all, without_seal) = (names(&|_| true), names(&|format| format.is_as_written(&[]).is_none()));
+        assert!(help.contains(&format!("[possible values: {all}]")), "{help}");
+        assert!(help.contains(&format!("format cannot tell that ({without_seal})")), "{help}");
     }
 }

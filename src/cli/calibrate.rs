@@ -2,7 +2,7 @@
 
 use tactograph::Embossing;
 
-use super::args::{Calibrate, Embossing as EmbossingOptions};
+use super::args::{Calibrate, EmbossingOptions};
 use super::product::Product;
 use super::report::{Exit, Report};
 use super::settings::Change;

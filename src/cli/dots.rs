@@ -1,25 +1,26 @@
 //! Which format of dots goes with which profile.
 
-use tactograph::{DotFormat, Embossing as Numbers, Error, Format, Profile};
+use tactograph::{Embossing, Error, Format, Profile};
 
-use super::args::Embossing;
+use super::args::EmbossingOptions;
 
-impl Embossing {
+impl EmbossingOptions {
     /// What these options say together; each not given is as usual.
     ///
     /// # Errors
     /// If a number is out of its range.
-    pub(super) fn numbers(&self) -> Result<Numbers, Error> {
-        let usual = Numbers::default();
-        Numbers::new(self.copies.unwrap_or(usual.copies()), self.impact.unwrap_or(usual.impact()))
+    pub(super) fn numbers(&self) -> Result<Embossing, Error> {
+        let usual = Embossing::default();
+        Embossing::new(self.copies.unwrap_or(usual.copies()), self.impact.unwrap_or(usual.impact()))
     }
 }
 
 /// Everything in which a format does not go with a profile, and what goes instead.
-pub(super) fn faults(format: Format, profile: &Profile, embossing: &Embossing) -> Vec<String> {
+pub(super) fn faults(format: Format, profile: &Profile, options: &EmbossingOptions) -> Vec<String> {
     let mut faults = Vec::new();
-    for (option, given) in [("--copies", embossing.copies.is_some()), ("--impact", embossing.impact.is_some())] {
-        if given && format != Format::Dots(DotFormat::Idx) {
+    let tells_embosser = matches!(format, Format::Dots(dots) if dots.tells_embosser());
+    for (option, given) in [("--copies", options.copies.is_some()), ("--impact", options.impact.is_some())] {
+        if given && !tells_embosser {
             faults.push(format!("{option} is for Index embossers; leave it out, or give a name that ends in .idx"));
         }
     }
@@ -33,9 +34,7 @@ pub(super) fn faults(format: Format, profile: &Profile, embossing: &Embossing) -
         )),
         Some(device) => match format.check(device) {
             Err(why) => faults.push(why.to_string()),
-            Ok(()) if format == DotFormat::Idx => {
-                faults.extend(embossing.numbers().err().map(|why| why.to_string()));
-            }
+            Ok(()) if tells_embosser => faults.extend(options.numbers().err().map(|why| why.to_string())),
             Ok(()) => {}
         },
     }

@@ -9,6 +9,10 @@ use super::args::Pages;
 use super::output::{Existing, directory};
 use super::product::{DrawingFormat, Format, Product};
 
+/// What is told of a preview of a page that goes to standard output.
+pub(super) const NO_NAME_OF_PREVIEW: &str =
+    "--preview: there is no name for it beside standard output; name the page with -o";
+
 /// What the command line says of names.
 pub(super) struct Names<'a> {
     /// What is made of the pictures.
@@ -130,7 +134,7 @@ pub(super) fn jobs(names: &Names<'_>) -> Result<Vec<Job>, Vec<String>> {
         && names.output.is_none()
         && names.pictures.iter().any(|picture| target(picture, names) == Target::Stdout)
     {
-        faults.push("--preview: there is no name for it beside standard output; name the page with -o".into());
+        faults.push(NO_NAME_OF_PREVIEW.into());
         return Err(faults);
     }
     let jobs: Vec<Job> = names.pictures.iter().flat_map(|picture| jobs_of(picture, names)).collect();

@@ -2,7 +2,7 @@
 
 pub(super) use tactograph::{DrawingFormat, Format};
 
-use tactograph::Trace;
+use tactograph::{DotFormat, Trace};
 
 /// What a command makes of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,10 +60,13 @@ impl Product {
     }
 
     /// All endings that a name for it can have, in words.
-    pub(super) fn endings(self) -> &'static str {
+    pub(super) fn endings(self) -> String {
+        let drawings: Vec<&str> = DrawingFormat::ALL.iter().map(|format| format.name()).collect();
+        let of_dots = DotFormat::ALL.iter().map(|format| format.extension());
+        let dots: Vec<&str> = of_dots.filter(|ending| !drawings.contains(ending)).collect();
         match self {
-            Self::Page(_) => ".svg, .pdf or .png, or for dots .ubrl, .brf, .pef, .idx, .gcode or .txt",
-            Self::Trace => ".json",
+            Self::Page(_) => format!("{}, or for dots {}", either(&drawings), either(&dots)),
+            Self::Trace => ".json".into(),
         }
     }
 
@@ -90,5 +93,14 @@ impl Product {
             Self::Page(format) => format.is_as_written(head) == Some(true),
             Self::Trace => Trace::is_json_as_written(head),
         }
+    }
+}
+
+/// As in ".svg, .pdf or .png".
+fn either(endings: &[&str]) -> String {
+    let endings: Vec<String> = endings.iter().map(|ending| format!(".{ending}")).collect();
+    match &endings[..] {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        all => all.concat(),
     }
 }

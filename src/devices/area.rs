@@ -1,6 +1,6 @@
 //! Where a device can put dots on a sheet, and what is wrong with sheets and pitches it has no room for.
 
-use super::device::{CELL_DOT, DOT_20_DPI, Device, DotArea, Family, Grid, PIN, SAME, same};
+use super::device::{CELL, CELL_DOT, DOT_20_DPI, Device, DotArea, Family, Grid, LINE, PIN, SAME, same};
 use crate::Error;
 use crate::units::{MmPoint, MmRect};
 
@@ -17,12 +17,13 @@ impl Device {
     pub(crate) fn dots_on(&self, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
         of(self, sheet, pitch)
     }
+
+    /// What is said of a pitch, mm, that it does not have.
+    pub(crate) fn pitch_fault(&self, pitch: f32) -> String {
+        format!("{} has no dots {pitch} mm apart; it has {}", self.name, self.pitches())
+    }
 }
 
-/// From cell to cell, mm.
-const CELL: f32 = 6.2;
-/// From line to line, mm.
-const LINE: f32 = 10.0;
 /// Blank edge of a sheet of cells, mm, with a dot's radius: embossers differ by some millimetres. Chosen by us; A4
 /// then has 31 cells in 28 lines, where embossers are set to 30 to 33 in 27 to 29.
 const CELLS_EDGE: f32 = 10.0;
@@ -37,7 +38,10 @@ const SHORTEST_HELD: f32 = 74.0;
 
 /// Shortest side of a sheet that Index embossers take, mm: an inch, says their driver. The others are held to it too,
 /// since nothing can be told on less.
-const SHORTEST: f32 = 25.4;
+pub(crate) const SHORTEST_SIDE: f32 = 25.4;
+
+/// What the driver of a V4 leaves on every side, hundredths of a millimetre.
+pub(crate) const INDEX_MARGIN_V4: i64 = 501;
 
 /// Index drivers count in hundredths of a millimetre, whole numbers rounded down.
 mod index {
@@ -46,7 +50,7 @@ mod index {
     /// Margins that the driver takes from the hardware: left, right, top, bottom. It knows them in points of 1/72
     /// inch and rounds up.
     pub(super) const MARGINS_V3: [i64; 4] = [0, 0, 201, 501];
-    pub(super) const MARGINS_V4: [i64; 4] = [501; 4];
+    pub(super) const MARGINS_V4: [i64; 4] = [super::INDEX_MARGIN_V4; 4];
     /// Widest that the head of a Basic-D embosses, which the driver does not know (BrailleUtils). No page that the
     /// driver names is that wide.
     pub(super) const REACH: i64 = 30_100;
@@ -54,12 +58,11 @@ mod index {
 
 pub(super) fn of(device: &Device, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
     let mut faults = faults_of_sheet(device, sheet);
-    let pitches = device.pitches();
-    let pitch = match pitches.find(pitch) {
+    let pitch = match device.pitches().find(pitch) {
         Some(pitch) if faults.is_empty() => pitch,
         Some(_) => return Err(faults),
         None => {
-            faults.push(format!("{} has no dots {pitch} mm apart; it has {pitches}", device.name));
+            faults.push(device.pitch_fault(pitch));
             return Err(faults);
         }
     };
@@ -95,10 +98,10 @@ fn faults_of_sheet(device: &Device, sheet: [f32; 2]) -> Vec<String> {
         };
         return if fits { Vec::new() } else { vec![fault()] };
     }
-    let shortest = if matches!(device.family, Family::BrailleRap { .. }) { SHORTEST_HELD } else { SHORTEST };
+    let shortest = if matches!(device.family, Family::BrailleRap { .. }) { SHORTEST_HELD } else { SHORTEST_SIDE };
     let fits = |[width, length]: [f32; 2]| {
         // NaN fails every comparison, so it fits nowhere.
-        width >= SHORTEST && length >= shortest && width <= widest + SAME && length <= longest + SAME
+        width >= SHORTEST_SIDE && length >= shortest && width <= widest + SAME && length <= longest + SAME
     };
     let turned = if fits([length, width]) {
         format!("; turned, as {length} x {width} mm, the sheet fits")
@@ -112,7 +115,10 @@ fn faults_of_sheet(device: &Device, sheet: [f32; 2]) -> Vec<String> {
         let can = format!("{name} takes sheets {least} to {most} mm {what}");
         Some(format!("the sheet is {side} mm {what}; {can}{turned}"))
     };
-    [fault("wide", width, SHORTEST, widest), fault("long", length, shortest, longest)].into_iter().flatten().collect()
+    [fault("wide", width, SHORTEST_SIDE, widest), fault("long", length, shortest, longest)]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// The grid of the driver: as many columns and rows as it counts. It says nothing of where on the paper they are;
@@ -130,7 +136,8 @@ fn of_index(sheet: [f32; 2], pitch: f32, [left, right, top, bottom]: [i64; 4]) -
     Grid { columns: along(width, left, right, wide), rows: along(length, top, bottom, high) }
 }
 
-fn hundredths(mm: f32) -> i64 {
+/// As Index drivers count.
+pub(crate) fn hundredths(mm: f32) -> i64 {
     (f64::from(mm) * 100.0).round() as i64
 }
 
@@ -142,7 +149,7 @@ fn within(sheet: [f32; 2], reach: [f32; 2], diameter: f32) -> MmRect {
     MmRect::new(corner.into(), MmPoint::from(corner) + MmPoint::from(size).to_vector())
 }
 
-/// As many cells as the sheet has room for, in its middle.
+/// As many cells of two columns and three rows as the sheet has room for, in its middle.
 fn of_cells(sheet: [f32; 2], diameter: f32) -> Grid {
     let spans = [CELL_DOT + diameter, 2.0 * CELL_DOT + diameter];
     let steps = [CELL, LINE];

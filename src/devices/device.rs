@@ -7,8 +7,13 @@ pub(super) const DOT_20_DPI: f32 = 1.27;
 /// From pin to pin, mm. The makers do not say or say about 2.5; nothing that is sent to a display depends on it.
 pub(super) const PIN: f32 = 2.5;
 
-/// From dot to dot in a cell, mm; this and the next two from NLS specification 800.
+/// From dot to dot in a cell, mm; this and the next two from NLS specification 800, as braille printed in that size
+/// has them ([`CellSize`](crate::braille::CellSize), `us`; a test holds the two together).
 pub(super) const CELL_DOT: f32 = 2.34;
+/// From cell to cell, mm.
+pub(super) const CELL: f32 = 6.2;
+/// From line to line, mm.
+pub(super) const LINE: f32 = 10.0;
 
 /// An embosser or a pin display.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,13 +137,41 @@ impl Device {
     /// Whether it has three heights of dots that fingers tell apart, and not just one. ViewPlus embossers have eight,
     /// of which blind readers told the lower three apart best (Kouroupetroglou et al. 2016).
     pub fn has_heights(&self) -> bool {
-        self.family == Family::ViewPlus
+        match self.family {
+            Family::ViewPlus => true,
+            Family::IndexV3 { .. }
+            | Family::IndexV4
+            | Family::BrailleRap { .. }
+            | Family::Pins { .. }
+            | Family::Cells => false,
+        }
+    }
+
+    /// Columns and rows of dots in a cell of text, for devices whose dots lie in such cells, with wider gaps between.
+    pub(crate) fn cell_dots(&self) -> Option<[usize; 2]> {
+        match self.family {
+            Family::Cells => Some([2, 3]),
+            Family::IndexV3 { .. }
+            | Family::IndexV4
+            | Family::BrailleRap { .. }
+            | Family::ViewPlus
+            | Family::Pins { .. } => None,
+        }
+    }
+
+    /// Whether it takes sheets of paper, of which there can be several, in more than one size.
+    pub(crate) fn takes_paper(&self) -> bool {
+        self.field().is_none()
     }
 
     /// The only sheet of a pin display: its field, mm. None for devices that take paper.
     pub fn field(&self) -> Option<[f32; 2]> {
-        let Family::Pins { columns, rows } = self.family else { return None };
-        Some([columns, rows].map(|pins| f32::from(pins) * PIN))
+        match self.family {
+            Family::Pins { columns, rows } => Some([columns, rows].map(|pins| f32::from(pins) * PIN)),
+            Family::IndexV3 { .. } | Family::IndexV4 | Family::BrailleRap { .. } | Family::ViewPlus | Family::Cells => {
+                None
+            }
+        }
     }
 }
 

@@ -10,4 +10,5 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use area::{INDEX_MARGIN_V4, SHORTEST_SIDE, hundredths};
 pub use device::{Device, DotArea, Family, Grid, Paper, Pitches};

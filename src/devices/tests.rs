@@ -168,3 +168,15 @@ fn all_faults_are_told_with_what_the_device_can_do() {
         }
     }
 }
+
+/// Devices know nothing of braille, so the measures stand in both modules.
+#[test]
+fn cells_have_the_measures_of_american_braille() {
+    let us = crate::braille::CellSize::named("us").expect("in the table");
+    let grid = grid("braille-cells", [210.0, 297.0], us.dot);
+    let step = |centres: &[f32], from: usize, to: usize| centres[to] - centres[from];
+    let steps = [step(&grid.columns, 0, 1), step(&grid.columns, 0, 2), step(&grid.rows, 0, 3)];
+    for (step, wanted) in steps.into_iter().zip([us.dot, us.cell, us.line]) {
+        assert!((step - wanted).abs() < 1e-4, "{steps:?}");
+    }
+}

@@ -8,8 +8,8 @@
 //! Dots are placed along the line itself, not sampled from a drawn stroke: a thresholded stroke has clots where it
 //! crosses the grid, and gaps between dots are what a finger feels.
 
-mod cell;
 mod clearance;
+mod grid_dot;
 mod marks;
 mod params;
 mod rasterise;
@@ -52,7 +52,7 @@ pub fn mark(points: &[MmPoint], area: &DotArea, params: &Params) -> Run {
     let points = match area {
         DotArea::Grid(grid) => {
             let cells = rasterise::rasterise(line, grid).cells;
-            cells.into_iter().map(|cell| cell::centre(cell, grid)).collect()
+            cells.into_iter().map(|cell| grid_dot::centre(cell, grid)).collect()
         }
         DotArea::Free(_) => spacing::evenly(line, params.pitch),
     };

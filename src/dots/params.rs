@@ -24,6 +24,9 @@ pub struct Params {
     pub min_length: f32,
 }
 
+/// Dots anywhere that are nearer than this share of the pitch to one already there are left out: two needles' marks
+/// would run together.
+pub(super) const LEAST_STEP: f32 = 0.75;
 /// Factor on the distance of two lines so that rounding to the grid leaves their dots far enough apart. Lines at 45
 /// degrees need most, whose dots on both sides come within half a diagonal of one another. Chosen by us, between 1,
 /// with which slanting lines lose many dots, and 1.18, with which they lose none but fewer lines fit.

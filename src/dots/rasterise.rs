@@ -18,7 +18,7 @@ use std::ops::RangeInclusive;
 
 use lyon::geom::euclid::{Point2D, UnknownUnit};
 
-use super::cell::{Cell, GridPoint, distance, nearest, to_grid};
+use super::grid_dot::{GridDot, GridPoint, distance, nearest, to_grid};
 use crate::devices::Grid;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::units::MmPoint;
@@ -27,9 +27,9 @@ use crate::units::MmPoint;
 #[derive(Debug)]
 pub(super) struct Rasterised {
     /// In the order of the line. The last dot of a closed one is a neighbour of the first.
-    pub(super) cells: Vec<Cell>,
+    pub(super) cells: Vec<GridDot>,
     /// Those at its sharp corners.
-    pub(super) sharp: Vec<Cell>,
+    pub(super) sharp: Vec<GridDot>,
 }
 
 /// The dots along a line.
@@ -66,7 +66,7 @@ const STRAIGHT: f32 = 0.95;
 const SHARP: RangeInclusive<f32> = 0.17..=0.64;
 
 /// The dots at the sharp corners of a line.
-fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
+fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<GridDot> {
     let vertices = line.vertices.iter().map(|&at| to_grid(at, grid).into()).collect();
     let line: Polyline<Point2D<f32, UnknownUnit>> = Polyline { vertices, closed: line.closed };
     let side = |i: usize, forwards: bool| {
@@ -89,7 +89,7 @@ fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
 ///   . . # . .        . . . . .
 ///   # # . # #   ->   # # # # #
 /// ```
-fn smooth(mut cells: Vec<Cell>, closed: bool, sharp: &[Cell]) -> Vec<Cell> {
+fn smooth(mut cells: Vec<GridDot>, closed: bool, sharp: &[GridDot]) -> Vec<GridDot> {
     let n = cells.len();
     if n < 5 {
         return cells;
@@ -111,8 +111,8 @@ fn smooth(mut cells: Vec<Cell>, closed: bool, sharp: &[Cell]) -> Vec<Cell> {
 }
 
 /// The dots nearest to where a straight piece crosses the middles of columns and rows, in order along it.
-fn crossed(a: GridPoint, b: GridPoint, cells: &mut Vec<Cell>) {
-    let mut crossings: Vec<(f32, Cell)> = Vec::new();
+fn crossed(a: GridPoint, b: GridPoint, cells: &mut Vec<GridDot>) {
+    let mut crossings: Vec<(f32, GridDot)> = Vec::new();
     for axis in 0..2 {
         let (from, to) = (a[axis], b[axis]);
         let (low, high) = (from.min(to), from.max(to));
@@ -129,9 +129,9 @@ fn crossed(a: GridPoint, b: GridPoint, cells: &mut Vec<Cell>) {
 }
 
 /// The same dots with those between that make each a neighbour of the next.
-fn connected(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
+fn connected(cells: Vec<GridDot>, closed: bool) -> Vec<GridDot> {
     let first = cells.first().copied();
-    let mut out: Vec<Cell> = Vec::with_capacity(cells.len());
+    let mut out: Vec<GridDot> = Vec::with_capacity(cells.len());
     let end = first.filter(|_| closed && cells.len() > 1);
     for cell in cells.into_iter().chain(end) {
         if let Some(&last) = out.last() {
@@ -151,7 +151,7 @@ fn connected(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
 const CURL: usize = 7;
 
 /// The dots between two, each a neighbour of the next.
-pub(super) fn between(a: Cell, b: Cell) -> impl Iterator<Item = Cell> {
+pub(super) fn between(a: GridDot, b: GridDot) -> impl Iterator<Item = GridDot> {
     let steps = distance(a, b);
     (1..steps).map(move |step| {
         let share = step as f32 / steps as f32;
@@ -160,10 +160,10 @@ pub(super) fn between(a: Cell, b: Cell) -> impl Iterator<Item = Cell> {
 }
 
 /// Removes dots whose two neighbours touch each other, except true corners and sharp ones.
-pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, sharp: &[Cell]) -> Vec<Cell> {
+pub(super) fn thin(mut cells: Vec<GridDot>, closed: bool, sharp: &[GridDot]) -> Vec<GridDot> {
     loop {
         let before = cells.len();
-        let mut out: Vec<Cell> = Vec::with_capacity(before);
+        let mut out: Vec<GridDot> = Vec::with_capacity(before);
         let ahead = |i: usize| match closed {
             true => cells.get(i % before.max(1)),
             false => cells.get(i),
@@ -214,9 +214,9 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool, sharp: &[Cell]) -> Vec<Ce
 }
 
 /// Whether `b` is a right angle of the line: two steps straight to it and two straight from it, along the axes.
-fn is_corner(before: Option<Cell>, a: Cell, b: Cell, c: Cell, after: Option<Cell>) -> bool {
+fn is_corner(before: Option<GridDot>, a: GridDot, b: GridDot, c: GridDot, after: Option<GridDot>) -> bool {
     let (Some(before), Some(after)) = (before, after) else { return false };
-    let step = |from: Cell, to: Cell| [to[0] - from[0], to[1] - from[1]];
+    let step = |from: GridDot, to: GridDot| [to[0] - from[0], to[1] - from[1]];
     let (to, from) = (step(a, b), step(b, c));
     let is_straight = |step: [i32; 2]| step[0].abs() + step[1].abs() == 1;
     is_straight(to)

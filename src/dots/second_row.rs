@@ -1,6 +1,6 @@
 //! The second row of dots of a heavy line, on one side of the first.
 
-use super::cell::{Cell, distance};
+use super::grid_dot::{GridDot, distance};
 use super::rasterise::between;
 use crate::geom::right_of;
 use crate::units::{MmPoint, MmVector};
@@ -13,10 +13,10 @@ use crate::units::{MmPoint, MmVector};
 ///   # o o o o          . . . . #
 ///   # o . . .          o o o . #
 /// ```
-pub(super) fn on_grid(cells: &[Cell], closed: bool) -> Vec<(usize, Cell)> {
+pub(super) fn on_grid(cells: &[GridDot], closed: bool) -> Vec<(usize, GridDot)> {
     let n = cells.len();
     let turn = if closed && signed_area(cells) < 0 { -1 } else { 1 };
-    let mut out: Vec<(usize, Cell)> = Vec::with_capacity(n);
+    let mut out: Vec<(usize, GridDot)> = Vec::with_capacity(n);
     for (i, &[x, y]) in cells.iter().enumerate() {
         let before = if closed { cells[(i + n - 1) % n] } else { cells[i.saturating_sub(1)] };
         let after = if closed { cells[(i + 1) % n] } else { cells[(i + 1).min(n - 1)] };
@@ -28,7 +28,7 @@ pub(super) fn on_grid(cells: &[Cell], closed: bool) -> Vec<(usize, Cell)> {
         }
         out.push((i, cell));
     }
-    let mut seen: Vec<Cell> = Vec::with_capacity(out.len());
+    let mut seen: Vec<GridDot> = Vec::with_capacity(out.len());
     out.retain(|(_, cell)| {
         let is_new = !cells.contains(cell) && !seen.contains(cell);
         seen.push(*cell);
@@ -38,7 +38,7 @@ pub(super) fn on_grid(cells: &[Cell], closed: bool) -> Vec<(usize, Cell)> {
 }
 
 /// Twice the signed area that a ring encloses; above 0 if it runs clockwise as a reader sees it.
-fn signed_area(cells: &[Cell]) -> i32 {
+fn signed_area(cells: &[GridDot]) -> i32 {
     let n = cells.len();
     (0..n).map(|i| (cells[i], cells[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum()
 }
@@ -56,10 +56,10 @@ pub(super) fn anywhere(dots: &[MmPoint], closed: bool, pitch: f32) -> Vec<(usize
 }
 
 /// The dots of a second row without short pieces: those of fewer than `least` connected dots.
-pub(super) fn without_short_pieces(row: Vec<(usize, Cell)>, least: usize) -> Vec<Cell> {
+pub(super) fn without_short_pieces(row: Vec<(usize, GridDot)>, least: usize) -> Vec<GridDot> {
     let mut out = Vec::with_capacity(row.len());
-    let mut piece: Vec<Cell> = Vec::new();
-    let mut finish = |piece: &mut Vec<Cell>| {
+    let mut piece: Vec<GridDot> = Vec::new();
+    let mut finish = |piece: &mut Vec<GridDot>| {
         if piece.len() >= least {
             out.append(piece);
         }

@@ -1,7 +1,8 @@
 //! Lines of dots that come too near to one another: counted in empty dots between them.
 
 use super::finding::around;
-use super::gaps::{Near, too_near_joined};
+use super::gaps::{Near, ONE, all_too_near_of_dots};
+use super::limits::NEXT_DOT;
 use crate::devices::{DotArea, Grid};
 use crate::geom::nearby::Index;
 use crate::page::{DotMedium, Line};
@@ -25,8 +26,6 @@ const REACH: f32 = 0.5;
 /// Where dots can be anywhere, one that falls on a dot of another line is left out: a line that ends on another ends so
 /// much before it, in pitches.
 const TOUCH: f32 = 1.75;
-/// A line that another crosses has a hole there: a step longer than this, in pitches, is one.
-const BROKEN: f32 = 1.5;
 
 /// A dot of a line.
 #[derive(Debug, Clone, Copy)]
@@ -69,7 +68,7 @@ pub(super) fn too_near(lines: &[Line], gap: u32, medium: &DotMedium) -> (Vec<Nea
             // so many dots are empty, rounded
             let clearance = (gap as f32 + 0.5) * medium.pitch;
             let (least, touch) = (clearance - medium.diameter(), TOUCH * medium.pitch);
-            let (near, are_all) = too_near_joined(lines, least, touch, BROKEN * medium.pitch);
+            let (near, are_all) = all_too_near_of_dots(lines, least, touch, NEXT_DOT * medium.pitch);
             let empty =
                 |near: Near| Near { gap: ((near.gap + medium.diameter()) / medium.pitch - 1.0).max(0.0), ..near };
             (near.into_iter().map(empty).collect(), are_all)
@@ -96,9 +95,6 @@ fn on_grid(lines: &[Line], gap: u32, grid: &Grid, pitch: f32) -> Vec<Near> {
     }
     found
 }
-
-/// Two stretches of one pair of lines with less than this between them are one, mm.
-const ONE: f32 = 2.0;
 
 /// Adds a place where two lines are near, to the stretch that is no farther than `reach` from it if there is one.
 fn add(found: &mut Vec<Near>, near: Near, reach: f32) {

@@ -3,7 +3,7 @@
 use super::finding::FoundBreach;
 use super::limits::{LAST_DIGIT, RuleLimits};
 use super::marks::name_in;
-use super::paths::{PathKind, Paths, point_at};
+use super::paths::{PathKind, Paths};
 use super::rules::BROKEN_LINE;
 use super::strokes::both;
 use crate::geom::nearby::{Index, Nearby};
@@ -14,11 +14,12 @@ use crate::units::{Mm, MmPoint, MmRect, MmVector};
 const BACK: f32 = 3.0;
 /// Two ends point at one another if each does so within 25 degrees.
 const STRAIGHT_COSINE: f32 = 0.906;
-/// Dots nearer than so many pitches are next to one another, also diagonally.
+/// Dots nearer than so many pitches are next to one another, also diagonally: on a grid the same as
+/// [`NEXT_DOT`](super::limits::NEXT_DOT), as there are no distances between 1.42 and 2.
 const STEP: f32 = 1.6;
 /// A line no further than this from the segment between two ends lies on it, mm: rounding.
 const TOUCH: f32 = 2.0 * LAST_DIGIT;
-/// The two ends of one line are looked at if it is longer than so many of the gap.
+/// The two ends of one line are looked at if the line is longer than so many times the gap between them.
 const LEAST_LENGTH: f32 = 4.0;
 
 #[derive(Debug, Clone, Copy)]
@@ -90,13 +91,9 @@ fn facing(a: &Tip, b: &Tip) -> bool {
 }
 
 fn tips(paths: &Paths, path: usize) -> Vec<Tip> {
-    let (segments, length) = (paths.segments_of(path), paths.paths[path].length);
-    let place = |arc: f32| {
-        let at = segments.partition_point(|segment: &nearby::Segment| segment.arc <= arc).saturating_sub(1);
-        segments.get(at).map(|segment| point_at(segment, arc))
-    };
+    let length = paths.paths[path].length;
     let tip = |(segment, at, arc): (nearby::Segment, MmPoint, f32)| {
-        let back = place(if arc > 0.0 { (length - BACK).max(0.0) } else { BACK.min(length) })?;
+        let back = paths.at(path, if arc > 0.0 { (length - BACK).max(0.0) } else { BACK.min(length) })?;
         let outwards = (at - back).try_normalize()?;
         let is_dot = paths.paths[path].kind != PathKind::Stroke;
         Some(Tip { at, outwards, radius: segment.half_width, path: path as u32, is_dot })

@@ -27,7 +27,7 @@ pub(crate) const STRAIGHTNESS: f32 = 0.92;
 /// lines lie on one another, each with each.
 const MOST: usize = 20_000;
 /// Two stretches of one pair of lines with less than this between them are one, mm.
-const ONE: f32 = 2.0;
+pub(super) const ONE: f32 = 2.0;
 
 /// A stretch along which two lines are too near.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,13 +57,22 @@ struct NearStretch {
 
 /// All places where strokes of these lines are nearer than `least` mm.
 pub fn too_near(lines: &[Line], least: f32) -> Vec<Near> {
-    too_near_joined(lines, least, 0.0, f32::INFINITY).0
+    all_too_near(lines, least).0
 }
 
-/// The same of lines that join where one ends within `touch` mm of another, and that are broken where a step from dot
-/// to dot is longer than `step` mm; and whether these are all.
-pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32) -> (Vec<Near>, bool) {
-    let paths = Paths::of(lines, step);
+/// The same, and whether these are all.
+pub(super) fn all_too_near(lines: &[Line], least: f32) -> (Vec<Near>, bool) {
+    on_paths(Paths::whole(lines), lines, least, 0.0)
+}
+
+/// The same of rows of dots, which are broken where a step from dot to dot is longer than `step` mm, and join where one
+/// ends within `touch` mm of another.
+pub(super) fn all_too_near_of_dots(lines: &[Line], least: f32, touch: f32, step: f32) -> (Vec<Near>, bool) {
+    on_paths(Paths::broken(lines, step), lines, least, touch)
+}
+
+/// The places of these `paths` of lines, which join where one ends within `touch` mm of the ink of another.
+fn on_paths(paths: Paths, lines: &[Line], least: f32, touch: f32) -> (Vec<Near>, bool) {
     let widest = paths.widest();
     let index = paths.index(least + 2.0 * widest);
     let joins = joins::joins(&paths, &index, least, touch);

@@ -1,7 +1,7 @@
 //! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
 
 use super::limits::LAST_DIGIT;
-use super::paths::{Paths, may_be_near, nearest, point_at};
+use super::paths::{Paths, may_be_near, nearest};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::walk::arc_between;
@@ -139,7 +139,7 @@ fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
         let path = &paths.paths[number];
         let to = arc + step;
         let to = if path.closed { to.rem_euclid(path.length) } else { to.clamp(0.0, path.length) };
-        (place(paths, number, to)? - place(paths, number, arc)?).try_normalize()
+        (paths.at(number, to)? - paths.at(number, arc)?).try_normalize()
     };
     let is_apart = |one: (usize, f32), other: (usize, f32)| {
         let both = |(number, arc): (usize, f32)| [spacing, -spacing].map(|step| leaves(number, arc, step));
@@ -163,13 +163,6 @@ fn add_clusters(joins: &mut [Vec<Join>], paths: &Paths, spacing: f32) {
 /// The greatest cosine of two directions that are not those of lines beside one another (30 degrees; lines are drawn so
 /// from 36 on).
 pub(crate) const APART: f32 = 0.866;
-
-/// The place of a path at an arc.
-fn place(paths: &Paths, path: usize, arc: f32) -> Option<MmPoint> {
-    let segments = paths.segments_of(path);
-    let at = segments.partition_point(|segment| segment.arc <= arc).saturating_sub(1);
-    segments.get(at).map(|segment| point_at(segment, arc))
-}
 
 /// Lines that end on one small ring, as the roads at a town, meet in it as they would in its middle.
 fn add_meetings_in_rings(joins: &mut [Vec<Join>], paths: &Paths, least: f32) {
@@ -203,7 +196,7 @@ fn longer(segment: &Segment) -> (MmPoint, MmPoint) {
 fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
     let near = |at: MmPoint| index.nearest(at, least, |segment| segment.line == other).is_some();
     let steps = ((to - from) / STEP).ceil().max(1.0) as u32;
-    let place_at = |k: u32| place(paths, path, from + (to - from) * k as f32 / steps as f32);
+    let place_at = |k: u32| paths.at(path, from + (to - from) * k as f32 / steps as f32);
     (1..steps).filter_map(place_at).all(near)
 }
 

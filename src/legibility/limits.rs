@@ -51,6 +51,9 @@ pub enum MediumLimits {
 
 /// The last digit of the numbers of a page, which have two after the point, mm: each of them is off by up to a half.
 pub(super) const LAST_DIGIT: f32 = 0.01;
+/// Dots no farther apart than so many pitches are beside one another, also diagonally; a longer step is a hole in a
+/// line, as where another crosses it.
+pub(super) const NEXT_DOT: f32 = 1.5;
 /// A blank is that much less or more by rounding, mm: of two marks three numbers are added up.
 pub(super) const ROUNDING: f32 = 1.5 * LAST_DIGIT;
 
@@ -88,7 +91,8 @@ impl RuleLimits {
         }
     }
 
-    /// The widest gap in a line that may be missed, mm: twice the least blank between two lines.
+    /// The widest gap in a line that may be missed, mm: twice the least blank between two lines, of dots twice the
+    /// least distance of their middles.
     pub(super) fn missed_gap(&self) -> f32 {
         match self.medium {
             MediumLimits::Print { line_gap, .. } => 2.0 * line_gap,

@@ -107,7 +107,7 @@ impl<'a> Drawn<'a> {
 /// What the overview shows that the figure has not, and what it lacks, in words; none if they are alike.
 pub fn overview_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Option<String> {
     let felt = page.risen();
-    let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
+    let paths = paths::Paths::whole(&felt.figure.lines);
     let found = overview::findings(&felt, names, &paths, &paths.index(CELL), limits);
     let (first, count) = (found.first()?, found.len());
     let told = and_more(&first.what, count - 1, "such place");
@@ -180,7 +180,7 @@ fn found<E>(
     if let Some(overview) = &felt.overview {
         found.extend(strokes::findings(&overview.lines, &names.overview_lines, None, &page.medium, limits));
     }
-    let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
+    let paths = paths::Paths::whole(&felt.figure.lines);
     let index = paths.index(CELL);
     go_on()?;
     found.extend(ends::findings(&paths, &names.lines, &index, limits));

@@ -35,7 +35,7 @@ pub(super) fn findings(
 ) -> Vec<FoundBreach> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
-    let of_overview = Paths::of(&overview.lines, f32::INFINITY);
+    let of_overview = Paths::whole(&overview.lines);
     let mut found = added(page, overview, (&of_overview, &names.overview_lines), (index, scale), limits);
     found.extend(lacking(page, overview, (paths, names), (&of_overview, scale), limits));
     found
@@ -114,7 +114,7 @@ pub(super) fn lacks_much(page: &Page, names: &Names, paths: &Paths, limits: &Rul
         return None;
     }
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
-    let of_overview = Paths::of(&overview.lines, f32::INFINITY);
+    let of_overview = Paths::whole(&overview.lines);
     let index = of_overview.index(5.0);
     let weak = which_are_weak(&page.figure.lines, limits.least_strength);
     let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;

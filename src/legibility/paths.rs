@@ -50,9 +50,13 @@ pub(super) struct Paths {
 }
 
 impl Paths {
-    /// The paths of all strokes; each row of dots is one along the middles of its dots, as far as no step is longer
-    /// than `step` mm.
-    pub(super) fn of(lines: &[Line], step: f32) -> Self {
+    /// The paths of all strokes; each row of dots is one along the middles of its dots.
+    pub(super) fn whole(lines: &[Line]) -> Self {
+        Self::broken(lines, f32::INFINITY)
+    }
+
+    /// The same with rows of dots in pieces: broken where a step is longer than `step` mm.
+    pub(super) fn broken(lines: &[Line], step: f32) -> Self {
         let mut all = Self::default();
         for (line, of) in lines.iter().enumerate() {
             let mut last: Option<MmPoint> = None;
@@ -137,6 +141,13 @@ impl Paths {
         index
     }
 
+    /// The place of a path at an arc; none if it has no segments.
+    pub(super) fn at(&self, path: usize, arc: f32) -> Option<MmPoint> {
+        let segments = self.segments_of(path);
+        let at = segments.partition_point(|segment| segment.arc <= arc).saturating_sub(1);
+        segments.get(at).map(|segment| point_at(segment, arc))
+    }
+
     /// The corners of a ring of strokes, with their places along it: it may stand on other lines with them.
     pub(super) fn corners_of_ring(&self, path: usize) -> Vec<(Segment, MmPoint, f32)> {
         let Path { closed, kind, length, .. } = self.paths[path];
@@ -144,14 +155,9 @@ impl Paths {
             return Vec::new();
         }
         let segments = self.segments_of(path);
-        let at = |arc: f32| {
-            let arc = arc.rem_euclid(length);
-            let next = segments.partition_point(|segment| segment.arc <= arc).max(1);
-            point_at(&segments[next - 1], arc)
-        };
         let is_corner = |segment: &&Segment| {
             RING_CORNER_ARMS.iter().all(|arm| {
-                let way = |to: f32| (at(segment.arc + to) - segment.a).try_normalize();
+                let way = |to: f32| (self.at(path, (segment.arc + to).rem_euclid(length))? - segment.a).try_normalize();
                 way(*arm).zip(way(-arm)).is_some_and(|(on, back)| on.dot(back) >= -RING_CORNER)
             })
         };

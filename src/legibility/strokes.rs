@@ -6,7 +6,7 @@ use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
 use super::joins::APPROACH;
-use super::limits::{LAST_DIGIT, MediumLimits, RuleLimits};
+use super::limits::{LAST_DIGIT, MediumLimits, NEXT_DOT, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
@@ -33,10 +33,10 @@ pub(super) fn findings(
         }
     }
     let (near, are_all) = match (limits.medium, medium) {
-        (MediumLimits::Print { line_gap, .. }, _) => gaps::too_near_joined(lines, line_gap, 0.0, f32::INFINITY),
+        (MediumLimits::Print { line_gap, .. }, _) => gaps::all_too_near(lines, line_gap),
         (MediumLimits::Dots { line_gap, .. }, Medium::Dots(dots)) => dotted::too_near(lines, line_gap, dots),
         (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
-            gaps::too_near_joined(lines, line_gap as f32 * pitch, 0.0, f32::INFINITY)
+            gaps::all_too_near(lines, line_gap as f32 * pitch)
         }
     };
     // two lines that are cut there may join on the next sheet
@@ -138,8 +138,6 @@ fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     [end(first, <[_]>::first), end(last, <[_]>::last)].into_iter().all(|end| end.is_some_and(is_on))
 }
 
-/// Dots no farther apart than so many pitches are beside one another.
-const NEXT_DOT: f32 = 1.5;
 /// A line of dots goes on beyond another that it crosses if this is the least cosine between its end and the step to
 /// the other piece: 45 degrees.
 pub(crate) const GOES_ON: f32 = 0.7;

@@ -12,7 +12,7 @@ use super::points::{self, Point};
 use super::standing::StandingEnds;
 use super::ticks::{alone, crossbars};
 use super::vertex::{Vertex, nearby};
-use super::{arrowheads, centreline, faint, few, join, junction, links, saliency, ticks, weight};
+use super::{arrowheads, centreline, faint, few, join, lead_on, links, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -62,7 +62,7 @@ impl LineCandidates {
         let contours = polylines.len();
         let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();
         polylines.extend(of_regions);
-        junction::extend(&mut polylines, area, params.join_gap);
+        lead_on::extend(&mut polylines, area, params.join_gap);
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let ranks = ranks(&polylines, &of_outlines, params);
         let saliencies = saliency::saliencies(&polylines, params);

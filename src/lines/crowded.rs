@@ -7,7 +7,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::candidates::LineCandidates;
 use super::clearance::{Cleared, clear, move_apart};
-use super::junction;
+use super::lead_on;
 use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
@@ -131,7 +131,7 @@ fn apart(lines: &LineCandidates, area: MmRect, params: &Params) -> (Vec<(Polylin
     if let Some(apart) = move_apart(&polylines, area, params) {
         polylines = apart;
         // an end may have come off the line on which it lay
-        junction::extend(&mut polylines, area, params.join_gap);
+        lead_on::extend(&mut polylines, area, params.join_gap);
     }
     let mut all: Vec<(Polyline<Vertex>, Rank)> = polylines.into_iter().zip(ranks).collect();
     all.append(&mut faint);

@@ -8,7 +8,7 @@ use crate::geom::polyline::Polyline;
 use crate::units::{Mm, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
-const HEADING: f32 = 1.5;
+const JOINED_HEADING: f32 = 1.5;
 /// Least cosine between an end's heading and the direction of the other end (45 degrees).
 const AHEAD_COSINE: f32 = 0.7;
 /// Least cosine between the headings of two ends, one of them turned round (60 degrees).
@@ -53,7 +53,7 @@ fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End<Mm>> {
             let tip = from_end(0);
             let inner = (1..vertices.len())
                 .map(from_end)
-                .find(|v| (v.at - tip.at).length() >= HEADING)
+                .find(|v| (v.at - tip.at).length() >= JOINED_HEADING)
                 .unwrap_or_else(|| from_end(vertices.len() - 1));
             let direction = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
             let contrast = if at_start { tip.contrast.map(|v| -v) } else { tip.contrast };

@@ -5,7 +5,7 @@
 //!       -> join (ends that continue one another) -> [figure: ticks, crossbars, strokes alone (lengthened)]
 //!       -> centreline (the two sides of a thin stroke become one line) -> join
 //!       -> outlines (of regions, which go before other lines)
-//!       -> junction (ends extended to lines before them) -> weight (width by strength)
+//!       -> lead_on (ends extended to lines before them) -> weight (width by strength)
 //!       -> clearance (no two too near; `crowded` tries it in several ways)
 //!       -> detail (the most salient lines) -> few -> points and arrowheads (drawn) -> simplify -> Lines
 //! ```
@@ -19,7 +19,7 @@ mod crowded;
 mod faint;
 mod few;
 mod join;
-mod junction;
+mod lead_on;
 mod line;
 mod links;
 mod lost;

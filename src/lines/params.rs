@@ -43,7 +43,9 @@ pub struct Params {
     pub min_length: f32,
     /// Least blank between the edges of two lines.
     pub min_gap: f32,
-    /// Farthest distance of two ends that are joined when they continue one another.
+    /// Farthest distance of two ends that are joined when they continue one another. As far is an end led on to a line
+    /// ahead of it (`lead_on`, and what is left of a cut line in `clearance::extend`), and so far from other lines may
+    /// the ends of a link be ([`links`](super::links)).
     pub join_gap: f32,
     /// Sigma of the Gaussian that smooths a line along itself.
     pub smoothing: f32,
@@ -126,8 +128,8 @@ impl Params {
         Self { part: PagePart::Overview, whole_rings: true, ..self.thin() }
     }
 
-    /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm: what lies
-    /// nearer to a line than this may be too near.
+    /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm. Lines
+    /// that are not yet simplified need a little more ([`Params::max_clearance`]).
     pub fn max_spacing(&self) -> f32 {
         self.min_gap + self.width_max
     }

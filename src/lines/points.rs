@@ -11,7 +11,7 @@
 
 mod drawn;
 
-use super::junction::{extend_to, heading};
+use super::lead_on::{extend_to, heading};
 use super::marks::{PointMark, SERIES};
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex};

@@ -8,8 +8,8 @@ use crate::units::{MmPoint, MmRect};
 
 /// The last dot of a tick is farther from its line than this, in steps: a second row is up to 1.42.
 const AWAY: f32 = 1.7;
-/// In a row of dots the next is no farther than this, in steps.
-const BROKEN: f32 = 1.6;
+/// In a row of dots the next is no farther than this, in steps, also diagonally.
+pub(super) const NEXT_DOT: f32 = 1.6;
 /// Around the middle of a point there is no wider angle without a dot, in turns: a second row has half a turn.
 const OPEN: f32 = 0.4;
 /// A point is as wide as high, within this.
@@ -37,7 +37,7 @@ impl Line {
         let tick = move |run| {
             let (first, step) = first?;
             let Run { points, .. }: &Run = run;
-            let is_row = points.windows(2).all(|pair| (pair[1] - pair[0]).length() < BROKEN * step);
+            let is_row = points.windows(2).all(|pair| (pair[1] - pair[0]).length() < NEXT_DOT * step);
             let (distance, _) = nearest(first, *points.last()?)?;
             let (_, at) = nearest(first, *points.first()?)?;
             (is_row && distance > AWAY * step).then_some((run, at))

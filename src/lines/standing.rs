@@ -3,7 +3,7 @@
 //! fingers.
 
 use super::arrowheads::shortened;
-use super::junction::heading;
+use super::lead_on::heading;
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex, nearby};
 use crate::geom::nearby::{Index, Segment};

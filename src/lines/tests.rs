@@ -47,7 +47,7 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
 fn cleared(seed: u32) -> Vec<clearance::Cleared> {
     let area = area();
     let mut polylines = wandering(seed);
-    junction::extend(&mut polylines, area, PARAMS.join_gap);
+    lead_on::extend(&mut polylines, area, PARAMS.join_gap);
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
     clear(polylines, area)
 }
@@ -129,7 +129,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
         let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], ..Vertex::TEST };
         let mut vertices = vec![tip];
-        vertices.extend(junction::straight(&tip, to));
+        vertices.extend(lead_on::straight(&tip, to));
         Polyline::open(vertices)
     };
     let at = MmPoint::new;

@@ -4,7 +4,7 @@
 pub(super) mod alone;
 pub(super) mod crossbars;
 
-use super::junction::{extend_to, heading};
+use super::lead_on::{extend_to, heading};
 use super::marks::TickMark;
 use super::params::Params;
 use super::vertex::{Tip, Vertex, nearby};

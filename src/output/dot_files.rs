@@ -97,12 +97,12 @@ fn text_of<'p>(pages: impl Iterator<Item = &'p Page>) -> Vec<String> {
     title.into_iter().chain(blank).chain(key).collect()
 }
 
-/// Whether two pages can be pressed in one go. What Index embossers are told of sheet and pitch holds for all pages of
-/// a file.
+/// Whether two pages can be pressed in one go. What a file tells an embosser of sheet and pitch holds for all its
+/// pages.
 fn is_for_same(first: &Page, medium: &DotMedium, page: &Page, own: &DotMedium, format: DotFormat) -> bool {
     let numbers = |page: &Page, medium: &DotMedium| [page.sheet[0], page.sheet[1], medium.pitch].map(f32::to_bits);
     let is_same_sheet = || numbers(first, medium) == numbers(page, own);
-    medium.device == own.device && (format != DotFormat::Idx || is_same_sheet())
+    medium.device == own.device && (!format.tells_embosser() || is_same_sheet())
 }
 
 fn different(first: &DotMedium, other: &DotMedium) -> Error {

@@ -123,6 +123,16 @@ impl DotFormat {
         Err(Error::NotItsFormat { format: self.name(), device: device.name, takes })
     }
 
+    /// Whether its files say what an embosser is told beside the dots: copies and impact, and a sheet and a pitch that
+    /// hold for all of their pages.
+    #[doc(hidden)]
+    pub fn tells_embosser(self) -> bool {
+        match self {
+            Self::Idx => true,
+            Self::Ubrl | Self::Brf | Self::Pef | Self::Gcode | Self::Pixels | Self::Txt => false,
+        }
+    }
+
     /// A built-in profile whose pages can be written in it.
     pub fn example_profile(self) -> &'static str {
         match self {

@@ -15,7 +15,7 @@
 
 use super::medium::{DotMedium, Medium};
 use crate::braille::{CellSize, PRINTED};
-use crate::devices::{DotArea, Family, Grid};
+use crate::devices::{DotArea, Grid};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Where cells can stand on a medium.
@@ -136,8 +136,8 @@ impl<'m> CellGrid<'m> {
 
 impl<'m> CellSteps<'m> {
     fn of(grid: &'m Grid, medium: &DotMedium, size: CellSize) -> Self {
-        if medium.device.family == Family::Cells {
-            return Self { grid, dot: 1, cell: 2, line: 3, start: [2, 3] };
+        if let Some([cell, line]) = medium.device.cell_dots() {
+            return Self { grid, dot: 1, cell, line, start: [cell, line] };
         }
         let nearest = |mm: f32| ((mm / medium.pitch).round() as usize).max(1);
         let mut dot = nearest(size.dot);

@@ -13,7 +13,7 @@ use super::parts::Run;
 use super::sheet::{self, MarkParams, Params, beside};
 use super::spread_layout::{GAP, Spread, SpreadPicture, TICK, above};
 use crate::braille::CellSize;
-use crate::devices::{Device, DotArea, Family, Grid};
+use crate::devices::{Device, DotArea, Grid};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least dots of a tick: two are felt as a direction.
@@ -97,7 +97,7 @@ fn windows(medium: &DotMedium, inner: MmRect, picture: SpreadPicture) -> Option<
             Some(Windows { first: inner, step, half, together: DotMedium { area, ..medium.clone() } })
         }
         DotArea::Grid(grid) => {
-            let period = if medium.device.family == Family::Cells { [2, 3] } else { [1, 1] };
+            let period = medium.device.cell_dots().unwrap_or([1, 1]);
             let along = |centres: &[f32], [from, to]: [f32; 2], period: usize, count: u32| {
                 Along::new(centres, [from, to], 0.5 * pitch, (overlap, period), count)
             };

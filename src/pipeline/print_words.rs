@@ -40,15 +40,18 @@ pub(super) fn left_out<'p>(pages: impl Iterator<Item = &'p Page>, plan: &Plan) -
     // a title stands on each of several sheets
     let mut seen = BTreeSet::new();
     lost.retain(|text| seen.insert(text.clone()));
-    let no_room = "there is no room in print beside their braille (braille.print)";
-    let no_room =
-        (!lost.is_empty()).then(|| (Reason::NoRoomForPrint, format!("{} in print, as {no_room}", lost.join(", "))));
+    let no_room = (!lost.is_empty()).then(|| (Reason::NoRoomForPrint, no_room_for(&lost)));
     let mirrored = mirrored.then(|| {
         let told = "words in print (braille.print), as the page is mirrored: it is pressed from its back, where they \
                     would be read in a mirror";
         (Reason::Mirrored, told.to_owned())
     });
     no_room.into_iter().chain(mirrored).map(|(reason, told)| Note::NotOnPage(About::Print, reason, told)).collect()
+}
+
+/// What is told of these words, in quotation marks.
+fn no_room_for(words: &[String]) -> String {
+    format!("{} in print, as there is no room in print beside their braille (braille.print)", words.join(", "))
 }
 
 /// Brings the words in print of a page that somebody changed beside their braille again, where that was moved, and adds
@@ -102,10 +105,7 @@ pub(super) fn follow(parts: &mut Parts, new: usize, plan: &Plan) -> Vec<Note> {
         let told = format!("the words in print {} follow their braille, which was moved", moved.join(", "));
         Note::TakenAs(About::Print, Reason::PrintFollows, told)
     });
-    let lost = (!lost.is_empty()).then(|| {
-        let why = "there is no room in print beside their braille (braille.print)";
-        Note::NotOnPage(About::Print, Reason::NoRoomForPrint, format!("{} in print, as {why}", lost.join(", ")))
-    });
+    let lost = (!lost.is_empty()).then(|| Note::NotOnPage(About::Print, Reason::NoRoomForPrint, no_room_for(&lost)));
     moved.into_iter().chain(lost).collect()
 }
 

@@ -8,7 +8,6 @@ use super::print_words;
 use super::progress::{Stage, Watch, run_stage};
 use super::request::{Request, SLACK};
 use super::words::{OnPage, Words, WrittenWords};
-use crate::devices::Family;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
 use crate::page::spread::{self, Cut, LABEL_CELLS, SheetGrid, Spread};
@@ -104,7 +103,7 @@ pub fn convert<'p>(
             let blackest = of_picture().map(Page::black_share).fold(0.0, f32::max);
             notes.extend(too_black(blackest, print));
         }
-        Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
+        Medium::Dots(medium) => notes.extend(medium.device.cell_dots().map(|_| Note::UnevenDots)),
     }
     Note::sort(&mut notes);
     sheets.notes = notes;

@@ -4,7 +4,6 @@ use super::hand_lines::HandLines;
 use super::lost_signs::is_small;
 use super::texts::Text;
 use super::unwritten::named;
-use crate::devices::Family;
 use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -47,7 +46,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
     let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
     let place = drawn.lost.place_name();
     // a display has one sheet, so a figure is not spread over several
-    let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
+    let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
     if of_drawing && has_sheets && lost >= least && share >= DENSE {
         let width = layout.figure.width().round() as u32;
         return Some(Note::TooDense { millimetres, percent, place, width, is_larger_turned });
@@ -59,7 +58,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
 /// Whether a figure would be larger if the sheet of a device lay across, as the device can take it.
 fn is_larger_turned(layout: &Layout) -> bool {
     let Medium::Dots(medium) = &layout.medium else { return false };
-    let ([width, height], is_sheet) = (layout.sheet, !matches!(medium.device.family, Family::Pins { .. }));
+    let ([width, height], is_sheet) = (layout.sheet, medium.device.takes_paper());
     let is_wide = layout.figure.width() >= WIDE * layout.figure.height();
     is_sheet && width < height && is_wide && medium.device.dot_area([height, width], medium.pitch).is_ok()
 }

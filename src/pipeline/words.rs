@@ -13,7 +13,6 @@ use super::told_labels::{
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
-use crate::devices::Family;
 use crate::dots;
 use crate::labels::{self, MadeRoom, Params, Placed, Wanted, WrittenLabel};
 use crate::page::cells::CellGrid;
@@ -423,7 +422,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
             (dots.pitch, layout.room.intersection_unchecked(&reach))
         }
     };
-    let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
+    let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
     let texture_clearance = blank_to_signs(&layout.medium);
     // the dots of a leader line reach half a step further than those of a label, and lie up to half of the diagonal of
     // four dots off its place

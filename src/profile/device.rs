@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::keys::{PaletteSettings, Profile};
 use crate::classes::Class;
-use crate::devices::{Device, DotArea, Family};
+use crate::devices::{Device, DotArea};
 use crate::dots::textures::carried;
 use crate::page::layout::Orientation;
 use crate::textures::{Palette, Sign};
@@ -88,7 +88,7 @@ impl Profile {
         let palette = self.palette.signs();
         // those that no device tells apart are told as such
         let told = (0..palette.len()).any(|i| (0..i).any(|j| !palette[i].differs_from(palette[j])));
-        if told || device.family == Family::Cells {
+        if told || device.cell_dots().is_some() {
             return Vec::new();
         }
         let keys: Vec<_> = PALETTE.into_iter().chain(["dots.device"]).collect();

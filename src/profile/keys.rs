@@ -343,7 +343,8 @@ table! {
         min_length: f32 = 0.0 to 200.0, "mm";
         /// Least blank between the edges of two lines.
         min_gap: f32 = 0.5 to 30.0, "mm";
-        /// Longest gap that is bridged between two ends that continue one another.
+        /// Longest gap that is bridged: between two ends that continue one another, and from an end to a line ahead of
+        /// it.
         join_gap: f32 = 0.0 to 30.0, "mm";
         /// Sigma of the smoothing along a line.
         smoothing: f32 = 0.0 to 5.0, "mm";
@@ -394,7 +395,7 @@ table! {
     }
     /// Which class is told by which sign.
     palette: PaletteSettings {
-        /// The sign of blue, cyan and violet.
+        /// The sign of blue, cyan and bluish violet.
         blue: Sign;
         /// The sign of green and olive.
         green: Sign;

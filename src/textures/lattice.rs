@@ -70,7 +70,7 @@ pub(crate) fn each_position(class: Class, area: MmRect, params: &Params, mut vis
         Some(degrees) => (unit(degrees), unit(degrees + 90.0), params.along, params.across),
         None => (unit(0.0), unit(90.0), params.dot_pitch, params.dot_pitch * 0.75_f32.sqrt()),
     };
-    let dots = params.palette.degrees(class).is_none();
+    let is_dots = params.palette.degrees(class).is_none();
     let centre = area.center();
     let half = MmVector::new(0.5 * area.width(), 0.5 * area.height());
     let reach = |direction: MmVector| half.x * direction.x.abs() + half.y * direction.y.abs();
@@ -81,8 +81,9 @@ pub(crate) fn each_position(class: Class, area: MmRect, params: &Params, mut vis
         for i in -columns..=columns {
             let at = centre + along * ((i as f32 + stagger) * step) + across * (j as f32 * row);
             if area.contains_inclusive(at) {
-                let from_density = if dots { of_dot(i, j) } else { of_row(j) };
-                visit(LatticePoint { at, from_density, from_boldness: fading(dots, i, j) });
+                let (from_density, from_boldness) =
+                    if is_dots { (of_dot(i, j), fading_of_dot(i, j)) } else { (of_row(j), fading_of_row(j)) };
+                visit(LatticePoint { at, from_density, from_boldness });
             }
         }
     }
@@ -109,16 +110,20 @@ fn of_dot(i: i32, j: i32) -> f32 {
     }
 }
 
-/// The order in which positions fade: rows as a whole, dots one of sixteen at a time. Neighbours are far apart in it.
-fn fading(dots: bool, i: i32, j: i32) -> f32 {
+/// Rows fade as a whole: filled rows and those between them, each by themselves, and above the middle as below.
+fn fading_of_row(j: i32) -> f32 {
+    fading(j.abs() / 2 + if j % 2 == 0 { FADING_STEPS / 2 } else { 0 })
+}
+
+/// Dots fade one of sixteen at a time.
+fn fading_of_dot(i: i32, j: i32) -> f32 {
+    // 1 and 5 have no divisor in common with 16, nor has 3, the number of lattices: each has all steps alike
+    fading(i - j.div_euclid(2) + 5 * j)
+}
+
+/// When the position of this number fades. Neighbours are far apart in the order.
+fn fading(number: i32) -> f32 {
     const ORDER: [i32; FADING_STEPS as usize] = [0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15];
-    let number = if dots {
-        // 1 and 5 have no divisor in common with 16, nor has 3, the number of lattices: each has all steps alike
-        i - j.div_euclid(2) + 5 * j
-    } else {
-        // filled rows and those between them, each by themselves, and above the middle as below
-        j.abs() / 2 + if j % 2 == 0 { FADING_STEPS / 2 } else { 0 }
-    };
     (ORDER[number.rem_euclid(FADING_STEPS) as usize] as f32 + 0.5) / FADING_STEPS as f32
 }
 

@@ -80,8 +80,8 @@ pub fn png(ink: &Ink, felt: &FeltCells) -> Option<Vec<u8>> {
             let shown = if edge { [40.0; 3] } else { colour(look, signs, x as f32 + 0.5, y as f32 + 0.5) };
             set(&mut canvas, x, y, shown);
         }
-        let middle = (SAMPLE + 10) as f32 + 0.5 * letters::width(word, LETTERS);
-        letters::write(&mut canvas, word, (left as f32 + middle, (top + SAMPLE / 2) as f32), LETTERS);
+        let middle = (SAMPLE + 10) as f32 + 0.5 * letters::width(&word, LETTERS);
+        letters::write(&mut canvas, &word, (left as f32 + middle, (top + SAMPLE / 2) as f32), LETTERS);
     }
     canvas.encode_png().ok()
 }
@@ -101,29 +101,22 @@ fn look(cell: &Cell) -> Option<CellLook> {
     Some(CellLook { felt: cell.felt, mark, pale: !cell.judged })
 }
 
-fn legend(signs: &Signs) -> Vec<(&'static str, CellLook)> {
+fn legend(signs: &Signs) -> Vec<(String, CellLook)> {
     let plain = |felt| CellLook { felt, mark: Symbol::None, pale: false };
     let mut legend: Vec<_> = Class::ALL
         .iter()
         .filter(|class| signs.sign(**class).is_some())
         .map(|&class| (word(Some(class)), plain(Some(class))))
         .collect();
-    legend.push(("WRONG", CellLook { mark: Symbol::Wrong, ..plain(None) }));
-    legend.push(("UNCLEAR", CellLook { mark: Symbol::Unclear, ..plain(None) }));
+    legend.push(("WRONG".into(), CellLook { mark: Symbol::Wrong, ..plain(None) }));
+    legend.push(("UNCLEAR".into(), CellLook { mark: Symbol::Unclear, ..plain(None) }));
     let first = legend.first().and_then(|(_, look)| look.felt);
-    legend.push(("NOT JUDGED", CellLook { pale: true, ..plain(first) }));
+    legend.push(("NOT JUDGED".into(), CellLook { pale: true, ..plain(first) }));
     legend
 }
 
-fn word(class: Option<Class>) -> &'static str {
-    match class {
-        Some(Class::Blue) => "BLUE",
-        Some(Class::Green) => "GREEN",
-        Some(Class::Yellow) => "YELLOW",
-        Some(Class::Red) => "RED",
-        Some(Class::Grey) => "GREY",
-        None => "BLANK",
-    }
+fn word(class: Option<Class>) -> String {
+    class.map_or("blank", Class::name).to_uppercase()
 }
 
 /// The colour of a pixel, 0..=255: the class's own, darker where its pattern is, which runs as the rows of its sign.
@@ -169,7 +162,7 @@ fn set(canvas: &mut Pixmap, x: u32, y: u32, colour: [f32; 3]) {
 }
 
 /// The words on the areas, with the cell where they have most room.
-fn names(felt: &FeltCells) -> Vec<(Vec<&'static str>, usize, usize)> {
+fn names(felt: &FeltCells) -> Vec<(Vec<String>, usize, usize)> {
     let (width, height) = (felt.size.width as usize, felt.size.height as usize);
     let keys: Vec<_> = felt.cells.iter().map(|cell| cell.meant.map(|meant| (meant, cell.felt))).collect();
     let border: Vec<bool> = (0..width * height)
@@ -187,7 +180,7 @@ fn names(felt: &FeltCells) -> Vec<(Vec<&'static str>, usize, usize)> {
         if room[best] >= NAME_FROM {
             let mut name = vec![word(felt_as)];
             if felt_as != Some(meant) {
-                name.extend(["NOT", word(Some(meant))]);
+                name.extend(["NOT".into(), word(Some(meant))]);
             }
             names.push((name, best % width, best / width));
         }

@@ -8,7 +8,7 @@ mod face;
 mod scan;
 mod shapes;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use scan::{Token, Use, compiled, exports, module_of, paths, scan};
@@ -164,7 +164,7 @@ fn files_of_a_module_form_no_circle() {
 }
 
 /// The overview for those who change the library has a row for each module, in the order of [`MAY_USE`], and in it
-/// every file of the module.
+/// every file of the module, as often as there are files of that name, and none that is gone.
 #[test]
 fn the_overview_names_every_module_and_file() {
     let overview = std::fs::read_to_string(root().join("src/ARCHITECTURE.md")).expect("the overview");
@@ -172,19 +172,63 @@ fn the_overview_names_every_module_and_file() {
         overview.lines().filter_map(|line| line.strip_prefix("| [`")?.split_once("`] | ")).collect();
     let modules: Vec<&str> = MAY_USE.iter().map(|(module, _)| *module).collect();
     assert_eq!(rows.iter().map(|(module, _)| *module).collect::<Vec<_>>(), modules);
-    complain(sources().keys().flat_map(|file| parts_without_a_word(file, &rows)).collect());
+    let mut files = Vec::new();
+    walk(&root().join("src"), &mut files);
+    let files: Vec<String> = files.iter().map(|file| name_of(file)).collect();
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    complain(rows.iter().flat_map(|(module, row)| faults_of_row(module, row, &files)).collect());
 }
 
-/// The folders and files on the path of a source file that the row of its module does not name.
-fn parts_without_a_word(file: &str, rows: &[(&str, &str)]) -> Vec<String> {
-    let path = file.strip_prefix("src/").and_then(|path| path.strip_suffix(".rs")).unwrap_or_default();
-    let mut parts = path.split('/');
-    let Some((_, row)) = parts.next().and_then(|module| rows.iter().find(|(name, _)| *name == module)) else {
-        return Vec::new();
-    };
-    let is_told = |part: &str| [format!("`{part}`"), format!("`{part}/`")].iter().any(|told| row.contains(told));
-    let untold = parts.filter(|part| !["mod", "tests"].contains(part) && !is_told(part));
-    untold.map(|part| format!("{file}:1: `{part}` is not in its row of src/ARCHITECTURE.md")).collect()
+/// What of the files of a module its row does not name, and what it names of files that are not there.
+fn faults_of_row(module: &str, row: &str, files: &[&str]) -> Vec<String> {
+    let mut folders_and_files = BTreeSet::new();
+    let mut all_names: BTreeSet<&str> = BTreeSet::new();
+    for file in files {
+        let (path, is_rust) = match file.strip_suffix(".rs") {
+            Some(path) => (path, true),
+            None => (*file, false),
+        };
+        let path = path.strip_prefix("src/").unwrap_or_default();
+        let parts: Vec<&str> = path.split('/').filter(|part| !["mod", "tests"].contains(part)).collect();
+        if parts.first() == Some(&module) {
+            all_names.extend(&parts[1..]);
+            folders_and_files.extend((2..=parts.len()).filter(|_| is_rust).map(|length| parts[..length].to_vec()));
+        }
+    }
+    let names: Vec<&str> = folders_and_files.iter().filter_map(|parts| parts.last().copied()).collect();
+    let count = |name: &str, all: &[&str]| all.iter().filter(|other| **other == name).count();
+    let told = told_in(row);
+    let untold = folders_and_files.iter().filter_map(|parts| {
+        let name = parts.last()?;
+        (count(name, &told) < count(name, &names)).then(|| {
+            format!(
+                "src/{}: `{name}` is not in its row of src/ARCHITECTURE.md as often as there are such",
+                parts.join("/")
+            )
+        })
+    });
+    let gone = told.iter().filter(|name| !all_names.contains(*name));
+    let gone = gone.map(|name| format!("src/ARCHITECTURE.md: `{name}` is no file of `{module}`"));
+    untold.chain(gone).collect()
+}
+
+/// The names in backquotes in the last cell of a row that can be those of files; links to modules are none.
+fn told_in(row: &str) -> Vec<&str> {
+    let cell = row.trim_end().trim_end_matches('|').rsplit(" | ").next().unwrap_or_default();
+    let quoted = cell.split('`').collect::<Vec<_>>();
+    let is_name = |name: &str| name.chars().all(|of| of.is_ascii_lowercase() || of.is_ascii_digit() || of == '_');
+    let words = quoted.windows(2).step_by(2).filter(|pair| !pair[0].ends_with('['));
+    words.map(|pair| pair[1].trim_end_matches('/')).filter(|name| is_name(name)).collect()
+}
+
+#[test]
+fn rows_without_a_file_and_files_without_a_row_are_found() {
+    let rust = ["src/a/mod.rs", "src/a/b.rs", "src/a/b/tests.rs", "src/a/c/mod.rs", "src/a/c/b.rs", "src/d.rs"];
+    let files = [&rust[..], &["src/a/data/e.txt"]].concat();
+    let faults = |row: &str| faults_of_row("a", row, &files);
+    assert_eq!(faults("what it does | `b` (as [`d`] has it, in `data/`), `c/` (its own `b`) |"), [""; 0]);
+    assert_eq!(faults("what it does | `b`, `c/` |").len(), 2, "which of the two is not told");
+    assert_eq!(faults("what it does | `b`, `b`, `c`, `gone` |"), ["src/ARCHITECTURE.md: `gone` is no file of `a`"]);
 }
 
 #[test]

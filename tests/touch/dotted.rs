@@ -89,7 +89,9 @@ fn faults(wanted: &Wanted) -> Vec<String> {
     let fingers: Vec<f32> = wanted.fingers.iter().map(|(finger, _)| *finger).collect();
     let mut faults = Vec::new();
     for (sum, (finger, [areas, grey, _])) in felt(&device, wanted.scenes, &fingers).iter().zip(wanted.fingers) {
-        let parts = [("areas", 0..5, 5000, *areas), ("grey", 4..5, 300, *grey), ("white", 5..6, 300, 1.0)];
+        let (classes, grey_only, white_only) = (judge::CLASSES, judge::only(Some(Class::Grey)), judge::only(None));
+        let parts =
+            [("areas", classes, 5000, *areas), ("grey", grey_only, 300, *grey), ("white", white_only, 300, 1.0)];
         for (what, classes, places, least) in parts {
             let (judged, share) = sum.share(classes);
             if judged < places || share < least {

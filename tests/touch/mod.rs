@@ -57,11 +57,12 @@ fn felt(seeds: &[u64]) -> [Tally; 3] {
 fn hold(sums: &[Tally; 3]) {
     for (f, sum) in sums.iter().enumerate() {
         let told = format!("a fingertip of {} mm: {:?}", FINGERS[f], sum.felt);
-        let (judged, areas) = sum.share(0..5);
+        let (judged, areas) = sum.share(judge::CLASSES);
         assert!(judged > 20_000, "too little is judged, {told}");
         assert!(areas >= AREAS[f], "{areas} of the areas, {told}");
-        assert!(sum.share(4..5).1 >= GREY[f], "{} of grey, {told}", sum.share(4..5).1);
-        let (judged, white) = sum.share(5..6);
+        let grey = sum.share(judge::only(Some(Class::Grey))).1;
+        assert!(grey >= GREY[f], "{grey} of grey, {told}");
+        let (judged, white) = sum.share(judge::only(None));
         assert!(judged > 1000 && white >= 1.0, "{white} of white, {told}");
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::labels::WithKey;
-use super::writing::{Embossing, Writing};
+use super::writing::{EmbossingOptions, Writing};
 
 pub(super) const LONG_ABOUT: &str = "\
 Writes a page that \"tactograph convert\" made as SVG, changed in an editor or not, in any format.
@@ -53,7 +53,7 @@ pub(in crate::cli) struct Render {
     pub(in crate::cli) writing: Writing,
 
     #[command(flatten)]
-    pub(in crate::cli) embossing: Embossing,
+    pub(in crate::cli) embossing: EmbossingOptions,
 
     /// Lays the page out anew for another paper or device: a name from "tactograph profiles" or a .toml file
     ///

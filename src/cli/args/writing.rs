@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use tactograph::{Depth, Dpi};
 
-use crate::cli::places::is_std;
+use crate::cli::places::{NO_NAME_OF_PREVIEW, is_std};
 use crate::cli::product::{DrawingFormat, Format};
 
 /// Options of all commands that write pages.
@@ -87,7 +87,7 @@ impl Writing {
             }
         }
         if self.preview.is_some() && output.is_some_and(is_std) {
-            faults.push("--preview: there is no name for it beside standard output; name the page with -o".into());
+            faults.push(NO_NAME_OF_PREVIEW.into());
         }
         let depth = if self.grey { Depth::Grey } else { Depth::Bilevel };
         (Chosen { format, preview: self.preview, dpi: self.dpi.unwrap_or_default(), depth }, faults)
@@ -114,7 +114,7 @@ fn drawing() -> impl TypedValueParser<Value = DrawingFormat> {
 
 /// Options of `tactograph convert` that only some embossers have.
 #[derive(Debug, Args)]
-pub(in crate::cli) struct Embossing {
+pub(in crate::cli) struct EmbossingOptions {
     /// How many copies an Index embosser makes
     ///
     /// For --format idx. Range: 1 to 999.

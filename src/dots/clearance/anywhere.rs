@@ -2,15 +2,13 @@
 //! join, dots would fall on dots.
 
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
-use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
+use crate::dots::params::{LEAST_DOTS, LEAST_STEP, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{second_row, spacing};
 use crate::geom::nearby::Index;
 use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
 use crate::units::{Mm, MmPoint, MmRect};
 
-/// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
-const LEAST_STEP: f32 = 0.75;
 /// A row of dots leads to a line of which a dot is no farther from its end, in pitches.
 const LEADS_TO: f32 = 1.5;
 

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::order::order;
 use crate::devices::Grid;
-use crate::dots::cell::{Cell, CellBox, centre, distance, nearest, to_grid};
+use crate::dots::grid_dot::{GridBox, GridDot, centre, distance, nearest, to_grid};
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::rasterise::{self, Rasterised};
@@ -25,7 +25,7 @@ pub(in crate::dots) fn on_grid(
     grid: &Grid,
     params: &Params,
 ) -> (Vec<Line>, Shown) {
-    let within = CellBox::within(part, grid);
+    let within = GridBox::within(part, grid);
     if within.is_empty() {
         return (Vec::new(), Shown::none_of(marks));
     }
@@ -72,7 +72,7 @@ pub(in crate::dots) fn on_grid(
 }
 
 /// The dots of a line within a part of the grid, one dot wide, and whether it is closed.
-fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
+fn cells_of(line: &Line, grid: &Grid, within: GridBox) -> (Vec<GridDot>, bool) {
     let line = polyline_of(line);
     let Rasterised { mut cells, sharp } = rasterise::rasterise(line.view(), grid);
     cells.iter_mut().for_each(|cell| *cell = within.nearest(*cell));
@@ -82,18 +82,18 @@ fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
 }
 
 /// Whether the ends of a line have become neighbours on the grid, which closes it.
-fn ends_touch(cells: &[Cell]) -> bool {
+fn ends_touch(cells: &[GridDot]) -> bool {
     let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
     ends.is_some_and(|(&first, &last)| distance(first, last) <= 1)
 }
 
-fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
+fn centres(cells: &[GridDot], grid: &Grid) -> Vec<MmPoint> {
     cells.iter().map(|&cell| centre(cell, grid)).collect()
 }
 
 /// A piece of a line that is far enough from all others.
 pub(super) struct RowPiece {
-    pub(super) cells: Vec<Cell>,
+    pub(super) cells: Vec<GridDot>,
     pub(super) closed: bool,
     /// Whether it is a whole line that leads from one line to another: an arrow or a bond between two shapes may be
     /// short. How short one may be that comes here, `lines/links` says.
@@ -111,7 +111,7 @@ pub(super) struct DrawnPiece {
 
 impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
-    pub(super) fn cut_out(cells: Vec<Cell>) -> Self {
+    pub(super) fn cut_out(cells: Vec<GridDot>) -> Self {
         let (closed, through) = (ends_touch(&cells), cells.len());
         Self { cells: if closed { rasterise::thin(cells, true, &[]) } else { cells }, closed, is_link: false, through }
     }
@@ -154,9 +154,9 @@ pub const GOES_ON: f32 = 0.7;
 pub const STEPS: usize = 3;
 
 /// Whether a piece of a line goes on in the next one without a bend.
-fn goes_on(one: &[Cell], next: &[Cell]) -> bool {
+fn goes_on(one: &[GridDot], next: &[GridDot]) -> bool {
     let ([before @ .., tip], [begin, after @ ..]) = (one, next) else { return false };
-    let point = |cell: &Cell| MmPoint::new(cell[0] as f32, cell[1] as f32);
+    let point = |cell: &GridDot| MmPoint::new(cell[0] as f32, cell[1] as f32);
     let step = point(begin) - point(tip);
     let back = before.get(before.len().saturating_sub(STEPS)).map(|from| point(tip) - point(from));
     let on = after.get(STEPS.min(after.len()).saturating_sub(1)).map(|to| point(to) - point(begin));
@@ -186,17 +186,18 @@ fn start_of_ring(distances: &[Option<i32>]) -> usize {
     nearest.or_else(|| distances.iter().position(Option::is_some)).unwrap_or(0)
 }
 
-/// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
+/// The dots that are taken, and how many empty dots must lie between.
 pub(super) struct OccupiedDots {
-    pub(super) lines: BTreeMap<Cell, usize>,
+    /// The number of the piece of a line that each dot belongs to.
+    pub(super) piece_of: BTreeMap<GridDot, usize>,
     /// The ends of pieces.
-    tips: BTreeSet<Cell>,
+    tips: BTreeSet<GridDot>,
     pub(super) gap: i32,
 }
 
 impl OccupiedDots {
     pub(super) fn new(gap: i32) -> Self {
-        Self { lines: BTreeMap::new(), tips: BTreeSet::new(), gap }
+        Self { piece_of: BTreeMap::new(), tips: BTreeSet::new(), gap }
     }
 
     /// Finds room for the marks of lines, of which these pieces are drawn, within a part of the grid.
@@ -205,7 +206,7 @@ impl OccupiedDots {
         marks: &LineMarks,
         lines: &[Line],
         drawn: &mut [DrawnPiece],
-        (grid, within): (&Grid, CellBox),
+        (grid, within): (&Grid, GridBox),
         params: &Params,
     ) -> Placed {
         let row = |DrawnPiece { line, piece }: &DrawnPiece| Row {
@@ -217,9 +218,9 @@ impl OccupiedDots {
         let placed = marks::place(marks, &rows, Lattice::Grid { grid, within }, params);
         let cell = |at: &MmPoint| nearest(to_grid(*at, grid));
         for (number, DrawnPiece { piece, .. }) in drawn.iter_mut().enumerate() {
-            let hidden: Vec<Cell> = placed.hidden[number].iter().map(cell).collect();
+            let hidden: Vec<GridDot> = placed.hidden[number].iter().map(cell).collect();
             hidden.iter().for_each(|cell| {
-                self.lines.remove(cell);
+                self.piece_of.remove(cell);
             });
             piece.cells.retain(|cell| !hidden.contains(cell));
             placed.runs[number].iter().flatten().for_each(|at| self.take(cell(at), number));
@@ -236,8 +237,8 @@ impl OccupiedDots {
             |piece: &RowPiece| polyline::length(&centres(&piece.cells, grid)) + ROUNDED_OFF < params.min_length;
         loop {
             let is_loose = |number: usize, DrawnPiece { line, piece }: &DrawnPiece| {
-                let is_other = |near: &Cell| self.lines.get(near).is_some_and(|of| *of != number);
-                let leads = |end: Cell| self.around(end).any(|near| distance(near, end) <= 1 && is_other(&near));
+                let is_other = |near: &GridDot| self.piece_of.get(near).is_some_and(|of| *of != number);
+                let leads = |end: GridDot| self.around(end).any(|near| distance(near, end) <= 1 && is_other(&near));
                 let own = || ends(piece).into_iter().flatten();
                 let goes_on = || {
                     let arms = drawn.iter().enumerate().filter(|(of, other)| *of != number && other.line == *line);
@@ -255,24 +256,24 @@ impl OccupiedDots {
                 return;
             }
             for cell in loose.into_iter().flat_map(|number| std::mem::take(&mut drawn[number].piece.cells)) {
-                self.lines.remove(&cell);
+                self.piece_of.remove(&cell);
             }
         }
     }
 
-    pub(super) fn take(&mut self, cell: Cell, piece: usize) {
-        self.lines.entry(cell).or_insert(piece);
+    pub(super) fn take(&mut self, cell: GridDot, piece: usize) {
+        self.piece_of.entry(cell).or_insert(piece);
     }
 
     /// The cells that are nearer to `cell` than the gap allows.
-    pub(super) fn around(&self, cell: Cell) -> impl Iterator<Item = Cell> + use<> {
+    pub(super) fn around(&self, cell: GridDot) -> impl Iterator<Item = GridDot> + use<> {
         let gap = self.gap;
         (-gap..=gap).flat_map(move |dy| (-gap..=gap).map(move |dx| [cell[0] + dx, cell[1] + dy]))
     }
 
     /// Steps to the nearest dot of another line; none beyond the gap.
-    fn to_others(&self, cell: Cell) -> Option<i32> {
-        self.around(cell).filter(|near| self.lines.contains_key(near)).map(|near| distance(near, cell)).min()
+    fn to_others(&self, cell: GridDot) -> Option<i32> {
+        self.around(cell).filter(|near| self.piece_of.contains_key(near)).map(|near| distance(near, cell)).min()
     }
 
     /// From how many dots along a line on its distance from itself counts.
@@ -282,13 +283,13 @@ impl OccupiedDots {
 
     /// Steps from each dot of a line to the nearest dot of other lines and of the parts of its own that came long
     /// before; none beyond the gap.
-    fn distances(&self, cells: &[Cell], closed: bool) -> Vec<Option<i32>> {
+    fn distances(&self, cells: &[GridDot], closed: bool) -> Vec<Option<i32>> {
         let (n, least_arc) = (cells.len(), self.least_arc());
-        let mut own: BTreeMap<Cell, usize> = BTreeMap::new();
+        let mut own: BTreeMap<GridDot, usize> = BTreeMap::new();
         let mut out = Vec::with_capacity(n);
         for (i, &cell) in cells.iter().enumerate() {
             let far = |j: usize| i - j > least_arc && (!closed || n - (i - j) > least_arc);
-            let is_own = |near: &Cell| own.get(near).is_some_and(|&j| *near == cell || far(j));
+            let is_own = |near: &GridDot| own.get(near).is_some_and(|&j| *near == cell || far(j));
             let of_own = self.around(cell).filter(is_own).map(|near| distance(near, cell)).min();
             out.push(of_own.into_iter().chain(self.to_others(cell)).min());
             own.insert(cell, i);
@@ -299,7 +300,7 @@ impl OccupiedDots {
     /// The pieces of a line that keep the gap, but where they join others: at each end some dots may be nearer
     /// ([`OccupiedDots::allow_junction`]), and of a line so short that those of both ends are all that it has, all of
     /// them ([`OccupiedDots::short_link`]). Either way a whole line that joins others at both ends is a link.
-    fn pieces(&self, of_line: &[Cell], closed: bool) -> Vec<RowPiece> {
+    fn pieces(&self, of_line: &[GridDot], closed: bool) -> Vec<RowPiece> {
         let (mut cells, mut distances) = (of_line.to_vec(), self.distances(of_line, closed));
         if distances.iter().all(Option::is_none) {
             return vec![RowPiece { through: cells.len(), cells, closed, is_link: false }];
@@ -338,7 +339,7 @@ impl OccupiedDots {
 
     /// The pieces of an open line between the dots that are too near to others, with these distances from them: where
     /// it only crosses another, or another ends on it, up to that.
-    fn stretches(&self, cells: &[Cell], distances: &[Option<i32>]) -> Vec<RowPiece> {
+    fn stretches(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Vec<RowPiece> {
         let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
             let from = *at;
             *at += stretch.len() + 1;
@@ -362,7 +363,7 @@ impl OccupiedDots {
                 || before.is_some_and(|before| crosses(before, stretch)) && self.is_on_both_sides(dots, steps);
             let (meets_end, mut range) = (self.meets_end(dots), stretch.clone());
             match pieces.last_mut().filter(|_| self.is_steep(dots) && (meets_end || is_crossed())) {
-                // an end beside it parts it not
+                // the other line ends beside it and shares no dot with it: it is not interrupted
                 Some((last, _)) if meets_end && !steps.contains(&Some(0)) => {
                     last.end = range.end;
                     continue;
@@ -381,14 +382,14 @@ impl OccupiedDots {
     }
 
     /// A ring that only touches another line, with these distances from it, without the dots that both share.
-    fn touching_ring(&self, cells: &[Cell], distances: &[Option<i32>]) -> Option<RowPiece> {
+    fn touching_ring(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Option<RowPiece> {
         let free = distances.iter().position(Option::is_none)?;
         let from_free = || (0..cells.len()).map(|i| (free + i) % cells.len());
         let near: Vec<usize> = from_free().skip_while(|&i| distances[i].is_none()).collect();
         let run = near.iter().take_while(|&&i| distances[i].is_some()).count();
         let (run, rest) = near.split_at(run);
         let touches = run.iter().any(|&i| distances[i].is_some_and(|steps| steps <= 1));
-        let cut: Vec<Cell> = run.iter().map(|&i| cells[i]).collect();
+        let cut: Vec<GridDot> = run.iter().map(|&i| cells[i]).collect();
         if !touches || rest.iter().any(|&i| distances[i].is_some()) || !self.is_steep(&cut) {
             return None;
         }
@@ -396,14 +397,14 @@ impl OccupiedDots {
         let last_at = |steps: i32| run.iter().rfind(|&&i| distances[i] == Some(steps));
         let start = last_at(0).map(|shared| shared + 1).or(last_at(1).copied()).unwrap_or(0);
         let ring = (0..cells.len()).map(|i| (start + i) % cells.len()).filter(|&i| distances[i] != Some(0));
-        let cells: Vec<Cell> = ring.map(|i| cells[i]).collect();
+        let cells: Vec<GridDot> = ring.map(|i| cells[i]).collect();
         Some(RowPiece { through: cells.len(), cells, closed: true, is_link: false })
     }
 
     /// A line from one to another that is so short that all its dots are near to one of them, without the dots on
     /// these; none if it runs beside one, or is near to a third. Its junctions are not looked at one by one: the dots
     /// near to the line at its first end are also those near to the line at its last.
-    fn short_link(&self, cells: &[Cell], distances: &[Option<i32>]) -> Option<RowPiece> {
+    fn short_link(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Option<RowPiece> {
         let on_other = |distance: &&Option<i32>| **distance == Some(0);
         let (first, last) =
             (distances.iter().take_while(on_other).count(), distances.iter().rev().take_while(on_other).count());
@@ -412,8 +413,8 @@ impl OccupiedDots {
         let ([begin, .., end], [to_first, .., to_last]) = (cells, distances) else { return None };
         let touches = |distance: &Option<i32>| *distance == Some(1);
         let is_beside = distances.iter().skip(2).take(distances.len().saturating_sub(4)).any(touches);
-        let near = |cell: &Cell| -> BTreeSet<usize> {
-            self.around(*cell).filter_map(|near| self.lines.get(&near)).copied().collect()
+        let near = |cell: &GridDot| -> BTreeSet<usize> {
+            self.around(*cell).filter_map(|near| self.piece_of.get(&near)).copied().collect()
         };
         let joined = &near(begin) | &near(end);
         let is_link = cells.len() >= LEAST_DOTS
@@ -425,33 +426,34 @@ impl OccupiedDots {
         is_link.then(|| RowPiece { is_link: true, ..RowPiece::cut_out(cells.to_vec()) })
     }
 
-    /// Whether these dots of a line, which are too near to others, are near to a single one, and the line is soon away
-    /// from it: at more than about 45 degrees.
-    fn is_steep(&self, cut: &[Cell]) -> bool {
-        let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.lines.get(&near));
+    /// Whether these dots of a line, which are too near to others, are near to a single piece of a line, and the line
+    /// is soon away from it: at more than about 45 degrees.
+    fn is_steep(&self, cut: &[GridDot]) -> bool {
+        let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.piece_of.get(&near));
         let others: BTreeSet<usize> = near.copied().collect();
         others.len() == 1 && cut.len() <= longest_steep_cut(self.gap as u32) as usize
     }
 
     /// Whether the line that these dots are near to, by so many steps, is on both sides of them, or shares one.
-    fn is_on_both_sides(&self, cut: &[Cell], steps: &[Option<i32>]) -> bool {
+    fn is_on_both_sides(&self, cut: &[GridDot], steps: &[Option<i32>]) -> bool {
         let ([first, .., last], false) = (cut, steps.contains(&Some(0))) else { return true };
-        let side = |dot: Cell| (last[0] - first[0]) * (dot[1] - first[1]) - (last[1] - first[1]) * (dot[0] - first[0]);
-        let others = || cut.iter().flat_map(|&cell| self.around(cell)).filter(|near| self.lines.contains_key(near));
+        let side =
+            |dot: GridDot| (last[0] - first[0]) * (dot[1] - first[1]) - (last[1] - first[1]) * (dot[0] - first[0]);
+        let others = || cut.iter().flat_map(|&cell| self.around(cell)).filter(|near| self.piece_of.contains_key(near));
         others().any(|dot| side(dot) > 0) && others().any(|dot| side(dot) < 0)
     }
 
     /// Whether a line ends beside one of these dots, or on it.
-    fn meets_end(&self, cut: &[Cell]) -> bool {
+    fn meets_end(&self, cut: &[GridDot]) -> bool {
         let is_met =
-            |cell: &Cell| self.around(*cell).any(|near| distance(near, *cell) <= 1 && self.tips.contains(&near));
+            |cell: &GridDot| self.around(*cell).any(|near| distance(near, *cell) <= 1 && self.tips.contains(&near));
         cut.iter().any(is_met)
     }
 
     /// The junction of the first end of a line: if its first dots touch another line, dots on the other line are
     /// removed, and the dots from the one beside it until the gap is reached are allowed, at most [`longest_approach`].
     /// Where it runs along the other there is none. Says whether there is one.
-    fn allow_junction(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) -> bool {
+    fn allow_junction(&self, cells: &mut Vec<GridDot>, distances: &mut Vec<Option<i32>>) -> bool {
         let near = distances.iter().take_while(|distance| distance.is_some()).count();
         let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
         let Some(last) = touches else { return false };
@@ -461,9 +463,9 @@ impl OccupiedDots {
         }
         let skipped = if distances[last] == Some(0) { last + 1 } else { last };
         // beside the lines that meet where it does it may lie, as a radius beside others, not beside a third one
-        let within = |cell: Cell, steps: i32| {
+        let within = |cell: GridDot, steps: i32| {
             let near = self.around(cell).filter(move |near| distance(*near, cell) <= steps);
-            near.filter_map(|near| self.lines.get(&near)).copied()
+            near.filter_map(|near| self.piece_of.get(&near)).copied()
         };
         let touched: Vec<usize> = within(cells[last], self.gap).collect();
         if cells[skipped.min(near)..near]

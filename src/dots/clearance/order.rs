@@ -48,7 +48,9 @@ fn lines_on_bases(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usiz
     segments.which_end_on(polylines.iter().enumerate().flat_map(tips_of), TOUCH, is_between)
 }
 
-/// Where a line may stand on others: at its ends, or at the corners of a ring.
+/// Where a line may stand on others: at its ends, or at the corners of a ring. The line is simplified by now, so that
+/// it turns at one vertex where it turns at all; before that `corners_of_ring` of `lines/vertex` looks along two arms,
+/// and so does that of `legibility/paths`, as a person may have drawn the page.
 fn tips(line: &Polyline<MmPoint>) -> Vec<MmPoint> {
     if !line.closed {
         return [line.vertices.first(), line.vertices.last()].into_iter().flatten().copied().collect();

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::on_grid::{DrawnPiece, OccupiedDots, RowPiece};
-use crate::dots::cell::{Cell, CellBox, distance};
+use crate::dots::grid_dot::{GridBox, GridDot, distance};
 use crate::dots::params::{LEAST_DOTS, Params};
 use crate::dots::second_row;
 use crate::lines::Line;
@@ -33,10 +33,10 @@ impl OccupiedDots {
         numbers: &[usize],
         drawn: &[DrawnPiece],
         line_of: impl Fn(usize) -> &'l Line,
-        within: CellBox,
+        within: GridBox,
         params: &Params,
-    ) -> Vec<Option<Vec<Cell>>> {
-        let mut rows: Vec<Option<Vec<Cell>>> = vec![None; drawn.len()];
+    ) -> Vec<Option<Vec<GridDot>>> {
+        let mut rows: Vec<Option<Vec<GridDot>>> = vec![None; drawn.len()];
         for &number in numbers.iter().filter(|&&number| params.has_second_row(line_of(number))) {
             let piece = &drawn[number].piece;
             // a piece too short for a line is felt as texture, unless it is most of the row
@@ -44,7 +44,7 @@ impl OccupiedDots {
             let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
             let mut second = self.wider_side((number, piece), least, params, |cell| within.holds(cell));
             // where a tick goes through it, it has a dot already
-            second.retain(|cell| !self.lines.contains_key(cell));
+            second.retain(|cell| !self.piece_of.contains_key(cell));
             second.iter().for_each(|&cell| self.take(cell, number));
             rows[number] = Some(second);
         }
@@ -62,8 +62,8 @@ impl OccupiedDots {
         (number, piece): (usize, &RowPiece),
         least: usize,
         params: &Params,
-        inside: impl Fn(Cell) -> bool,
-    ) -> Vec<Cell> {
+        inside: impl Fn(GridDot) -> bool,
+    ) -> Vec<GridDot> {
         let own = self.second_row((number, piece), least, &inside);
         if !params.whole_rows || !piece.is_of_bar() {
             return own;
@@ -87,19 +87,19 @@ impl OccupiedDots {
         &self,
         (number, piece): (usize, &RowPiece),
         least: usize,
-        inside: impl Fn(Cell) -> bool,
-    ) -> Vec<Cell> {
+        inside: impl Fn(GridDot) -> bool,
+    ) -> Vec<GridDot> {
         let (n, least_arc) = (piece.cells.len(), self.least_arc());
         // the dots of both rows, each with the index in the first row
-        let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let mut own: BTreeMap<GridDot, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
         let mut row = second_row::on_grid(&piece.cells, piece.closed);
         row.retain(|&(i, cell)| {
             let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
-            let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
+            let is_free = |near: GridDot| match (own.get(&near), self.piece_of.get(&near)) {
                 (Some(&j), _) => !is_other_arm(j),
                 (None, other) => other.is_none_or(|&other| other == number),
             };
-            let is_own = self.lines.get(&cell).is_none_or(|&of| of == number);
+            let is_own = self.piece_of.get(&cell).is_none_or(|&of| of == number);
             let is_kept = inside(cell) && is_own && self.around(cell).all(is_free);
             if is_kept {
                 own.insert(cell, i);
@@ -112,7 +112,7 @@ impl OccupiedDots {
 
 /// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
 /// would be taken for lines of another kind. The lines come by their strength.
-fn alike(by_strength: &[usize], rows: &mut [Option<Vec<Cell>>], strength: impl Fn(usize) -> f32) {
+fn alike(by_strength: &[usize], rows: &mut [Option<Vec<GridDot>>], strength: impl Fn(usize) -> f32) {
     let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
     let is_near = |a: &usize, b: &usize| {
         let [a, b] = [a, b].map(|number| strength(*number));

@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Places, RowDot};
-use crate::dots::cell::GridPoint;
+use crate::dots::grid_dot::GridPoint;
 use crate::dots::marks::lattice::{Lattice, Owner};
 use crate::lines::HeadMark;
 use crate::units::{MmPoint, MmVector};

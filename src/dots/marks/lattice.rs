@@ -3,12 +3,10 @@
 use std::collections::BTreeMap;
 
 use crate::devices::Grid;
-use crate::dots::cell::{Cell, CellBox, GridPoint, centre, nearest, to_grid};
-use crate::dots::params::ROUNDED_OFF;
+use crate::dots::grid_dot::{GridBox, GridDot, GridPoint, centre, nearest, to_grid};
+use crate::dots::params::{LEAST_STEP, ROUNDED_OFF};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Dots anywhere that are nearer than this, in steps, to one that is there are left out.
-pub(super) const LEAST_STEP: f32 = 0.75;
 /// Dots of a grid are whole steps apart; elsewhere rounding takes something off a distance.
 const ROUNDING: f32 = 1e-3;
 
@@ -16,7 +14,7 @@ const ROUNDING: f32 = 1e-3;
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dots) enum Lattice<'a> {
     /// On a part of a grid.
-    Grid { grid: &'a Grid, within: CellBox },
+    Grid { grid: &'a Grid, within: GridBox },
     /// Anywhere in a part of the sheet, so many mm apart.
     Free { part: MmRect, pitch: f32 },
 }
@@ -119,13 +117,13 @@ pub(super) struct DotDisc {
 }
 
 /// The cells along a straight line from a cell to a place, in steps.
-fn straight(from: Cell, to: GridPoint) -> Vec<Cell> {
+fn straight(from: GridDot, to: GridPoint) -> Vec<GridDot> {
     let steps = (to[0] - from[0] as f32).abs().max((to[1] - from[1] as f32).abs()).round().max(1.0);
     let at = |k: f32, axis: usize| from[axis] as f32 + (to[axis] - from[axis] as f32) * k / steps;
     (0..=steps as u32).map(|k| nearest([at(k as f32, 0), at(k as f32, 1)])).collect()
 }
 
-fn point(cell: Cell) -> GridPoint {
+fn point(cell: GridDot) -> GridPoint {
     cell.map(|at| at as f32)
 }
 
@@ -141,7 +139,7 @@ pub(super) enum Owner {
 /// Dots that are there, by place.
 pub(super) struct MarkField<'a> {
     pub(super) lattice: Lattice<'a>,
-    dots: BTreeMap<Cell, Vec<(GridPoint, Owner)>>,
+    dots: BTreeMap<GridDot, Vec<(GridPoint, Owner)>>,
 }
 
 impl<'a> MarkField<'a> {
@@ -169,7 +167,7 @@ impl<'a> MarkField<'a> {
 }
 
 /// The cells in which dots no farther than `reach` may be.
-fn cells(at: GridPoint, reach: f32) -> impl Iterator<Item = Cell> {
+fn cells(at: GridPoint, reach: f32) -> impl Iterator<Item = GridDot> {
     let [columns, rows] = at.map(|at| (at - reach).floor() as i32..=(at + reach).ceil() as i32);
     rows.flat_map(move |y| columns.clone().map(move |x| [x, y]))
 }

@@ -18,9 +18,9 @@ mod scale;
 #[cfg(test)]
 mod tests;
 
-use self::lattice::{DotDisc, LEAST_STEP, MarkField, Owner};
-use super::cell::GridPoint;
-use super::params::{LEAST_DOTS, Params};
+use self::lattice::{DotDisc, MarkField, Owner};
+use super::grid_dot::GridPoint;
+use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
 use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
 use crate::units::{MmPoint, MmVector};

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::devices::Grid;
-use crate::dots::cell::CellBox;
+use crate::dots::grid_dot::GridBox;
 use crate::lines::{HeadMark, Height, Line, Run};
 use crate::units::MmRect;
 
@@ -34,7 +34,7 @@ fn point(x: f32, radius: f32, is_filled: bool) -> PointMark {
 fn placed(points: &[PointMark], scale: &[TickMark], rows: &[Row]) -> Placed {
     let marks = LineMarks { points: points.to_vec(), scales: vec![scale.to_vec()], ..LineMarks::default() };
     let grid = grid();
-    place(&marks, rows, Lattice::Grid { grid: &grid, within: CellBox::within(SHEET, &grid) }, &PARAMS)
+    place(&marks, rows, Lattice::Grid { grid: &grid, within: GridBox::within(SHEET, &grid) }, &PARAMS)
 }
 
 /// How many dots each mark on the first row has.
@@ -133,7 +133,7 @@ fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
     let grid = grid();
     let place = |rows: &[Row], heads: &[HeadMark]| {
         let marks = LineMarks { heads: heads.to_vec(), ..LineMarks::default() };
-        super::place(&marks, rows, Lattice::Grid { grid: &grid, within: CellBox::within(SHEET, &grid) }, &PARAMS)
+        super::place(&marks, rows, Lattice::Grid { grid: &grid, within: GridBox::within(SHEET, &grid) }, &PARAMS)
     };
     let all = place(&rows(None), &[head(113.0, 1.0), head(4.0, -1.0), head(60.0, 1.0), head(113.0, -1.0)]);
     assert_eq!(all.shown.heads, [true, true, false, false], "at both ends, not in the middle nor against its way");

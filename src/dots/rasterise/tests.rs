@@ -17,7 +17,7 @@ fn ring(radius: f32, x: f32, y: f32) -> Vec<MmPoint> {
 }
 
 /// Each dot is a neighbour of the next and of no other than those before and after it.
-fn is_one_dot_wide(cells: &[Cell], closed: bool) -> bool {
+fn is_one_dot_wide(cells: &[GridDot], closed: bool) -> bool {
     let n = cells.len();
     (0..n).all(|i| {
         (0..i).all(|j| {

@@ -3,15 +3,15 @@
 use super::*;
 use std::collections::BTreeSet;
 
-fn drawn(cells: &[Cell], closed: bool) -> String {
-    let first: BTreeSet<Cell> = cells.iter().copied().collect();
-    let second: BTreeSet<Cell> = on_grid(cells, closed).into_iter().map(|(_, cell)| cell).collect();
-    let all: Vec<Cell> = first.union(&second).copied().collect();
+fn drawn(cells: &[GridDot], closed: bool) -> String {
+    let first: BTreeSet<GridDot> = cells.iter().copied().collect();
+    let second: BTreeSet<GridDot> = on_grid(cells, closed).into_iter().map(|(_, cell)| cell).collect();
+    let all: Vec<GridDot> = first.union(&second).copied().collect();
     let range = |axis: usize| {
         let values = all.iter().map(|cell| cell[axis]);
         values.clone().min().unwrap_or(0)..=values.max().unwrap_or(0)
     };
-    let sign = |cell: Cell| match (first.contains(&cell), second.contains(&cell)) {
+    let sign = |cell: GridDot| match (first.contains(&cell), second.contains(&cell)) {
         (true, _) => '#',
         (_, true) => 'o',
         _ => '.',
@@ -21,31 +21,31 @@ fn drawn(cells: &[Cell], closed: bool) -> String {
 
 #[test]
 fn a_line_is_two_dots_wide_around_corners() {
-    let right_and_down: Vec<Cell> = (0..5).map(|x| [x, 0]).chain((1..5).map(|y| [4, y])).collect();
+    let right_and_down: Vec<GridDot> = (0..5).map(|x| [x, 0]).chain((1..5).map(|y| [4, y])).collect();
     assert_eq!(drawn(&right_and_down, false), "#####\noooo#\n...o#\n...o#\n...o#\n");
-    let back: Vec<Cell> = right_and_down.into_iter().rev().collect();
+    let back: Vec<GridDot> = right_and_down.into_iter().rev().collect();
     assert_eq!(drawn(&back, false), "ooooo.\n#####o\n....#o\n....#o\n....#o\n....#o\n");
 }
 
 #[test]
 fn a_ring_has_its_second_row_inside_whichever_way_it_runs() {
-    let side = |from: Cell, step: Cell| (0..5).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
-    let ring: Vec<Cell> = side([0, 0], [1, 0])
+    let side = |from: GridDot, step: GridDot| (0..5).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
+    let ring: Vec<GridDot> = side([0, 0], [1, 0])
         .chain(side([5, 0], [0, 1]))
         .chain(side([5, 5], [-1, 0]))
         .chain(side([0, 5], [0, -1]))
         .collect();
     let want = "######\n#oooo#\n#o..o#\n#o..o#\n#oooo#\n######\n";
     assert_eq!(drawn(&ring, true), want);
-    let back: Vec<Cell> = ring.into_iter().rev().collect();
+    let back: Vec<GridDot> = ring.into_iter().rev().collect();
     assert_eq!(drawn(&back, true), want);
 }
 
 #[test]
 fn slanting_lines_have_no_holes() {
-    let slanting: Vec<Cell> = (0..6).map(|i| [i, i / 2]).collect();
+    let slanting: Vec<GridDot> = (0..6).map(|i| [i, i / 2]).collect();
     assert_eq!(drawn(&slanting, false), "##....\noo##..\n..oo##\n....oo\n");
-    let steep: Vec<Cell> = (0..4).map(|i| [i, i]).collect();
+    let steep: Vec<GridDot> = (0..4).map(|i| [i, i]).collect();
     assert_eq!(drawn(&steep, false), "#...\no#..\n.o#.\n..o#\n...o\n");
 }
 
@@ -64,7 +64,7 @@ fn anywhere_the_second_row_lies_a_pitch_to_the_right() {
 #[test]
 fn short_pieces_of_a_second_row_are_left_out() {
     let row = [[0, 0], [1, 0], [5, 0], [6, 1], [7, 1], [12, 0]];
-    let row: Vec<(usize, Cell)> = row.into_iter().enumerate().collect();
+    let row: Vec<(usize, GridDot)> = row.into_iter().enumerate().collect();
     assert_eq!(without_short_pieces(row.clone(), 3), [[5, 0], [6, 1], [7, 1]]);
     assert_eq!(without_short_pieces(row.clone(), 1).len(), row.len());
     assert_eq!(without_short_pieces(Vec::new(), 3), [[0; 2]; 0]);

@@ -153,7 +153,8 @@ const SPOTS: f32 = 3.2;
 const COARSE: f32 = 2.2;
 /// Pitch up to which diagonal rows are felt as such, mm.
 const DIAGONALS_TO: f32 = 2.6;
-/// Gaps between cells are wider than those in cells by more than this factor.
+/// Gaps between cells are wider than those in cells by more than this factor. Told from the places, as parts of a sheet
+/// are asked about too; a test holds that it says the same of all devices as [`crate::devices::Device::cell_dots`].
 const WIDE: f32 = 1.2;
 /// Finest pitch of a grid that patterns are made for, mm: a tenth of what devices have. Chosen by us.
 const FINEST: f32 = 0.1;

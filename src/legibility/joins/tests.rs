@@ -11,7 +11,7 @@ fn paths(of: &[Points]) -> Paths {
         let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
         Line { strength: 100.0, runs: vec![Run::stroke(1.0, points)] }
     };
-    Paths::of(&of.iter().map(line).collect::<Vec<_>>(), f32::INFINITY)
+    Paths::whole(&of.iter().map(line).collect::<Vec<_>>())
 }
 
 /// The joins of strokes that have to be 3 mm apart.

@@ -27,7 +27,7 @@ fn found(is_own: bool, x: f32, y: f32) -> Vec<String> {
         leader: is_own.then(|| Run::stroke(0.75, leader)),
     };
     let page = Page::new(Parts { braille: vec![text], ..Parts::of([210.0, 297.0], figure) }).expect("a page");
-    let paths = Paths::of(&page.figure.lines, f32::INFINITY);
+    let paths = Paths::whole(&page.figure.lines);
     let found = findings(&page, &Names::of(&page), &paths, &paths.index(5.0));
     found.into_iter().map(|found| found.what).collect()
 }

@@ -1,10 +1,11 @@
 //! Heads of arrows among the contours of a drawing.
 
-use super::shapes::{HEADING, HeadTip, end, is_leg, tips};
+use super::shapes::{HeadTip, end, is_leg, tips};
 use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::lines::junction::heading;
+use crate::lines::lead_on::heading;
+use crate::lines::params::HEADING;
 use crate::lines::vertex::{Tip, Vertex};
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 

@@ -4,6 +4,7 @@ use super::shapes::{LENGTHS, SPREAD};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::line::{Line, Pen, Run};
+use crate::lines::row_marks::NEXT_DOT;
 use crate::units::{MmPoint, MmVector};
 
 /// Lengths of the strokes of a printed head, mm, as they are drawn or as somebody draws them.
@@ -12,10 +13,8 @@ const LENGTH: std::ops::RangeInclusive<f32> = 0.8 * LENGTHS[2]..=1.5 * LENGTHS[0
 const ALIKE: f32 = 0.8;
 /// How much its spread may differ from that which is drawn, degrees; on a grid it is 45.
 const SPREADS: std::ops::RangeInclusive<f32> = SPREAD - 10.0..=SPREAD + 22.0;
-/// Greatest distance of the tip from the end of its shaft, mm.
+/// Greatest distance of the tip from the end of its shaft, mm; on a row of dots it is that of the next dot.
 const AT_END: f32 = 0.3;
-/// The same on a row of dots, in steps.
-const STEPS: f32 = 1.6;
 /// How far a stroke may be off straight, mm.
 const STRAIGHT: f32 = 0.1;
 /// The direction of a shaft is taken over this length, mm.
@@ -116,7 +115,7 @@ fn row_head(run: &Run, (at, toward): (MmPoint, MmVector), step: f32) -> Option<(
     let wings = [run.points[0], run.points[count - 1]];
     let inner = [run.points[count / 2 - 1], run.points[count / 2]];
     let [one, other] = wings.map(|wing| (wing - at).length());
-    let is_near = inner.iter().all(|dot| (*dot - at).length() <= STEPS * step);
+    let is_near = inner.iter().all(|dot| (*dot - at).length() <= NEXT_DOT * step);
     let arrow = Arrow { line: 0, head: None, at, toward, wings };
     (is_near && one.min(other) >= ALIKE * one.max(other) && arrow.points()).then_some((at, toward, wings))
 }

@@ -16,7 +16,7 @@ mod shorten;
 
 use self::find::{Contours, FoundHead};
 use self::shorten::make_room;
-use super::junction::extend_to;
+use super::lead_on::extend_to;
 use super::marks::HeadMark;
 use super::params::Params;
 use super::vertex::Vertex;

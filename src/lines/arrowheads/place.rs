@@ -1,14 +1,14 @@
 //! Room for the heads of arrows among the lines that are drawn.
 
-use super::shapes::{HEADING, LENGTHS, SPREAD, end};
+use super::shapes::{LENGTHS, SPREAD, end};
 use super::shorten::shortened;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::geom::segment_distance;
-use crate::lines::junction::{extend_to, heading};
+use crate::lines::lead_on::{extend_to, heading};
 use crate::lines::marks::HeadMark;
-use crate::lines::params::{Params, RING_FARTHEST};
+use crate::lines::params::{HEADING, Params, RING_FARTHEST};
 use crate::lines::vertex::{FoundIn, Tip, Vertex, nearby};
 use crate::units::{MmPoint, MmRect, MmVector};
 

@@ -1,5 +1,6 @@
 //! Which contours may be the head of an arrow, by their form alone; and the measures of those that are drawn.
 
+use crate::geom::polygon::area;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::simplify::simplify;
 use crate::lines::vertex::{Tip, Vertex};
@@ -28,8 +29,6 @@ const WIDTHS: std::ops::RangeInclusive<f32> = 0.2..=1.5;
 pub(super) const SPREAD: f32 = 35.0;
 /// Lengths of its strokes, mm, the first that has room: together as wide as a fingertip (8 mm), or a little less.
 pub(super) const LENGTHS: [f32; 3] = [7.0, 6.0, 5.0];
-/// The direction of a shaft is taken over this length, mm.
-pub(super) const HEADING: f32 = 2.0;
 
 /// One end of a line.
 pub(super) fn end(line: &Polyline<Vertex>, which: Tip) -> Option<MmPoint> {
@@ -118,12 +117,6 @@ fn corners_of_hull(hull: &[MmPoint], tolerance: f32) -> Option<[MmPoint; 3]> {
     let [a, b, c, _] = corners[..] else { return None };
     let corners = [path[a], path[b], path[c]];
     (area(&corners) >= LEAST_INSIDE * area(hull)).then_some(corners)
-}
-
-/// The area of a ring.
-fn area(ring: &[MmPoint]) -> f32 {
-    let Some(&first) = ring.first() else { return 0.0 };
-    0.5 * ring.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<f32>().abs()
 }
 
 /// The convex hull of points (Andrew 1979).

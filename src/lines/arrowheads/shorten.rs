@@ -1,12 +1,12 @@
 //! Shafts of arrows end before what they point at.
 
 use super::find::FoundHead;
-use super::shapes::{HEADING, end};
+use super::shapes::end;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::lines::junction::heading;
+use crate::lines::lead_on::heading;
 use crate::lines::marks::HeadMark;
-use crate::lines::params::Params;
+use crate::lines::params::{HEADING, Params};
 use crate::lines::vertex::{Tip, Vertex, nearby};
 use crate::units::{MmPoint, MmRect, MmVector};
 

@@ -13,7 +13,7 @@ use super::assign::Assignment;
 use crate::geom::polyline::{Polyline, smooth};
 use crate::geom::walk::runs;
 use crate::geom::{crossing, right_of};
-use crate::lines::junction;
+use crate::lines::lead_on;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
 
@@ -172,7 +172,7 @@ fn extend_to_the_end(vertices: &mut Vec<Vertex>, polyline: &Polyline<Vertex>, bl
     let Some(heading) = inner.and_then(|inner| (tip.at - inner.at).try_normalize()) else { return };
     let reaches = blunt.iter().map(|&i| (polyline.vertices[i].at - tip.at).dot(heading)).fold(0.0, f32::max);
     if reaches > 0.0 {
-        vertices.extend(junction::straight(&tip, tip.at + heading * reaches));
+        vertices.extend(lead_on::straight(&tip, tip.at + heading * reaches));
     }
 }
 

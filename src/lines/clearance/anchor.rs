@@ -68,7 +68,7 @@ fn on_lines(
     is_other: impl Fn(usize, usize) -> bool,
 ) -> Vec<Anchor> {
     let mut anchors = Vec::new();
-    drawn.segments().around_point(at, TOUCH, |segment| {
+    drawn.segments.around_point(at, TOUCH, |segment| {
         let (distance, _) = nearest_on_segment(at, segment.a, segment.b);
         let (line, before) = (segment.line as usize, segment.index as usize);
         if distance <= TOUCH && is_other(line, before) && !is_end_beside(&cleared[line].polyline, before, at) {

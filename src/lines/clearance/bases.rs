@@ -52,8 +52,8 @@ pub(super) fn raised(
 
 /// Which lines end on which strokes and paths of drawings, away from their ends.
 fn lines_on_bases(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<(usize, usize)> {
-    let drawn = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source != FoundIn::Pixels).count();
-    let is_base = |line: &Polyline<Vertex>| 2 * drawn(line) > line.vertices.len();
+    let meant = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source != FoundIn::Pixels).count();
+    let is_base = |line: &Polyline<Vertex>| 2 * meant(line) > line.vertices.len();
     if !lines.iter().any(|(line, _)| is_base(line)) {
         return Vec::new();
     }

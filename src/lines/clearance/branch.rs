@@ -9,7 +9,7 @@
 use super::drawn::{DrawnLines, LineState};
 use super::passage::TOUCH;
 use crate::geom::polyline::{Polyline, PolylineRef};
-use crate::lines::junction;
+use crate::lines::lead_on;
 use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
 
@@ -35,7 +35,7 @@ pub(super) fn branch(
 
 /// [`branch`] of a line whose first vertex is on the other.
 fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
-    let (_, _, joined) = drawn.segments().nearest(vertices.first()?.at, TOUCH, |_| true)?;
+    let (_, _, joined) = drawn.segments.nearest(vertices.first()?.at, TOUCH, |_| true)?;
     let line = joined.line;
     let apart = vertices.iter().position(|vertex| !drawn.is_near(vertex, line))?;
     if states[apart..].contains(&LineState::TooNear) {
@@ -45,7 +45,7 @@ fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>)
     // as far back on the other line as the way from there to the place where the two are apart may be long
     let mut foot: Option<MmPoint> = None;
     for vertex in vertices[..apart].iter().rev() {
-        let Some((_, at, segment)) = drawn.segments().nearest_of_line(vertex.at, drawn.params.max_clearance(), line)
+        let Some((_, at, segment)) = drawn.segments.nearest_of_line(vertex.at, drawn.params.max_clearance(), line)
         else {
             break;
         };
@@ -61,7 +61,7 @@ fn from_first(vertices: &[Vertex], states: &[LineState], drawn: &DrawnLines<'_>)
     }
     let foot = foot?;
     let first = Vertex { at: foot, ..*start };
-    let way = junction::straight(&first, start.at);
+    let way = lead_on::straight(&first, start.at);
     let vertices: Vec<Vertex> = [first].into_iter().chain(way).chain(vertices[apart + 1..].iter().copied()).collect();
     let length = PolylineRef { vertices: &vertices, closed: false }.length();
     (length >= drawn.params.min_length).then(|| Polyline::open(vertices))

@@ -8,7 +8,7 @@ use crate::geom::walk::heading_of_end;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
-use crate::lines::{junction, links};
+use crate::lines::{lead_on, links};
 use crate::units::{MmPoint, MmVector};
 
 /// A line whose path comes this near to another, in join gaps, may be extended to it.
@@ -70,7 +70,7 @@ pub(super) fn extension(
         return None;
     }
     let tip = *added.last().unwrap_or(&start);
-    added.extend(junction::straight(&tip, at));
+    added.extend(lead_on::straight(&tip, at));
     extension.keeps_clear(&added).then_some(added)
 }
 
@@ -127,7 +127,7 @@ impl Extension<'_> {
     /// Where the step from `from` to `to`, which begins at `arc` beyond the body, first crosses a line.
     fn first_crossing(&self, from: MmPoint, to: MmPoint, arc: f32) -> Option<MmPoint> {
         let mut hit: Option<(f32, MmPoint)> = None;
-        self.drawn.segments().around(from.min(to), from.max(to), 0.0, |segment| {
+        self.drawn.segments.around(from.min(to), from.max(to), 0.0, |segment| {
             if let Some(at) = crossing((from, to), (segment.a, segment.b)) {
                 let distance = (at - from).length();
                 if hit.is_none_or(|(least, _)| distance < least)
@@ -142,7 +142,7 @@ impl Extension<'_> {
 
     /// The point of a line that is nearest to a vertex, within `reach`.
     fn nearest(&self, vertex: MmPoint, arc: f32, reach: f32) -> Option<(f32, MmPoint)> {
-        let near = self.drawn.segments().nearest(vertex, reach, |segment| {
+        let near = self.drawn.segments.nearest(vertex, reach, |segment| {
             !self.closes_small_loop(segment, arc, nearest_on_segment(vertex, segment.a, segment.b).0)
         });
         near.map(|(distance, at, _)| (distance, at))
@@ -152,7 +152,7 @@ impl Extension<'_> {
     fn pointed_at(&self, passed: &[Vertex]) -> Option<ExtensionTarget> {
         let tip = passed.last().unwrap_or(&self.start).at;
         let heading = self.heading(passed)?;
-        let at = junction::ahead(tip, heading, self.drawn.segments(), self.drawn.params.join_gap, |_| true)?;
+        let at = lead_on::ahead(tip, heading, &self.drawn.segments, self.drawn.params.join_gap, |_| true)?;
         Some(ExtensionTarget { at, count: passed.len(), distance: (at - tip).length() })
     }
 

@@ -12,6 +12,7 @@ mod cluster;
 mod displace;
 mod drawn;
 mod extend;
+mod junctions;
 mod near_line;
 mod near_map;
 mod passage;
@@ -70,8 +71,9 @@ enum Decision {
     Split(Vec<Polyline<Vertex>>),
 }
 
-/// What is left of a line is extended to lines that it joins in so many rounds. Where it comes in at too small an angle
-/// the next round takes the extension away again, and it would go on like that until the line is given up.
+/// Only in its first rounds, so many, is what is left of a line extended to lines that it joins. Where it comes in at
+/// too small an angle the next round takes the extension away again, and it would go on like that until the line is
+/// given up.
 const EXTENDED_ROUNDS: u8 = 3;
 
 /// Clears lines of these saliencies, the most salient one first; the result is in that order.
@@ -96,7 +98,8 @@ pub(super) fn clear(
         let (rank, round, is_part) = (line.rank, line.round + 1, line.is_part);
         let is_whole_or_none = line.polyline.closed && params.whole_rings;
         match judge(line, &drawn, &mut own) {
-            // a part of such a ring is nothing: it is left out; but one that a person drew is there as far as it can be
+            // a part of such a ring says nothing, so it is left out; only a ring of a person that is too near to itself
+            // is drawn all the same, open
             Decision::Open(_) if is_whole_or_none && rank != Rank::Person => {}
             Decision::Split(_) if is_whole_or_none => {}
             Decision::Draw { line, junctions } => cleared.push(draw(line, &junctions, rank, &mut drawn)),

@@ -1,6 +1,7 @@
 //! Whether a line may be as near to a drawn one as it is.
 
-use super::passage::{Cluster, Junction, Meeting, Passage};
+use super::cluster::Cluster;
+use super::passage::{Junction, Meeting, Passage};
 use crate::geom::nearby::Segment;
 use crate::geom::walk::arc_between;
 use crate::units::{MmPoint, MmVector};

@@ -1,12 +1,14 @@
 //! Where a polyline meets the lines that are drawn.
 
+use super::cluster::Cluster;
 use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
 use crate::geom::walk::arc_between;
 use crate::units::{MmPoint, MmVector};
 
-/// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
-/// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
+/// A line ends on another if it comes this near, mm: twice the tolerance of simplification that profiles have (0.05),
+/// so that it is drawn so (see [`super::anchor`], which gives the other a vertex there), and far less than a finger
+/// notices.
 pub(crate) const TOUCH: f32 = 0.1;
 /// Crossings of one line with this much arc length between them, mm, or less, are those of one spike.
 pub(super) const SPIKE: f32 = 1.0;
@@ -69,24 +71,6 @@ pub(super) struct Passage {
     pub(super) junctions: Vec<Junction>,
     /// Its meetings with lines that these lines join close by.
     pub(super) clusters: Vec<Cluster>,
-}
-
-/// A polyline joins a line where that joins a third one, or so near to that place that fingers feel one meeting of all
-/// three. One of the polyline and the third line ends there. Only of drawings.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Cluster {
-    /// How far along the polyline its junction is, mm.
-    pub(super) arc: f32,
-    /// Whether it ends there.
-    pub(super) ends: bool,
-    /// Number of the third line.
-    pub(super) line: u32,
-    /// How far along that its junction is, mm.
-    pub(super) line_arc: f32,
-    /// Whether that ends there.
-    pub(super) line_ends: bool,
-    /// How far the two junctions are apart, along the line between, mm.
-    pub(super) apart: f32,
 }
 
 impl Passage {

@@ -24,7 +24,7 @@ pub(super) struct QueuedLine {
     pub(super) is_part: bool,
 }
 
-/// A line that is drawn.
+/// A line that is apart from all others, as it will be drawn.
 pub(in crate::lines) struct Cleared {
     pub(in crate::lines) polyline: Polyline<Vertex>,
     pub(in crate::lines) saliency: f32,

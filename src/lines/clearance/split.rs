@@ -18,7 +18,7 @@ const TIP: f32 = 0.01;
 /// where something was, not what.
 const WHOLE: f32 = 0.5;
 /// The same of a line of a vector drawing: every one is meant, and what is left of a petal is still a petal.
-const WHOLE_DRAWN: f32 = 0.25;
+const WHOLE_EXACT: f32 = 0.25;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
 /// blot. None if it has no stubs.
@@ -93,8 +93,8 @@ pub(super) fn split(
         }
         _ => (polyline.clone(), states.to_vec()),
     };
-    let is_drawn = polyline.vertices.iter().all(|vertex| vertex.source.is_exact());
-    let least = if is_drawn { WHOLE_DRAWN } else { WHOLE } * length;
+    let is_exact = polyline.vertices.iter().all(|vertex| vertex.source.is_exact());
+    let least = if is_exact { WHOLE_EXACT } else { WHOLE } * length;
     let kept = |pieces: &[Polyline<Vertex>]| pieces.iter().map(Polyline::length).sum::<f32>();
     let coarse = pieces(&open.vertices, clear_stretches(&open_states), ends, drawn);
     if kept(&coarse) < WHOLE * length

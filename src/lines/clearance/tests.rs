@@ -130,7 +130,7 @@ fn a_line_that_only_touches_the_corner_of_another_does_not_join_it() {
 fn a_line_whose_two_ends_meet_on_another_will_be_a_ring_and_does_not_join_it() {
     let drop = [(50.0, 50.0), (58.0, 60.0), (42.0, 60.0), (50.0, 50.0)];
     assert_eq!(states(&drop, false)[0], LineState::TooNear);
-    assert_eq!(states(&drop[..2], false)[0], LineState::Joined);
+    assert_eq!(states(&drop[..2], false)[0], LineState::Meets);
     let almost = [drop[0], drop[1], drop[2], (50.0, 50.05)];
     assert!(!matches!(decision(&almost, false), Decision::Draw { .. }), "its ends are drawn in one place");
 }

@@ -13,7 +13,7 @@
 //! A V3 is told the paper in inches or millimetres, a V4 or V5 how many cells of text have room on it.
 
 use crate::Error;
-use crate::devices::{Device, Family, Paper};
+use crate::devices::{Device, Family, INDEX_MARGIN_V4, Paper, SHORTEST_SIDE, hundredths};
 
 use super::dot_matrix::DotMatrix;
 
@@ -68,10 +68,19 @@ impl Default for Embossing {
     }
 }
 
+/// Which language an embosser speaks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Generation {
+    /// V3, which is told the size of the paper so.
+    V3(Paper),
+    /// V4 and V5.
+    V4,
+}
+
 /// What the header of a document says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
-    family: Family,
+    generation: Generation,
     /// Width and length, hundredths of a millimetre.
     sheet: [i64; 2],
     /// The number of the pitch.
@@ -88,23 +97,25 @@ impl Params {
     /// All faults at once, each a line that says what can be.
     pub fn new(device: &Device, sheet: [f32; 2], pitch: f32, embossing: Embossing) -> Result<Self, Vec<String>> {
         let name = device.name;
-        let is_index = matches!(device.family, Family::IndexV3 { .. } | Family::IndexV4);
+        let generation = match device.family {
+            Family::IndexV3 { paper } => Some(Generation::V3(paper)),
+            Family::IndexV4 => Some(Generation::V4),
+            Family::BrailleRap { .. } | Family::ViewPlus | Family::Pins { .. } | Family::Cells => None,
+        };
         let graphic_distance = device.pitches().find(pitch).and_then(graphic_distance);
         let faults: Vec<String> = [
-            (!is_index).then(|| format!("{name} does not speak the language of Index embossers")),
-            (is_index && graphic_distance.is_none())
-                .then(|| format!("{name} has no dots {pitch} mm apart; it has {}", device.pitches())),
-            (!sheet.iter().all(|side| (SHORTEST..=LONGEST).contains(side))).then(|| {
-                format!("the sheet is {} x {} mm; sides can be {SHORTEST} to {LONGEST} mm", sheet[0], sheet[1])
+            generation.is_none().then(|| format!("{name} does not speak the language of Index embossers")),
+            (generation.is_some() && graphic_distance.is_none()).then(|| device.pitch_fault(pitch)),
+            (!sheet.iter().all(|side| (SHORTEST_SIDE..=LONGEST).contains(side))).then(|| {
+                format!("the sheet is {} x {} mm; sides can be {SHORTEST_SIDE} to {LONGEST} mm", sheet[0], sheet[1])
             }),
         ]
         .into_iter()
         .flatten()
         .collect();
-        match graphic_distance {
-            Some(graphic_distance) if faults.is_empty() => {
-                let sheet = sheet.map(|side| (f64::from(side) * 100.0).round() as i64);
-                Ok(Self { family: device.family, sheet, graphic_distance, embossing })
+        match (generation, graphic_distance) {
+            (Some(generation), Some(graphic_distance)) if faults.is_empty() => {
+                Ok(Self { generation, sheet: sheet.map(hundredths), graphic_distance, embossing })
             }
             _ => Err(faults),
         }
@@ -112,26 +123,24 @@ impl Params {
 
     /// The header, as text between ESC and the dots.
     fn header(&self) -> String {
-        let Self { family, sheet: [width, length], graphic_distance, embossing: Embossing { copies, impact } } = *self;
+        let Self { generation, sheet: [width, length], graphic_distance, embossing: Embossing { copies, impact } } =
+            *self;
         let copies = if copies == 1 { String::new() } else { format!(",MC{copies}") };
-        let paper = match family {
-            Family::IndexV3 { paper: Paper::Inches } => format!("PW{},PL{},LS4", inches(width), inches(length)),
-            Family::IndexV3 { paper: Paper::Millimetres } => format!("PW{},PL{},LS4", width / 100, length / 100),
-            Family::IndexV3 { paper: Paper::Unsaid } => "LS4".into(),
-            Family::IndexV4 | Family::BrailleRap { .. } | Family::ViewPlus | Family::Pins { .. } | Family::Cells => {
-                format!(
-                    "CH{},LP{},LS50",
-                    (width - 2 * MARGIN + CELL_GAP) / (TEXT_DOT + CELL_GAP),
-                    (length - 2 * MARGIN + LINE_GAP) / (2 * TEXT_DOT + LINE_GAP)
-                )
-            }
+        let paper = match generation {
+            Generation::V3(Paper::Inches) => format!("PW{},PL{},LS4", inches(width), inches(length)),
+            Generation::V3(Paper::Millimetres) => format!("PW{},PL{},LS4", width / 100, length / 100),
+            Generation::V3(Paper::Unsaid) => "LS4".into(),
+            Generation::V4 => format!(
+                "CH{},LP{},LS50",
+                (width - 2 * INDEX_MARGIN_V4 + CELL_GAP) / (TEXT_DOT + CELL_GAP),
+                (length - 2 * INDEX_MARGIN_V4 + LINE_GAP) / (2 * TEXT_DOT + LINE_GAP)
+            ),
         };
         format!("DTM0,BI0,FO0{copies},MI{impact},DP1,TD0,GD{graphic_distance},PN0,{paper},BT0;")
     }
 }
 
-/// Shortest and longest side of a sheet, mm: the inch and the 10 m of the driver.
-const SHORTEST: f32 = 25.4;
+/// Longest side of a sheet, mm: the 10 m of the driver.
 const LONGEST: f32 = 10_000.0;
 
 // Text, which the driver counts in hundredths of a millimetre even where there is none: dots 2.5 mm apart (TD0),
@@ -140,7 +149,6 @@ const LONGEST: f32 = 10_000.0;
 const TEXT_DOT: i64 = 250;
 const CELL_GAP: i64 = 350;
 const LINE_GAP: i64 = 500;
-const MARGIN: i64 = 501;
 
 /// The embosser's number for a pitch in mm.
 fn graphic_distance(pitch: f32) -> Option<u8> {

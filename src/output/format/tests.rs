@@ -13,6 +13,13 @@ fn extensions_lead_back_to_their_formats() {
 }
 
 #[test]
+fn all_formats_are_those_of_drawings_and_those_of_dots() {
+    let drawings = DrawingFormat::ALL.iter().copied().map(Format::Drawing);
+    let all: Vec<Format> = drawings.chain(DotFormat::ALL.iter().copied().map(Format::Dots)).collect();
+    assert_eq!(Format::ALL, all);
+}
+
+#[test]
 fn names_lead_back_to_their_formats() {
     for &format in Format::ALL {
         assert_eq!(Format::named(format.name()), Ok(format));

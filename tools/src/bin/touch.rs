@@ -134,12 +134,15 @@ fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, pages_of: &
             sum.add(tally);
         }
         if kinds {
-            let rights = tallies.map(|tally| format!("{:.4}", tally.share(0..5).1)).join(" ");
-            let greys = tallies.map(|tally| format!("{:.4}", tally.share(4..5).1)).join(" ");
+            let rights = tallies.map(|tally| format!("{:.4}", tally.share(judge::CLASSES).1)).join(" ");
+            let greys = tallies.map(|tally| format!("{:.4}", tally.share(judge::only(Some(Class::Grey))).1)).join(" ");
             println!("  {kind_name:<8} all {rights}   grey {greys}");
         }
     }
-    for (what, classes, wanted) in [("areas", 0..5, WANTED[0]), ("grey", 4..5, WANTED[1]), ("white", 5..6, WANTED[2])] {
+    let (grey, white) = (judge::only(Some(Class::Grey)), judge::only(None));
+    for (what, classes, wanted) in
+        [("areas", judge::CLASSES, WANTED[0]), ("grey", grey, WANTED[1]), ("white", white, WANTED[2])]
+    {
         let shares = sums.map(|sum| sum.share(classes.clone()));
         let holds = shares.iter().zip(wanted).all(|((_, share), wanted)| *share >= wanted);
         let told = shares.map(|(_, share)| format!("{share:.4}")).join(" ");

@@ -17,16 +17,26 @@ const LIGHTEST: f32 = 0.88;
 /// Places are judged this far from one another, mm.
 const EVERY: f32 = 1.0;
 
-/// How many places of each class (white is the sixth) were judged, and as what they were felt.
+/// The place of white in a tally: after all classes.
+const BLANK: usize = Class::ALL.len();
+/// The places of all classes in a tally.
+pub const CLASSES: std::ops::Range<usize> = 0..BLANK;
+
+/// How many places of each class (white is the last) were judged, and as what they were felt.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Tally {
     /// For each class painted, how often each was felt.
-    pub felt: [[u32; 6]; 6],
+    pub felt: [[u32; BLANK + 1]; BLANK + 1],
 }
 
 /// The place of a class in a tally; blank is the last.
 pub fn index(class: Option<Class>) -> usize {
-    class.and_then(|class| Class::ALL.iter().position(|other| *other == class)).unwrap_or(5)
+    class.and_then(|class| Class::ALL.iter().position(|other| *other == class)).unwrap_or(BLANK)
+}
+
+/// The place of one class, or of white, in a tally, for [`Tally::share`].
+pub fn only(class: Option<Class>) -> std::ops::Range<usize> {
+    index(class)..index(class) + 1
 }
 
 impl Tally {
@@ -51,8 +61,8 @@ fn judged(scene: &Scene, mm_per_px: f32) -> Vec<(usize, usize, Option<Class>)> {
     let every = ((EVERY / mm_per_px).round() as usize).max(1);
     let class = |truth: Truth| match truth {
         Truth::Colour(class, _) => index(Some(class)),
-        Truth::White => 5,
-        Truth::Unknown => 6,
+        Truth::White => BLANK,
+        Truth::Unknown => BLANK + 1,
     };
     let border: Vec<bool> = (0..side * side)
         .map(|i| {

@@ -115,26 +115,32 @@ fn lightness_for(class: Class, rng: &mut Rng) -> f32 {
     rng.between_f32(if class == Class::Yellow { 0.42 } else { 0.15 }, 0.86)
 }
 
-/// The paper's five bars: 26 mm of colour each on white.
+/// Width of a bar with its gap, or of a band, mm: those of all classes side by side take 150 mm.
+const BAND: f32 = 150.0 / Class::ALL.len() as f32;
+
+/// The number of the band in which a place is, and how far across it, 0..1.
+fn band_at(x: f32) -> Option<(usize, f32)> {
+    let band = (x + 75.0) / BAND;
+    (0.0..Class::ALL.len() as f32).contains(&band).then_some((band as usize, band.fract()))
+}
+
+/// The paper's bars, one for each class: 26 mm of colour on white where there are five.
 fn bars() -> impl Fn(f32, f32) -> Spot {
-    |x, y| {
-        let bar = (x + 75.0) / 30.0;
-        let inside = (0.0..5.0).contains(&bar) && bar.fract() < 26.0 / 30.0 && y.abs() < 62.0;
-        if inside { colour(Class::ALL[bar as usize], 0.5, 0.5) } else { BLANK }
+    |x, y| match band_at(x) {
+        Some((bar, share)) if share < 26.0 / 30.0 && y.abs() < 62.0 => colour(Class::ALL[bar], 0.5, 0.5),
+        _ => BLANK,
     }
 }
 
 /// A band for each class from dark to white.
 fn ramps(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
-    let hues = [(); 5].map(|()| rng.between_f32(0.0, 1.0));
+    let hues = Class::ALL.map(|_| rng.between_f32(0.0, 1.0));
     move |x, y| {
-        let band = (x + 75.0) / 30.0;
         let lightness = 0.12 + 0.88 * (y + 75.0) / 150.0;
-        if !(0.0..5.0).contains(&band) || !(0.12..1.0).contains(&lightness) {
-            return BLANK;
+        match band_at(x) {
+            Some((band, _)) if (0.12..1.0).contains(&lightness) => colour(Class::ALL[band], hues[band], lightness),
+            _ => BLANK,
         }
-        let band = band as usize;
-        colour(Class::ALL[band], hues[band], lightness)
     }
 }
 
@@ -142,7 +148,7 @@ fn ramps(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
 fn map(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
     let seats: Vec<(f32, f32, Spot)> = (0..12)
         .map(|_| {
-            let class = rng.below(6);
+            let class = rng.below(Class::ALL.len() + 1); // the last is blank
             let spot = Class::ALL.get(class).map_or(BLANK, |&class| {
                 let lightness = lightness_for(class, rng);
                 colour(class, rng.between_f32(0.0, 1.0), lightness)
@@ -159,13 +165,13 @@ fn map(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
 /// Stripes that get narrower from 34 to 4 mm, each of another class than the one before.
 fn stripes(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
     let mut list = Vec::new();
-    let (mut at, mut width, mut class) = (-110.0, 34.0, rng.below(5));
+    let (mut at, mut width, mut class) = (-110.0, 34.0, rng.below(Class::ALL.len()));
     while at < 110.0 {
         let lightness = lightness_for(Class::ALL[class], rng);
         list.push((at, colour(Class::ALL[class], rng.between_f32(0.0, 1.0), lightness)));
         at += width;
         width = (width * 0.85_f32).max(4.0);
-        class = (class + 1 + rng.below(4)) % 5;
+        class = (class + 1 + rng.below(Class::ALL.len() - 1)) % Class::ALL.len();
     }
     move |x, _| list.iter().rev().find(|(from, _)| x >= *from).map_or(BLANK, |(_, spot)| *spot)
 }
@@ -179,7 +185,7 @@ fn discs(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
             let room = 80.0 - 0.5 * diameter;
             let (x, y) = (rng.between_f32(-room, room), rng.between_f32(-room, room));
             if list.iter().all(|other| (other.0 - x).hypot(other.1 - y) > 0.5 * diameter + other.2 + 5.0) {
-                let class = Class::ALL[rng.below(5)];
+                let class = Class::ALL[rng.below(Class::ALL.len())];
                 let lightness = lightness_for(class, rng);
                 list.push((x, y, 0.5 * diameter, colour(class, rng.between_f32(0.0, 1.0), lightness)));
                 break;

@@ -2,11 +2,11 @@
 
 use super::*;
 
-pub(in super::super) fn row(y: i32, columns: std::ops::Range<i32>) -> Vec<Cell> {
+pub(in super::super) fn row(y: i32, columns: std::ops::Range<i32>) -> Vec<GridDot> {
     columns.map(|x| [x, y]).collect()
 }
 
-pub(in super::super) fn taken(lines: &[Vec<Cell>], gap: i32) -> OccupiedDots {
+pub(in super::super) fn taken(lines: &[Vec<GridDot>], gap: i32) -> OccupiedDots {
     let mut taken = OccupiedDots::new(gap);
     for (number, cells) in lines.iter().enumerate() {
         cells.iter().for_each(|&cell| taken.take(cell, number));
@@ -14,7 +14,7 @@ pub(in super::super) fn taken(lines: &[Vec<Cell>], gap: i32) -> OccupiedDots {
     taken
 }
 
-fn pieces(taken: &OccupiedDots, cells: &[Cell], closed: bool) -> Vec<(Vec<Cell>, bool)> {
+fn pieces(taken: &OccupiedDots, cells: &[GridDot], closed: bool) -> Vec<(Vec<GridDot>, bool)> {
     taken.pieces(cells, closed).into_iter().map(|piece| (piece.cells, piece.closed)).collect()
 }
 
@@ -34,9 +34,9 @@ fn a_line_is_cut_where_it_comes_near_another() {
 
 #[test]
 fn a_ring_that_is_cut_is_an_open_line() {
-    let side = |from: Cell, step: Cell| (0..6).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
+    let side = |from: GridDot, step: GridDot| (0..6).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
     let right_and_down = side([0, 0], [1, 0]).chain(side([6, 0], [0, 1]));
-    let ring: Vec<Cell> = right_and_down.chain(side([6, 6], [-1, 0])).chain(side([0, 6], [0, -1])).collect();
+    let ring: Vec<GridDot> = right_and_down.chain(side([6, 6], [-1, 0])).chain(side([0, 6], [0, -1])).collect();
     assert_eq!(pieces(&taken(&[], 1), &ring, true), [(ring.clone(), true)]);
     let cut = pieces(&taken(&[row(-1, 2..6)], 1), &ring, true);
     assert_eq!(cut.len(), 1);
@@ -51,10 +51,10 @@ fn a_ring_that_is_cut_is_an_open_line() {
 #[test]
 fn an_end_that_touches_another_line_stays_joined() {
     let taken = taken(&[row(0, 0..20)], 2);
-    let upright = |rows: std::ops::Range<i32>| rows.map(|y| [10, y]).collect::<Vec<Cell>>();
+    let upright = |rows: std::ops::Range<i32>| rows.map(|y| [10, y]).collect::<Vec<GridDot>>();
     // the dot on the other line is removed, the one beside it stays
     assert_eq!(pieces(&taken, &upright(0..9), false), [(upright(1..9), false)]);
-    let reversed: Vec<Cell> = upright(0..9).into_iter().rev().collect();
+    let reversed: Vec<GridDot> = upright(0..9).into_iter().rev().collect();
     assert_eq!(pieces(&taken, &reversed, false), [(upright(1..9).into_iter().rev().collect(), false)]);
     // an end that only comes near is shortened
     assert_eq!(pieces(&taken, &upright(2..9), false), [(upright(3..9), false)]);
@@ -62,7 +62,7 @@ fn an_end_that_touches_another_line_stays_joined() {
 
 #[test]
 fn a_short_line_from_one_line_to_another_is_a_link() {
-    let upright = |x: i32| (0..12).map(move |y| [x, y]).collect::<Vec<Cell>>();
+    let upright = |x: i32| (0..12).map(move |y| [x, y]).collect::<Vec<GridDot>>();
     let links = |apart: i32, from: i32, to: i32| {
         let pieces = taken(&[upright(0), upright(apart)], 2).pieces(&row(6, from..to), false);
         pieces.into_iter().map(|piece| (piece.cells.len(), piece.is_link)).collect::<Vec<_>>()
@@ -78,14 +78,14 @@ fn a_short_line_from_one_line_to_another_is_a_link() {
     assert_eq!(links(3, 0, 4), [], "two dots are no line");
     assert_eq!(links(7, 0, 5), [(4, false)], "it ends before the other one");
     // beside one of them all along
-    let beside = taken(&[upright(0), upright(4)], 2).pieces(&(0..6).map(|y| [1, y]).collect::<Vec<Cell>>(), false);
+    let beside = taken(&[upright(0), upright(4)], 2).pieces(&(0..6).map(|y| [1, y]).collect::<Vec<GridDot>>(), false);
     assert!(beside.iter().all(|piece| !piece.is_link));
 }
 
 #[test]
 fn a_link_goes_with_the_dots_that_it_led_to() {
-    let link: Vec<Cell> = (1..5).map(|y| [0, y]).collect();
-    let left = |bases: [Vec<Cell>; 2]| {
+    let link: Vec<GridDot> = (1..5).map(|y| [0, y]).collect();
+    let left = |bases: [Vec<GridDot>; 2]| {
         let mut taken = taken(&bases, 2);
         let piece = RowPiece { is_link: true, ..RowPiece::cut_out(link.clone()) };
         link.iter().for_each(|&cell| taken.take(cell, 2));
@@ -95,7 +95,7 @@ fn a_link_goes_with_the_dots_that_it_led_to() {
         let steps: Vec<f32> = (0..40).map(|step| 2.0 * step as f32).collect();
         let grid = Grid { columns: steps.clone(), rows: steps };
         taken.drop_loose(&mut drawn, &[false; 3], &grid, &Params::TEST);
-        (drawn[2].piece.cells.len(), link.iter().filter(|cell| taken.lines.contains_key(*cell)).count())
+        (drawn[2].piece.cells.len(), link.iter().filter(|cell| taken.piece_of.contains_key(*cell)).count())
     };
     assert_eq!(left([row(0, -9..9), row(5, -9..9)]), (4, 4));
     // a hollow point has hidden some of them
@@ -104,7 +104,7 @@ fn a_link_goes_with_the_dots_that_it_led_to() {
 
 #[test]
 fn a_line_that_comes_back_keeps_the_gap_from_itself() {
-    let hairpin: Vec<Cell> = row(0, 0..20).into_iter().chain(row(1, 0..20).into_iter().rev()).collect();
+    let hairpin: Vec<GridDot> = row(0, 0..20).into_iter().chain(row(1, 0..20).into_iter().rev()).collect();
     let left = pieces(&taken(&[], 1), &hairpin, false);
     // both arms are near each other for 8 dots from the turn on
     assert_eq!(left.len(), 1);
@@ -122,43 +122,43 @@ fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
 #[test]
 fn the_arms_of_a_line_that_crosses_another_count_together() {
     let taken = taken(&[row(0, -20..20)], 2);
-    let through = |line: &[Cell]| -> Vec<(usize, usize)> {
+    let through = |line: &[GridDot]| -> Vec<(usize, usize)> {
         taken.pieces(line, false).iter().map(|piece| (piece.cells.len(), piece.through)).collect()
     };
-    let upright: Vec<Cell> = (-7..12).map(|y| [3, y]).collect();
+    let upright: Vec<GridDot> = (-7..12).map(|y| [3, y]).collect();
     assert_eq!(through(&upright), [(7, 19), (11, 19)]);
-    let slanted: Vec<Cell> = (-7..12).map(|y| [3 + y, y]).collect();
+    let slanted: Vec<GridDot> = (-7..12).map(|y| [3 + y, y]).collect();
     assert_eq!(through(&slanted), [(7, 19), (11, 19)]);
     // what comes down, runs along the other and goes on is no cross
-    let along: Vec<Cell> =
+    let along: Vec<GridDot> =
         (-7..0).map(|y| [0, y]).chain((0..12).map(|x| [x, 0])).chain((1..9).map(|y| [11, y])).collect();
     assert_eq!(through(&along), [(5, 5), (6, 6)]);
     // nor is what turns where it is cut
-    let column: Vec<Cell> = (0..4).map(|y| [0, y]).collect();
-    assert!(goes_on(&column, &(9..13).map(|y| [1, y]).collect::<Vec<Cell>>()));
+    let column: Vec<GridDot> = (0..4).map(|y| [0, y]).collect();
+    assert!(goes_on(&column, &(9..13).map(|y| [1, y]).collect::<Vec<GridDot>>()));
     assert!(!goes_on(&column, &row(5, 3..7)));
 }
 
 #[test]
 fn a_line_that_crosses_another_steeply_keeps_its_dots() {
     let taken = taken(&[row(0, -20..20)], 2);
-    let upright: Vec<Cell> = (-9..10).map(|y| [3, y]).collect();
+    let upright: Vec<GridDot> = (-9..10).map(|y| [3, y]).collect();
     let halves = pieces(&taken, &upright, false);
     assert_eq!(halves, [(upright[..9].to_vec(), false), (upright[10..].to_vec(), false)]);
-    let flat: Vec<Cell> = (-19..20).map(|x| [x, x / 3]).collect();
+    let flat: Vec<GridDot> = (-19..20).map(|x| [x, x / 3]).collect();
     let left = pieces(&taken, &flat, false);
     assert!(!left.is_empty() && left.iter().all(|(cells, _)| cells.iter().all(|cell| cell[1].abs() > 2)));
     // between dots of the other
-    let slanted: Vec<Cell> = (-9..10).map(|y| [y, y]).collect();
+    let slanted: Vec<GridDot> = (-9..10).map(|y| [y, y]).collect();
     let other = self::taken(&[(-9..10).map(|y| [y, 1 - y]).collect()], 2);
     assert_eq!(pieces(&other, &slanted, false).iter().map(|(cells, _)| cells.len()).sum::<usize>(), slanted.len());
 }
 
 #[test]
 fn a_ring_that_touches_a_line_stays_a_ring() {
-    let stem = (-20..20).map(|y| [0, y]).collect::<Vec<Cell>>();
-    let leaf: Vec<Cell> = [
-        (0..8).map(|i| [i, -i]).collect::<Vec<Cell>>(),
+    let stem = (-20..20).map(|y| [0, y]).collect::<Vec<GridDot>>();
+    let leaf: Vec<GridDot> = [
+        (0..8).map(|i| [i, -i]).collect::<Vec<GridDot>>(),
         (1..8).map(|i| [7 + i, -7 + i]).collect(),
         (1..8).map(|i| [14 - i, i]).collect(),
         (1..7).map(|i| [7 - i, 7 - i]).collect(),
@@ -168,9 +168,9 @@ fn a_ring_that_touches_a_line_stays_a_ring() {
     assert_eq!(left.len(), 1);
     assert!(left[0].1 && left[0].0.len() == leaf.len() - 1, "{left:?}");
     // corner on corner, without a dot in common: it begins where it touches
-    let bend: Vec<Cell> = row(0, 1..20).into_iter().rev().chain((0..9).map(|y| [0, y])).collect();
+    let bend: Vec<GridDot> = row(0, 1..20).into_iter().rev().chain((0..9).map(|y| [0, y])).collect();
     let sides = [row(-4, -20..0), (-3..0).map(|y| [0, y]).collect(), row(0, -20..0).into_iter().rev().collect()];
-    let bar: Vec<Cell> = sides.into_iter().chain([(-3..0).map(|y| [-21, -4 - y]).collect()]).flatten().collect();
+    let bar: Vec<GridDot> = sides.into_iter().chain([(-3..0).map(|y| [-21, -4 - y]).collect()]).flatten().collect();
     let left = pieces(&self::taken(&[bend], 2), &bar, true);
     let [(ring, true)] = &left[..] else { panic!("{left:?}") };
     assert!(ring.len() == bar.len() && distance(ring[0], [0, 0]) <= 1, "{ring:?}");
@@ -179,14 +179,14 @@ fn a_ring_that_touches_a_line_stays_a_ring() {
 #[test]
 fn a_corner_on_the_end_of_a_line_keeps_its_dots() {
     let mut taken = taken(&[row(0, -20..1)], 2);
-    let corner: Vec<Cell> = (-8..0).map(|y| [-y, y]).chain(row(0, 0..9)).collect();
+    let corner: Vec<GridDot> = (-8..0).map(|y| [-y, y]).chain(row(0, 0..9)).collect();
     let dots = |taken: &OccupiedDots| pieces(taken, &corner, false).iter().map(|(cells, _)| cells.len()).sum::<usize>();
     assert_eq!(dots(&taken), corner.len() - 5);
     taken.tips.insert([0, 0]);
     assert_eq!(dots(&taken), corner.len() - 1);
-    // an end beside it parts it not
+    // a line that ends beside it does not interrupt it
     let beside = self::taken(&[row(0, -20..3)], 2);
-    let upright: Vec<Cell> = (-9..10).map(|y| [3, y]).collect();
+    let upright: Vec<GridDot> = (-9..10).map(|y| [3, y]).collect();
     assert_eq!(pieces(&beside, &upright, false).iter().map(|(cells, _)| cells.len()).sum::<usize>(), upright.len() - 5);
     let mut ending = beside;
     ending.tips.insert([2, 0]);

@@ -21,7 +21,7 @@ fn a_second_row_that_is_to_be_whole_is_on_the_side_that_has_room_or_nowhere() {
         Params { diameter: 1.5, line_gap: 1, heavy_from: 9.0, whole_rows: true, min_length: 5.0, ..Params::TEST };
     let wall = || RowPiece::cut_out(row(0, 0..20));
     // lines that end beside it above and below
-    let rows = |ends: &[Cell], whole_rows: bool| {
+    let rows = |ends: &[GridDot], whole_rows: bool| {
         let mut taken = taken(&[row(0, 0..20)], 1);
         ends.iter().for_each(|&end| taken.take(end, 1));
         let params = Params { whole_rows, ..params };
@@ -39,7 +39,7 @@ fn a_second_row_that_is_to_be_whole_is_on_the_side_that_has_room_or_nowhere() {
 fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
     let strength = |number: usize| [90.0, 80.0, 75.0, 50.0, 45.0][number];
     let rows = |with: &[usize]| {
-        let mut rows: Vec<Option<Vec<Cell>>> =
+        let mut rows: Vec<Option<Vec<GridDot>>> =
             (0..5).map(|number| Some(if with.contains(&number) { row(0, 0..9) } else { Vec::new() })).collect();
         alike(&[0, 1, 2, 3, 4], &mut rows, strength);
         (0..5).filter(|&number| rows[number].as_ref().is_some_and(|row| !row.is_empty())).collect::<Vec<_>>()

@@ -1,6 +1,7 @@
 //! Patterns of dots for textures, on all grids.
 
 use super::*;
+use crate::devices::{Device, Pitches};
 use crate::units::{MmPoint, MmRect};
 
 fn even(pitch: f32) -> GridSteps {
@@ -87,6 +88,19 @@ fn cells_are_seen_as_such_and_even_grids_as_even() {
     let few = GridSteps::of(&[3.0], 0.0, 9.0);
     assert!(few.is_even() && GridSteps::of(&[], 0.0, 9.0).is_even(), "a device with hardly a dot does no harm");
     assert_eq!(few.origin, 0);
+}
+
+#[test]
+fn cells_are_seen_on_the_devices_that_have_them() {
+    for device in Device::ALL {
+        let sheet = device.field().unwrap_or([210.0, 297.0]);
+        let Pitches::Listed(pitches) = device.pitches() else { continue };
+        for &pitch in pitches {
+            let Ok(DotArea::Grid(grid)) = device.dot_area(sheet, pitch) else { continue };
+            let count = [&grid.columns, &grid.rows].map(|places| GridSteps::of(places, 0.0, 0.0).count as usize);
+            assert_eq!(count, device.cell_dots().unwrap_or([1, 1]), "{} at {pitch} mm", device.id);
+        }
+    }
 }
 
 #[test]

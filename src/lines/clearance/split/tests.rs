@@ -6,19 +6,19 @@ use super::*;
 #[test]
 #[expect(clippy::single_range_in_vec_init, reason = "lists of stretches, of which there may be one")]
 fn stretches_end_where_a_near_one_has_something_too_near() {
-    use LineState::{Free, Joined, TooNear};
+    use LineState::{Free, Meets, TooNear};
     let all = |states: &[LineState]| clear_stretches(states);
-    assert_eq!(all(&[Free, Free, Joined, TooNear, Joined, Free]), [0..2, 5..6]);
-    assert_eq!(all(&[Joined, Free, Joined, Free]), [0..4], "junctions divide nothing");
+    assert_eq!(all(&[Free, Free, Meets, TooNear, Meets, Free]), [0..2, 5..6]);
+    assert_eq!(all(&[Meets, Free, Meets, Free]), [0..4], "junctions divide nothing");
     assert_eq!(all(&[TooNear, Free, TooNear]), [1..2]);
-    assert_eq!(all(&[Free, Joined]), [0..2]);
+    assert_eq!(all(&[Free, Meets]), [0..2]);
     assert_eq!(all(&[TooNear]), []);
 }
 
 #[test]
 fn an_axis_stays_where_bars_stand_on_it() {
-    use LineState::{Free, Joined, TooNear};
-    assert_eq!(apart_stretches(&[TooNear, Joined, Joined, TooNear, Free, Joined]), [1..3, 4..6]);
+    use LineState::{Free, Meets, TooNear};
+    assert_eq!(apart_stretches(&[TooNear, Meets, Meets, TooNear, Free, Meets]), [1..3, 4..6]);
     assert_eq!(apart_stretches(&[TooNear]), []);
     // bars 9 mm apart, and what was drawn of the axis before them
     let legs: Vec<Vec<(f32, f32)>> =

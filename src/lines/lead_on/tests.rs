@@ -1,4 +1,4 @@
-//! Tests of `junction`.
+//! Tests of `lead_on`.
 
 use super::*;
 

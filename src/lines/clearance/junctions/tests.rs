@@ -1,7 +1,9 @@
 //! Where a polyline joins lines that are drawn, and where it is too near to them.
 
+use super::super::drawn::LineState;
 use super::super::tests::{drawn, polyline};
 use super::*;
+use crate::lines::params::Params;
 
 /// A line to be joined, from left to right.
 const LINE: &[(f32, f32)] = &[(10.0, 50.0), (90.0, 50.0)];

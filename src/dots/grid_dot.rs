@@ -4,7 +4,7 @@ use crate::devices::Grid;
 use crate::units::{MmPoint, MmRect};
 
 /// A dot's column and row.
-pub(super) type Cell = [i32; 2];
+pub(super) type GridDot = [i32; 2];
 
 /// A position in columns and rows, in fractions of their distances.
 pub(super) type GridPoint = [f32; 2];
@@ -22,12 +22,12 @@ fn index(mm: f32, centres: &[f32]) -> f32 {
 }
 
 /// The dot nearest to a position.
-pub(super) fn nearest([x, y]: GridPoint) -> Cell {
+pub(super) fn nearest([x, y]: GridPoint) -> GridDot {
     [x, y].map(|value| (value + 0.5).floor() as i32)
 }
 
 /// The centre of a dot; one beyond the grid is moved to its edge.
-pub(super) fn centre([column, row]: Cell, grid: &Grid) -> MmPoint {
+pub(super) fn centre([column, row]: GridDot, grid: &Grid) -> MmPoint {
     let at = |index: i32, centres: &[f32]| {
         let last = centres.len().saturating_sub(1) as i32;
         centres.get(index.clamp(0, last) as usize).copied().unwrap_or(0.0)
@@ -37,14 +37,14 @@ pub(super) fn centre([column, row]: Cell, grid: &Grid) -> MmPoint {
 
 /// A part of a grid.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct CellBox {
+pub(super) struct GridBox {
     /// The first column and row.
-    first: Cell,
+    first: GridDot,
     /// The last ones; before the first where there are none.
-    last: Cell,
+    last: GridDot,
 }
 
-impl CellBox {
+impl GridBox {
     /// The dots within `part` of the sheet.
     pub(super) fn within(part: MmRect, grid: &Grid) -> Self {
         let first = |from: f32, centres: &[f32]| centres.partition_point(|&centre| centre < from) as i32;
@@ -59,17 +59,17 @@ impl CellBox {
         (0..2).any(|axis| self.first[axis] > self.last[axis])
     }
 
-    pub(super) fn holds(&self, cell: Cell) -> bool {
+    pub(super) fn holds(&self, cell: GridDot) -> bool {
         (0..2).all(|axis| (self.first[axis]..=self.last[axis]).contains(&cell[axis]))
     }
 
     /// The dot nearest to another; there has to be one.
-    pub(super) fn nearest(&self, cell: Cell) -> Cell {
+    pub(super) fn nearest(&self, cell: GridDot) -> GridDot {
         [0, 1].map(|axis| cell[axis].clamp(self.first[axis], self.last[axis]))
     }
 }
 
 /// The distance of two dots in steps, diagonal ones included (Chebyshev).
-pub(super) fn distance(a: Cell, b: Cell) -> i32 {
+pub(super) fn distance(a: GridDot, b: GridDot) -> i32 {
     (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
 }
