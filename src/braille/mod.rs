@@ -8,6 +8,7 @@
 
 mod capitals;
 mod cell;
+mod characters;
 mod code;
 mod divide;
 mod joined;
@@ -19,6 +20,7 @@ mod translator;
 mod wrap;
 
 pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
+pub use characters::{characters, is_accent};
 pub use code::{Code, Grade};
 pub use table::Table;
 pub use translate::{Braille, Lacking, unicode};

@@ -1,6 +1,7 @@
 //! Text to cells, by the table of a code.
 
 use super::capitals::{self, CapitalContext};
+use super::characters::characters;
 use super::divide;
 use super::joined;
 use super::neighbours::Neighbours;
@@ -46,7 +47,7 @@ impl Table {
     /// A text in this code. Spaces at its ends fall out, and several are one. What the code has no cells for is as if
     /// it were not there: no sign of a capital is left of it, and words beside it are written as they are without it.
     pub fn translate(&self, text: &str) -> Braille {
-        let mut text = plain(text.chars().zip(1..));
+        let mut text = plain(characters(text));
         let mut lacking: Vec<Lacking> = Vec::new();
         loop {
             let mut braille = self.write(&text);
@@ -57,7 +58,7 @@ impl Table {
             }
             let known = &braille.lacking;
             let is_written = |&(_, at): &(char, usize)| known.binary_search_by_key(&at, |lacking| lacking.at).is_err();
-            text = plain(text.into_iter().filter(is_written));
+            text = plain(text.into_iter().filter(is_written).collect());
             lacking.append(&mut braille.lacking);
         }
     }
@@ -104,7 +105,7 @@ impl Table {
 
 /// The characters of a text with their places in it, from 1: one space for any white space, none at the ends. What is
 /// never seen is left out.
-fn plain(text: impl Iterator<Item = (char, usize)>) -> Vec<(char, usize)> {
+fn plain(text: Vec<(char, usize)>) -> Vec<(char, usize)> {
     let mut plain: Vec<(char, usize)> = Vec::new();
     for (character, at) in text {
         let character = if character.is_whitespace() { ' ' } else { character };
