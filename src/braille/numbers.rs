@@ -14,8 +14,8 @@ pub(super) struct Written {
     pub(super) is_on_line: bool,
 }
 
-/// The raised or lowered number that begins at `i`. Where the code has none, lowered ones stand on the line, as H2O, and
-/// raised ones behind a unit, as m2; elsewhere that would say something else.
+/// The raised or lowered number that begins at `i`. Where the code has none, lowered ones stand on the line, as H2O,
+/// and raised ones behind a unit, as m2; elsewhere that would say something else.
 pub(super) fn script(table: &Table, text: &[char], i: usize) -> Option<Written> {
     let number = |digit: fn(char) -> Option<u32>, from: usize| -> Vec<u32> {
         text[from..].iter().map_while(|&character| digit(character)).collect()

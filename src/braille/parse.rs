@@ -63,13 +63,6 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             let before_capitals = parts.get(1) == Some(&"any");
             table.letter_after_number = Some(AfterNumber { sign: cells(part(0)?)?, before_capitals });
         }
-        "superscript" => script(&mut table.superscript, &parts)?,
-        "subscript" => script(&mut table.subscript, &parts)?,
-        "superscript-minus" => {
-            let after = parts.get(1).map_or(Ok(Vec::new()), |dots| cells(dots))?;
-            table.superscript.get_or_insert_default().minus = Some((cells(part(0)?)?, after));
-        }
-        "ordinal-digits" => table.ordinals = Some(Ordinals { digits: ten(&parts)? }),
         "capital" => {
             let cells = cells(part(0)?)?;
             capitals(table, &|capitals| capitals.letter.clone_from(&cells));
@@ -105,6 +98,21 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             table.longest = table.longest.max(sign.chars().count());
             table.signs.entry(sign.to_owned()).or_default().push(rule);
         }
+        _ => return read_numbers(word, &parts, table),
+    }
+    Ok(())
+}
+
+/// The words of numbers that stand higher or lower, or are of an order.
+fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), String> {
+    match (word, parts) {
+        ("superscript", _) => script(&mut table.superscript, parts)?,
+        ("subscript", _) => script(&mut table.subscript, parts)?,
+        ("superscript-minus", [before, after @ ..]) => {
+            let after = after.first().map_or(Ok(Vec::new()), |dots| cells(dots))?;
+            table.superscript.get_or_insert_default().minus = Some((cells(before)?, after));
+        }
+        ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),
     }
     Ok(())

@@ -4,8 +4,8 @@ use crate::braille::{Braille, Lacking, Translator, is_script};
 use crate::listing::first_few;
 use crate::note::{About, Note, Reason};
 
-/// A title in braille, and what is told of it. A letter that the code has no cells for is left out of it; a formula that
-/// would lose a sign is not written at all, as a label is not.
+/// A title in braille, and what is told of it. A letter that the code has no cells for is left out of it; a formula
+/// that would lose a sign is not written at all, as a label is not.
 pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>, Vec<Note>) {
     let not_written = |why: String| Note::NotTranslated { texts: vec![text.to_owned()], why };
     let braille = match translator.translate(text) {
@@ -42,8 +42,8 @@ pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Not
     let has_script = |text: &&&str| text.contains(is_script);
     let mut named_texts: Vec<&str> = texts.iter().filter(has_script).filter(is_on_line).copied().collect();
     named_texts.dedup();
-    let what = "lowered and raised numbers stand on the line in braille, as in H2O, since this table has no other cells \
-                for them";
+    let what = "lowered and raised numbers stand on the line in braille, as in H2O, since this table has no other \
+                cells for them";
     let told = || Note::TakenAs(About::Braille, Reason::NumbersOnLine, format!("{what}: {}", named(&named_texts)));
     (!named_texts.is_empty()).then(told)
 }
