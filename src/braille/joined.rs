@@ -89,7 +89,7 @@ fn is_group(before: &[char], after: &[char]) -> bool {
 }
 
 /// Whether a word is a unit, perhaps with a power and with punctuation behind it.
-fn is_unit(word: &[char]) -> bool {
+pub(super) fn is_unit(word: &[char]) -> bool {
     let word: String = word.iter().collect();
     let word = word.trim_end_matches([',', '.', ';', ':', '?', '!', ')']);
     let is_known = |part: &str| UNITS.contains(&part.trim_end_matches(['\u{b2}', '\u{b3}', '2', '3']));

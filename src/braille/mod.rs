@@ -8,10 +8,12 @@
 
 mod capitals;
 mod cell;
+mod characters;
 mod code;
 mod divide;
 mod joined;
 mod neighbours;
+mod numbers;
 mod parse;
 mod table;
 mod translate;
@@ -19,7 +21,9 @@ mod translator;
 mod wrap;
 
 pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
+pub use characters::{characters, is_accent};
 pub use code::{Code, Grade};
+pub use numbers::is_script;
 pub use table::Table;
 pub use translate::{Braille, Lacking, unicode};
 pub use translator::{Translate, Translator};

@@ -1,5 +1,7 @@
 //! What stands beside a sign, by which codes choose how to write it.
 
+use super::numbers::is_script;
+
 /// What is on one side of a sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Side {
@@ -61,7 +63,7 @@ fn left_of(text: &[char], from: usize) -> Side {
             Side::Blank | Side::BlankThenDigit | Side::Opening => Side::Opening,
         },
         _ if OPENING.contains(&before) => Side::Opening,
-        _ if OF_NUMBER.contains(&before) => Side::OfNumber,
+        _ if OF_NUMBER.contains(&before) || is_script(before) => Side::OfNumber,
         _ => Side::Sign,
     }
 }
@@ -92,4 +94,4 @@ fn beyond<'a>(mut side: impl Iterator<Item = &'a char>) -> Side {
 
 const QUOTATION_MARKS: [char; 12] = ['"', '\'', '„', '“', '”', '‚', '‘', '’', '«', '»', '‹', '›'];
 const OPENING: [char; 11] = ['(', '[', '{', '¿', '¡', '-', '–', '—', '/', '=', '+'];
-const OF_NUMBER: [char; 9] = ['%', '‰', '°', '²', '³', '½', '¼', '¾', '⅓'];
+const OF_NUMBER: [char; 7] = ['%', '‰', '°', '½', '¼', '¾', '⅓'];

@@ -10,6 +10,10 @@
 //! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
 //! group 5                              between groups of three digits
 //! letter-after-number 56               before a to j after digits; "any" behind it: before capitals too
+//! superscript 34 356 2 23 25 256 26 235 2356 236 35    before raised numbers, and their digits 0 to 9 if these are
+//!                                      not behind the sign of numbers; "subscript": the same of lowered numbers
+//! superscript-minus 34-36              before negative ones; a second word stands after them
+//! ordinal-digits 356 2 23 25 256 26 235 2356 236 35    of numbers of an order, such as 1.º
 //! capital 6                            before one
 //! capital-word 6-6
 //! capital-end 6-3                      a word goes on in small letters
@@ -25,7 +29,7 @@
 //! line that fits counts. What else a sign does: `number`, digits that follow belong to the same number; `<`, `>`: the
 //! space on that side falls out.
 
-use super::table::{AfterNumber, CapitalPassage, Capitals, SignRule, Table};
+use super::table::{AfterNumber, CapitalPassage, Capitals, Ordinals, Script, SignRule, Table};
 
 /// A table, or what is wrong with its text and on which line.
 pub(super) fn table(text: &str) -> Result<Table, String> {
@@ -53,7 +57,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             table.words.insert(part(0)?.to_owned(), part(1)?.to_owned());
         }
         "number" => table.number = cells(part(0)?)?,
-        "digits" => table.digits = parts.iter().map(|dots| cell(dots)).collect::<Result<_, _>>()?,
+        "digits" => table.digits = ten(&parts)?,
         "group" => table.group = Some(cells(part(0)?)?),
         "letter-after-number" => {
             let before_capitals = parts.get(1) == Some(&"any");
@@ -94,6 +98,21 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             table.longest = table.longest.max(sign.chars().count());
             table.signs.entry(sign.to_owned()).or_default().push(rule);
         }
+        _ => return read_numbers(word, &parts, table),
+    }
+    Ok(())
+}
+
+/// The words of numbers that stand higher or lower, or are of an order.
+fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), String> {
+    match (word, parts) {
+        ("superscript", _) => script(&mut table.superscript, parts)?,
+        ("subscript", _) => script(&mut table.subscript, parts)?,
+        ("superscript-minus", [before, after @ ..]) => {
+            let after = after.first().map_or(Ok(Vec::new()), |dots| cells(dots))?;
+            table.superscript.get_or_insert_default().minus = Some((cells(before)?, after));
+        }
+        ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),
     }
     Ok(())
@@ -109,6 +128,21 @@ fn rule(neighbours: &str, dots: &str, flags: &[&str]) -> Result<SignRule, String
     let has = |flag| flags.contains(&flag);
     let (in_number, joins_left, joins_right) = (has("number"), has("<"), has(">"));
     Ok(SignRule { left, right, cells: cells(dots)?, in_number, joins_left, joins_right })
+}
+
+/// How raised or lowered numbers are written: what stands before them, and their digits.
+fn script(script: &mut Option<Script>, parts: &[&str]) -> Result<(), String> {
+    let (before, digits) = parts.split_first().ok_or("no cells")?;
+    let script = script.get_or_insert_default();
+    script.before = cells(before)?;
+    script.digits = if digits.is_empty() { Vec::new() } else { ten(digits)? };
+    Ok(())
+}
+
+/// The cells of ten digits.
+fn ten(digits: &[&str]) -> Result<Vec<u8>, String> {
+    let cells = digits.iter().map(|dots| cell(dots)).collect::<Result<Vec<_>, _>>()?;
+    if cells.len() == 10 { Ok(cells) } else { Err(format!("{} digits", cells.len())) }
 }
 
 fn cells(text: &str) -> Result<Vec<u8>, String> {

@@ -17,6 +17,12 @@ pub struct Table {
     pub(super) group: Option<Vec<u8>>,
     /// Says that a letter after digits is one, where it could be taken for a digit.
     pub(super) letter_after_number: Option<AfterNumber>,
+    /// Numbers that stand higher than the line; none where a code has none.
+    pub(super) superscript: Option<Script>,
+    /// Those that stand lower; written on the line where a code has none.
+    pub(super) subscript: Option<Script>,
+    /// Numbers of an order, such as the first.
+    pub(super) ordinals: Option<Ordinals>,
     /// None for codes that do not write capitals.
     pub(super) capitals: Option<Capitals>,
     /// Words of the key in the language of the code, by their English names.
@@ -42,6 +48,23 @@ pub(super) struct AfterNumber {
     pub(super) sign: Vec<u8>,
     /// Whether it stands before capitals too: so where a code does not mark them.
     pub(super) before_capitals: bool,
+}
+
+/// How a code writes numbers that stand higher or lower than the line.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Script {
+    pub(super) before: Vec<u8>,
+    /// The digits 0 to 9; none where they are as others, behind the sign of numbers.
+    pub(super) digits: Vec<u8>,
+    /// What is written before and after the digits of a negative number; none where it is not known.
+    pub(super) minus: Option<(Vec<u8>, Vec<u8>)>,
+}
+
+/// How a code writes numbers of an order that end in a raised letter.
+#[derive(Debug, Clone)]
+pub(super) struct Ordinals {
+    /// The digits 0 to 9.
+    pub(super) digits: Vec<u8>,
 }
 
 /// How a code writes capitals.

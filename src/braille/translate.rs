@@ -1,9 +1,11 @@
 //! Text to cells, by the table of a code.
 
 use super::capitals::{self, CapitalContext};
+use super::characters::characters;
 use super::divide;
 use super::joined;
 use super::neighbours::Neighbours;
+use super::numbers::{self, Written};
 use super::table::{SignRule, Table};
 
 /// A text in braille.
@@ -19,6 +21,8 @@ pub struct Braille {
     pub joined: Vec<usize>,
     /// What the code has no cells for, and is left out.
     pub lacking: Vec<Lacking>,
+    /// Whether lowered or raised numbers are written as those on the line, since the code has no other way.
+    pub has_script_on_line: bool,
 }
 
 /// A character that a code has no cells for.
@@ -46,7 +50,8 @@ impl Table {
     /// A text in this code. Spaces at its ends fall out, and several are one. What the code has no cells for is as if
     /// it were not there: no sign of a capital is left of it, and words beside it are written as they are without it.
     pub fn translate(&self, text: &str) -> Braille {
-        let mut text = plain(text.chars().zip(1..));
+        let mut text = plain(characters(text));
+        numbers::with_degrees(&mut text);
         let mut lacking: Vec<Lacking> = Vec::new();
         loop {
             let mut braille = self.write(&text);
@@ -57,7 +62,7 @@ impl Table {
             }
             let known = &braille.lacking;
             let is_written = |&(_, at): &(char, usize)| known.binary_search_by_key(&at, |lacking| lacking.at).is_err();
-            text = plain(text.into_iter().filter(is_written));
+            text = plain(text.into_iter().filter(is_written).collect());
             lacking.append(&mut braille.lacking);
         }
     }
@@ -80,7 +85,7 @@ impl Table {
         };
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
         let mut joined = joined::spaces(&text).into_iter().peekable();
-        let mut out = Writer { table: self, text: &text, out: Braille::default(), in_number: false };
+        let mut out = Writer { table: self, text: &text, out: Braille::default(), number: Number::None };
         let mut i = 0;
         while i < text.len() {
             while divisions.next_if(|&at| at <= i).is_some_and(|at| at == i) {
@@ -90,7 +95,7 @@ impl Table {
             while joined.next_if(|&at| at <= i).is_some_and(|at| at == i) {
                 out.out.joined.push(out.out.cells.len());
             }
-            let read = out.character(i, places[i]);
+            let read = out.character(i, places[i], &around[i]);
             let last = (i + read).min(text.len()) - 1;
             out.out.cells.extend(&around[last].after);
             i += read;
@@ -104,7 +109,7 @@ impl Table {
 
 /// The characters of a text with their places in it, from 1: one space for any white space, none at the ends. What is
 /// never seen is left out.
-fn plain(text: impl Iterator<Item = (char, usize)>) -> Vec<(char, usize)> {
+fn plain(text: Vec<(char, usize)>) -> Vec<(char, usize)> {
     let mut plain: Vec<(char, usize)> = Vec::new();
     for (character, at) in text {
         let character = if character.is_whitespace() { ' ' } else { character };
@@ -124,32 +129,50 @@ struct Writer<'t> {
     table: &'t Table,
     text: &'t [char],
     out: Braille,
-    /// Whether digits need no number sign.
-    in_number: bool,
+    number: Number,
+}
+
+/// What the cells so far end in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Number {
+    None,
+    /// Digits, and digits that follow need no number sign.
+    GoesOn,
+    /// Digits of a number that is at its end, such as a power.
+    Ended,
 }
 
 impl<'t> Writer<'t> {
     /// Writes what begins at `i`; gives how many characters that was.
-    fn character(&mut self, i: usize, place: usize) -> usize {
+    fn character(&mut self, i: usize, place: usize, around: &CapitalContext) -> usize {
         let (table, character) = (self.table, self.text[i]);
         if character == ' ' {
             self.space(i);
             return 1;
         }
         if let Some(digit) = character.to_digit(10) {
-            if !self.in_number {
+            if self.number != Number::GoesOn {
+                if let Some(written) = numbers::ordinal(table, self.text, i) {
+                    return self.put(&written);
+                }
                 self.out.cells.extend(&table.number);
             }
-            self.in_number = true;
+            self.number = Number::GoesOn;
             self.out.cells.extend(table.digits.get(digit as usize));
             return 1;
         }
-        if let Some((length, rule)) = self.sign(i) {
+        if let Some(written) = numbers::script(table, self.text, i) {
+            return self.put(&written);
+        }
+        if let Some((length, rule, rules)) = self.sign(i) {
             if rule.joins_left && self.out.cells.last() == Some(&0) {
                 self.out.cells.pop();
             }
             self.out.cells.extend(&rule.cells);
-            self.in_number = rule.in_number;
+            // a point between a digit and a letter is that of a number to a finger
+            let may_go_on =
+                self.number == Number::GoesOn && rules.iter().any(|other| other.in_number && other.cells == rule.cells);
+            self.number = if may_go_on && !rule.in_number { Number::Ended } else { after_sign(rule, table) };
             if is_hyphen_in_word(self.text, i) {
                 self.out.breaks.push(self.out.cells.len());
             }
@@ -159,52 +182,72 @@ impl<'t> Writer<'t> {
         // a cell that is written as such stands for itself; there is no room for the lower two dots of eight
         if let '\u{2800}'..='\u{283f}' = character {
             self.out.cells.push((u32::from(character) - 0x2800) as u8);
-            self.in_number = false;
+            self.number = Number::None;
             return 1;
         }
         let small = small(character);
         match small.and_then(|small| table.letters.get(&small)) {
             Some(cells) => {
-                self.after_number(character);
+                self.after_number(character, around);
                 self.out.cells.extend(cells);
             }
             None => self.out.lacking.push(Lacking { character, at: place }),
         }
-        self.in_number = false;
+        self.number = Number::None;
         1
+    }
+
+    /// Writes a number that is raised, lowered or of an order; gives how many characters it has.
+    fn put(&mut self, written: &Written) -> usize {
+        self.out.cells.extend(&written.cells);
+        self.out.has_script_on_line |= written.is_on_line;
+        self.number = if written.ends_in_digits { Number::Ended } else { Number::None };
+        written.length
     }
 
     fn space(&mut self, i: usize) {
         match &self.table.group {
-            Some(group) if self.in_number && is_group(self.text, i) => self.out.cells.extend(group),
+            Some(group) if self.number == Number::GoesOn && is_group(self.text, i) => self.out.cells.extend(group),
             _ => {
                 self.out.cells.push(0);
-                self.in_number = false;
+                self.number = Number::None;
             }
         }
     }
 
-    /// The sign for a letter that would be a digit after digits. Where capitals are marked, their mark stands between.
-    fn after_number(&mut self, letter: char) {
+    /// The sign for a letter that would be a digit after digits. Where a capital has its mark, that stands between; a
+    /// letter within a word of capitals has none.
+    fn after_number(&mut self, letter: char, around: &CapitalContext) {
         if let Some(sign) = &self.table.letter_after_number
-            && self.in_number
+            && self.number != Number::None
             && ('a'..='j').contains(&letter.to_ascii_lowercase())
-            && (sign.before_capitals || letter.is_lowercase())
+            && (sign.before_capitals || around.before.is_empty())
         {
             self.out.cells.extend(&sign.sign);
         }
     }
 
-    /// The longest sign that begins at `i`, with its length.
-    fn sign(&self, i: usize) -> Option<(usize, &'t SignRule)> {
+    /// The longest sign that begins at `i`: its length, its rule here and all its rules.
+    fn sign(&self, i: usize) -> Option<(usize, &'t SignRule, &'t [SignRule])> {
         let (table, rest) = (self.table, &self.text[i..]);
         (1..=table.longest.min(rest.len())).rev().find_map(|length| {
             let sign: String = rest[..length].iter().collect();
             let rules = table.signs.get(&sign).or_else(|| table.signs.get(same_as(&sign)?))?;
             let neighbours = Neighbours::of(self.text, i, i + length);
             let rule = rules.iter().find(|rule| neighbours.fit(rule.left, rule.right))?;
-            Some((length, rule))
+            Some((length, rule, rules.as_slice()))
         })
+    }
+}
+
+/// What a sign leaves of a number: some are numbers themselves, such as a half.
+fn after_sign(rule: &SignRule, table: &Table) -> Number {
+    let ends_in_digit = rule.cells.last().is_some_and(|last| table.digits.contains(last));
+    let has_number = rule.cells.windows(table.number.len()).any(|cells| cells == table.number);
+    match rule.in_number {
+        true => Number::GoesOn,
+        false if ends_in_digit && has_number => Number::Ended,
+        false => Number::None,
     }
 }
 
@@ -236,6 +279,7 @@ fn same_as(sign: &str) -> Option<&'static str> {
         "\u{2010}" | "\u{2011}" | "\u{2212}" => "-",
         "\u{2013}" | "\u{2014}" => "\u{2013}",
         "\u{2019}" | "\u{2bc}" => "'",
+        "\u{22c5}" | "\u{2219}" => "\u{b7}",
         "\u{3bc}" => "\u{b5}",
         "\u{2126}" => "\u{3a9}",
         "\u{2026}" => "...",

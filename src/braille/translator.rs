@@ -1,5 +1,6 @@
 //! Text to cells by the table of a code, or by another translator, such as one for contracted braille.
 
+use super::characters::composed;
 use super::joined;
 use super::table::Table;
 use super::translate::Braille;
@@ -26,7 +27,7 @@ impl<'a> Translator<'a> {
     pub fn translate(&self, text: &str) -> Result<Braille, String> {
         match (self.other, &self.table) {
             (Some(other), _) => {
-                let plain = text.split_whitespace().collect::<Vec<_>>().join(" ");
+                let plain = composed(text).split_whitespace().collect::<Vec<_>>().join(" ");
                 // a cell of eight dots has no place on a page
                 let cells = other(&plain)?;
                 let has_six = cells.iter().all(|cell| *cell < 64);

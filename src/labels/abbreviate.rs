@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::placed::WrittenLabel;
-use crate::braille::{Braille, Lacking, Translator};
+use crate::braille::{Braille, Lacking, Translator, characters};
 
 /// An abbreviation.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,7 +87,7 @@ fn numbered(text: &str, other: &str) -> Option<String> {
 /// A text without the characters that its code lacks.
 fn without(text: &str, lacking: &[Lacking]) -> String {
     let lacks = |at: usize| lacking.binary_search_by_key(&at, |lacking| lacking.at).is_ok();
-    (1..).zip(text.chars()).filter(|(at, _)| !lacks(*at)).map(|(_, letter)| letter).collect()
+    characters(text).into_iter().filter(|(_, at)| !lacks(*at)).map(|(letter, _)| letter).collect()
 }
 
 /// Abbreviations in the order in which they are read best: "nh" for "north hill", "ap" for "apple".

@@ -212,6 +212,8 @@ reasons! {
     InMargin => "in-margin",
     /// Of numbers along an axis only one has the unit.
     OneUnit => "one-unit",
+    /// Lowered or raised numbers stand on the line in braille.
+    NumbersOnLine => "numbers-on-line",
     /// There is no room in print beside braille.
     NoRoomForPrint => "no-room-for-print",
     /// Words in print follow their braille, which was moved.

@@ -110,6 +110,17 @@ impl Position {
     }
 }
 
+/// The first column of a row, without its quotation marks, and the columns behind it.
+fn part(row: &str, parting: char) -> Option<(&str, &str)> {
+    match row.trim_start_matches(' ').strip_prefix('"') {
+        Some(quoted) => {
+            let (field, rest) = quoted.split_once('"')?;
+            Some((field.trim(), rest.trim_start_matches(' ').strip_prefix(parting)?))
+        }
+        None => row.split_once(parting).map(|(field, rest)| (field.trim(), rest)),
+    }
+}
+
 /// What may part the columns of a list of labels.
 const PARTING: [char; 3] = [',', ';', '\t'];
 
@@ -137,19 +148,33 @@ impl Label {
     /// A row is parted by the first letter that can part it. Where that gives no numbers, it may have been a decimal
     /// comma, as spreadsheets write it in many countries.
     fn of_row(row: &str) -> Result<Self, String> {
-        let first = row.chars().find(|letter| PARTING.contains(letter)).unwrap_or(',');
+        let mut is_quoted = false;
+        let is_parting = |letter: &char| {
+            is_quoted ^= *letter == '"';
+            !is_quoted && PARTING.contains(letter)
+        };
+        let first = row.chars().find(is_parting).unwrap_or(',');
         let label = Self::of_parts(row, first);
         let others = PARTING.into_iter().filter(|parting| *parting != first && *parting != ',');
         label.or_else(|fault| others.map(|parting| Self::of_parts(row, parting)).find_map(Result::ok).ok_or(fault))
     }
 
     fn of_parts(row: &str, parting: char) -> Result<Self, String> {
-        let mut parts = row.splitn(3, parting).map(str::trim);
-        let (Some(x), Some(y), Some(text)) = (parts.next(), parts.next(), parts.next()) else {
+        let parts = part(row, parting).and_then(|(x, rest)| Some((x, part(rest, parting)?)));
+        let Some((x, (y, text))) = parts else {
             return Err("write x, y and the text, such as 30%,45%,apple".to_owned());
         };
+        let text = text.trim();
+        if let Some((first, _)) = text.split_once(parting)
+            && first.trim().ends_with('%')
+            && first.parse::<Position>().is_ok()
+        {
+            return Err("there are more columns than x, y and the text; put a number with a decimal comma, or a text \
+                        with a comma, in quotation marks"
+                .to_owned());
+        }
         let position = |text: &str, name: char| {
-            let number = text.trim_matches('"').replace(',', ".");
+            let number = text.replace(',', ".");
             number.parse().map_err(|_| {
                 let text: String = text.chars().take(20).collect();
                 format!("{name} must be a number of pixels or a percentage such as 30%, not \"{text}\"")

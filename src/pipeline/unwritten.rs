@@ -1,14 +1,51 @@
 //! What is told of words that cannot be written in braille.
 
-use crate::Note;
-use crate::braille::Lacking;
+use crate::braille::{Braille, Lacking, Translator, is_script};
 use crate::listing::first_few;
+use crate::note::{About, Note, Reason};
 
-/// What is told of characters that the code has no cells for.
-pub(super) fn lacking(text: &str, lacking: &[Lacking]) -> Option<Note> {
+/// A title in braille, and what is told of it. A letter that the code has no cells for is left out of it; a formula
+/// that would lose a sign is not written at all, as a label is not.
+pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>, Vec<Note>) {
+    let not_written = |why: String| Note::NotTranslated { texts: vec![text.to_owned()], why };
+    let braille = match translator.translate(text) {
+        Ok(braille) => braille,
+        Err(why) => return (None, vec![not_written(why)]),
+    };
     let mut lacks = Lacks::default();
-    lacks.add(text, lacking);
-    lacks.note()
+    lacks.add(text, &braille.lacking);
+    let mut notes: Vec<Note> = lacks.note().into_iter().collect();
+    if braille.lacking.iter().any(|lacking| is_of_formula(lacking.character)) {
+        notes.push(not_written(FORMULA.to_owned()));
+        return (None, notes);
+    }
+    notes.extend(on_line(&[text], translator));
+    ((!braille.cells.is_empty()).then_some(braille), notes)
+}
+
+/// Why a title is not written.
+const FORMULA: &str = "without signs that its code has no cells for its formula would say something else";
+
+/// Whether a character is one of a formula: a number, a power, a sign of mathematics.
+fn is_of_formula(character: char) -> bool {
+    let is_sign = matches!(
+        character,
+        '+' | '<' | '=' | '>' | '\u{b1}' | '\u{d7}' | '\u{f7}' | '\u{ac}' | '\u{b7}' | '\u{1d2c}'..='\u{1d6a}'
+            | '\u{2070}'..='\u{209f}' | '\u{2200}'..='\u{22ff}' | '\u{27c0}'..='\u{27ef}' | '\u{2980}'..='\u{2aff}'
+    );
+    is_sign || character.is_numeric()
+}
+
+/// Tells of texts whose lowered or raised numbers stand on the line.
+pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
+    let is_on_line = |text: &&&str| translator.translate(text).is_ok_and(|braille| braille.has_script_on_line);
+    let has_script = |text: &&&str| text.contains(is_script);
+    let mut named_texts: Vec<&str> = texts.iter().filter(has_script).filter(is_on_line).copied().collect();
+    named_texts.dedup();
+    let what = "lowered and raised numbers stand on the line in braille, as in H2O, since this table has no other \
+                cells for them";
+    let told = || Note::TakenAs(About::Braille, Reason::NumbersOnLine, format!("{what}: {}", named(&named_texts)));
+    (!named_texts.is_empty()).then(told)
 }
 
 /// Texts with characters that their code has no cells for: told together.

@@ -126,12 +126,9 @@ impl<'a> WrittenWords<'a> {
         let (texts, why) = (too_long.map(str::to_owned).into_iter().collect::<Vec<_>>(), TOO_LONG.1.to_owned());
         written.notes.extend((!texts.is_empty()).then_some(Note::NotTranslated { texts, why }));
         if let Some(text) = title {
-            let braille = translator.translate(text).unwrap_or_else(|why| {
-                written.notes.push(Note::NotTranslated { texts: vec![text.to_owned()], why });
-                Braille::default()
-            });
-            written.notes.extend(unwritten::lacking(text, &braille.lacking));
-            written.title = (!braille.cells.is_empty()).then(|| Title { text: text.to_owned(), braille });
+            let (braille, notes) = unwritten::title(text, &translator);
+            written.notes.extend(notes);
+            written.title = braille.map(|braille| Title { text: text.to_owned(), braille });
         }
         let none = Braille::default();
         let title = written.title.as_ref().map_or(&none, |title| &title.braille);
@@ -250,6 +247,7 @@ impl<'a> WrittenWords<'a> {
         let MadeRoom { lines, without_texture: on_textures } = labels::make_room(figure, &placed, &params);
         notes.extend(without_texture(&on_textures.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>()));
         notes.extend(told(&wanted, &results));
+        notes.extend(unwritten::on_line(&of_placed, translator));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });

@@ -45,6 +45,22 @@ fn numbers_may_have_decimal_commas() {
     assert_eq!(labels, expected);
 }
 
+/// A quoted number is one column whatever stands in it; where a comma may be one of a number, the row is refused.
+#[test]
+fn columns_may_stand_in_quotation_marks() {
+    let labels = Label::from_csv("\"12,5%\",30%,sun\n\"7,5\" ; \"3%\";\"a; b\"\n\"1\",2,\"ten \"\"x\"\"\"\n");
+    let label = |x, y, text: &str| Label { x, y, text: text.to_owned() };
+    let expected = [
+        label(percent(12.5), percent(30.0), "sun"),
+        label(pixels(7.5), percent(3.0), "a; b"),
+        label(pixels(1.0), pixels(2.0), "ten \"x\""),
+    ];
+    assert_eq!(labels, Ok(expected.into()));
+    let refused = Label::from_csv("1,2,3 m\n12,5%,30%,sun\n");
+    let Err(Error::NotLabels(faults)) = refused else { panic!("{refused:?}") };
+    assert!(faults.len() == 1 && faults[0].starts_with("line 2: there are more columns"), "{faults:?}");
+}
+
 #[test]
 fn every_fault_has_its_line() {
     let refused = Label::from_csv("10%,20%,a\nx,2,b\n1,2\n1,NaN,c\n1,2, \n");

@@ -2,6 +2,35 @@
 
 use super::*;
 
+/// A letter that is lacking is left out of a title, and told; a formula that would say something else is not written.
+#[test]
+fn formulas_that_would_lose_signs_are_no_titles() {
+    let translator = Translator::new(crate::braille::Code::named("en").and_then(crate::braille::Code::table), None);
+    let translator = translator.expect("a table");
+    for (text, is_written) in [
+        ("Kaffee \u{65e5}", true),
+        ("x\u{b2} + y\u{b2} = 4", true),
+        ("CO\u{2082} and H\u{2082}O", true),
+        ("x\u{b2} = \u{222b} f(x) dx", false),
+        ("a\u{1d62} = 3", false),
+    ] {
+        let (braille, notes) = title(text, &translator);
+        assert_eq!(braille.is_some(), is_written, "{text}: {notes:?}");
+        let is_told = notes.iter().any(|note| matches!(note, Note::NotTranslated { .. }));
+        assert_eq!(is_told, !is_written, "{text}: {notes:?}");
+    }
+}
+
+#[test]
+fn lowered_numbers_on_the_line_are_told() {
+    let of =
+        |language| Translator::new(crate::braille::Code::named(language).and_then(crate::braille::Code::table), None);
+    let texts = ["CO\u{2082}", "tree"];
+    let told = on_line(&texts, &of("cs").expect("a table")).expect("a note").to_string();
+    assert!(told.contains("stand on the line") && told.contains("\"CO\u{2082}\"") && !told.contains("tree"), "{told}");
+    assert_eq!(on_line(&texts, &of("en").expect("a table")), None);
+}
+
 #[test]
 fn what_several_texts_lack_is_told_once() {
     let lacking = |character: char| [Lacking { character, at: 1 }];

@@ -1,0 +1,69 @@
+//! The characters of a text as tables have them: an accent that stands by itself is joined to its letter, as macOS
+//! parts them in names of files, and ligatures of letters are taken apart.
+
+use unicode_normalization::UnicodeNormalization;
+use unicode_normalization::char::canonical_combining_class;
+
+/// The characters of a text with their places in it, from 1. An accent that no letter has is a character of its own at
+/// the place of its letter.
+pub fn characters(text: &str) -> Vec<(char, usize)> {
+    let mut characters = Vec::new();
+    let mut letter = (String::new(), 1);
+    for (at, character) in (1..).zip(text.chars()) {
+        if canonical_combining_class(character) == 0 {
+            put(&letter.0, letter.1, &mut characters);
+            letter = (String::new(), at);
+        }
+        letter.0.push(character);
+    }
+    put(&letter.0, letter.1, &mut characters);
+    characters
+}
+
+/// The same as a text.
+pub(super) fn composed(text: &str) -> String {
+    characters(text).into_iter().map(|(character, _)| character).collect()
+}
+
+/// Whether a character is an accent that stands by itself.
+pub fn is_accent(character: char) -> bool {
+    canonical_combining_class(character) != 0
+}
+
+/// Puts a letter with its accents behind other characters.
+fn put(letter: &str, at: usize, characters: &mut Vec<(char, usize)>) {
+    for character in letter.nfc() {
+        match ligature(character) {
+            Some(letters) => characters.extend(letters.chars().map(|letter| (letter, at))),
+            None => characters.push((character, at)),
+        }
+    }
+}
+
+/// The letters of a ligature.
+fn ligature(character: char) -> Option<&'static str> {
+    Some(match character {
+        '\u{fb00}' => "ff",
+        '\u{fb01}' => "fi",
+        '\u{fb02}' => "fl",
+        '\u{fb03}' => "ffi",
+        '\u{fb04}' => "ffl",
+        '\u{fb05}' | '\u{fb06}' => "st",
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn accents_are_joined_and_ligatures_taken_apart() {
+        assert_eq!(composed("An\u{303}o pe\u{301}"), "A\u{f1}o p\u{e9}");
+        assert_eq!(composed("\u{fb01}n, o\u{fb03}ce, x\u{b2}"), "fin, office, x\u{b2}");
+        // places are those of the text
+        assert_eq!(characters("e\u{301}a"), [('\u{e9}', 1), ('a', 3)]);
+        assert_eq!(characters("x\u{304}\u{fb01}"), [('x', 1), ('\u{304}', 1), ('f', 3), ('i', 3)]);
+        assert!(characters("").is_empty() && is_accent('\u{304}') && !is_accent('^'));
+    }
+}
