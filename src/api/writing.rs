@@ -74,7 +74,8 @@ impl Page {
 
 /// One PDF document of several pages, such as those of [`convert_to_sheets`](super::convert_to_sheets) or
 /// [`calibrate`](super::calibrate). It has the language and the origin of the first. `title` is what it is called as a
-/// whole, such as [`Options::document_title`](super::Options::document_title): viewers show it. Each page keeps its own
+/// whole, such as [`Options::document_title`](super::Options::document_title), or of a page that was rendered its
+/// `title`: viewers show it. Each page keeps its own
 /// title, such as that of an overview or a key, as the name of its figure for screen readers.
 ///
 /// # Errors

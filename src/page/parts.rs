@@ -17,7 +17,8 @@ pub const LANGUAGE: &str = "en";
 pub const MIRRORED: &str = "mirrored";
 
 /// A finished page. Its marks are those of [`Parts`], to which it derefs; [`convert`](crate::convert) makes it of a
-/// picture, and `Page::new` of parts.
+/// picture, and `Page::new` of parts. To change one, clone its parts (`Parts::clone(&page)`), change these, and make a
+/// page of them. Its `Display` lists all marks, one a line, for comparisons and tests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Page {
     pub(super) parts: Parts,
@@ -49,8 +50,9 @@ pub struct Parts {
     pub figure: Figure,
     /// The smaller picture of lines only, if there is one.
     pub overview: Option<Overview>,
-    /// Braille and other dots that name or number what is on the page; one entry for each
-    /// size of dots. Few pages have any.
+    /// Dots that name sheets and samples, as on sheets of `--sheets` and of calibration; one entry for each size of
+    /// dots. Few pages have any. Words of a picture, and those of [`Options::labels`](crate::Options::labels), are in
+    /// `braille`.
     pub labels: Vec<Dots>,
     /// Words in braille: the title, and labels in the figure.
     pub braille: Vec<BrailleText>,

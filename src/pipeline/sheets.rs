@@ -27,7 +27,7 @@ pub struct Sheets {
     pub pages: Vec<Page>,
     /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
     pub key: Vec<Page>,
-    /// Remarks, first what makes a page wrong or lacks on it.
+    /// Remarks, first what makes a page wrong or lacks on it. They name the texts of a drawing that are left out.
     pub notes: Vec<Note>,
 }
 

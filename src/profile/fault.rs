@@ -10,6 +10,8 @@ pub struct Fault {
     /// Where: a file's name and line, or what the place of a value was called
     /// ([`Profile::set_from`](crate::Profile::set_from)).
     pub place: String,
+    /// The line of the file, counted from 1, where it is one of a file's text.
+    pub line: Option<usize>,
     /// What is wrong and what would do.
     pub what: String,
     /// The keys that it is about, by [`Key::path`](crate::Key::path): the one whose value is refused, those whose
@@ -25,7 +27,7 @@ impl Fault {
     }
 
     pub(super) fn of_keys(keys: &[&'static str], place: impl Into<String>, what: impl Into<String>) -> Self {
-        Self { place: place.into(), what: what.into(), keys: keys.to_vec() }
+        Self { place: place.into(), line: None, what: what.into(), keys: keys.to_vec() }
     }
 }
 
@@ -59,7 +61,8 @@ impl FaultInText {
     }
 
     pub(super) fn in_file(self, place: &str) -> Fault {
-        Fault::of_keys(self.key.as_slice(), format!("{place}, line {}", self.line), self.what)
+        let fault = Fault::of_keys(self.key.as_slice(), format!("{place}, line {}", self.line), self.what);
+        Fault { line: Some(self.line), ..fault }
     }
 }
 
