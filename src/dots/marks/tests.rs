@@ -165,3 +165,23 @@ fn a_head_of_dots_is_read_again_and_is_neither_a_tick_nor_a_point() {
         Line { strength: 9.0, runs: vec![run(&slant), run(&[(17.0, 19.0), (18.0, 19.0), (19.0, 18.0), (19.0, 17.0)])] };
     assert_eq!((slant.row_heads().count(), slant.row_ticks().count(), slant.row_points().count()), (1, 0, 0));
 }
+
+#[test]
+fn a_ring_is_hollow_however_close_dots_lie() {
+    for pitch in [2.0, 1.27] {
+        let params = Params { pitch, ..PARAMS };
+        let even = |count: usize| (0..count).map(|i| pitch * i as f32).collect();
+        let grid = Grid { columns: even(60), rows: even(40) };
+        let dots = (2..58).map(|x| MmPoint::new(pitch * x as f32, pitch * 20.0)).collect();
+        let rows = [Row { dots, closed: false, is_heavy: false }];
+        let at = MmPoint::new(pitch * 20.0, pitch * 20.0);
+        let marks = LineMarks {
+            points: vec![PointMark { at, radius: 0.5, is_filled: false, series: None }],
+            ..LineMarks::default()
+        };
+        let placed =
+            place(&marks, &rows, Lattice::Grid { grid: &grid, within: CellBox::within(SHEET, &grid) }, &params);
+        let nearest = placed.runs[0][0].iter().map(|dot| (*dot - at).length()).fold(f32::INFINITY, f32::min);
+        assert!(2.0 * nearest >= HOLLOW + params.diameter - 0.01, "{nearest} mm from the middle at {pitch} mm");
+    }
+}

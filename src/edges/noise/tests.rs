@@ -45,3 +45,14 @@ fn without_noise_the_parameters_stay() {
     let flat = Raster::grey(Size::new(200, 200), vec![0.3; 40_000]);
     assert_eq!(Noise::of(&flat).adapted(&params), params);
 }
+
+#[test]
+fn stripes_are_no_noise() {
+    let size = Size::new(200, 200);
+    let level = |i: usize| 0.2 + 0.1 * ((i * i) % 7) as f32;
+    let upright = Raster::grey(size, (0..size.len()).map(|i| level(i % 200)).collect());
+    let level_ones = Raster::grey(size, (0..size.len()).map(|i| level(i / 200)).collect());
+    for stripes in [upright, level_ones] {
+        assert!(estimate(&stripes)[0] < 1e-3, "{:?}", estimate(&stripes));
+    }
+}

@@ -57,3 +57,14 @@ fn a_corner_and_short_contours_stay() {
     refine(&mut short, SIGMA);
     assert_eq!(short, same);
 }
+
+#[test]
+fn a_parabola_is_found_from_its_sums() {
+    let places = [-2.0, -1.0, 0.5, 1.0, 3.0, 4.0_f64];
+    let value = |s: f64| 2.0 - 3.0 * s + 0.5 * s * s;
+    let moments = std::array::from_fn(|k| places.iter().map(|s| s.powi(k as i32)).sum());
+    let sums = std::array::from_fn(|k| places.iter().map(|&s| s.powi(k as i32) * value(s)).sum());
+    let found = parabola(&moments, &sums).expect("six places");
+    assert!(found.iter().zip([2.0, -3.0, 0.5]).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
+    assert_eq!(parabola(&[1.0, 2.0, 4.0, 8.0, 16.0], &[1.0, 2.0, 4.0]), None, "one place");
+}

@@ -59,3 +59,13 @@ fn the_surround_counts_edges_but_not_those_in_one_direction() {
     assert!(fence < 0.01 * expected, "{fence}");
     assert!((lawn / expected - 1.0).abs() < 0.05, "{lawn}, not {expected}");
 }
+
+#[test]
+fn of_edges_in_two_directions_the_surround_counts_those_in_the_less_common_one() {
+    let mixed = |_: usize, y: usize| if y.is_multiple_of(16) { [0.0, 1.0] } else { [1.0, 0.0] };
+    let all = std::f32::consts::TAU.sqrt() * SURROUND * Params::default().side_cell;
+    let found = statistics(|_, _| 0.0, mixed).surround(MIDDLE);
+    // 15 of 16 rows less the other one run in parallel
+    let expected = all * NOT_PARALLEL * (1.0 - 14.0 / 16.0);
+    assert!((found / expected - 1.0).abs() < 0.2, "{found}, not {expected}");
+}

@@ -48,3 +48,16 @@ fn on_paper_cells_are_standard() {
     let extent = cells.extent(2, 2);
     assert!((extent - MmVector::new(9.8, 16.3)).length() < 1e-4, "{extent:?}");
 }
+
+#[test]
+fn a_box_is_moved_to_where_its_cells_stand_and_keeps_its_size() {
+    let device = Device::named("index-basic-d-v5").expect("in the table");
+    let medium = Medium::Dots(DotMedium::on(device, 2.5, [210.0, 297.0]).expect("its own sheet"));
+    let cells = CellGrid::of(&medium, CellSize::MARBURG);
+    let place = MmRect::new(MmPoint::new(41.0, 31.0), MmPoint::new(55.0, 38.0));
+    let snapped = cells.snapped(place);
+    assert!((snapped.size() - place.size()).to_vector().length() < 1e-3, "{snapped:?}");
+    let dots = cells.dots(&[vec![0b11_1111]], place.min);
+    let corner = dots[0] - MmVector::new(0.5 * cells.diameter, 0.5 * cells.diameter);
+    assert!((snapped.min - corner).length() < 1e-3, "{snapped:?}, not at {corner:?}");
+}

@@ -1,8 +1,10 @@
 //! Where figure, overview, frames and heading lie on sheets of all kinds.
 
 use super::*;
+use crate::braille::{CellSize, Code};
 use crate::geom::nearest_on_segment;
 use crate::page::Run;
+use crate::page::heading::{Align, HeadingParams};
 use crate::units::MmPoint;
 
 fn params() -> Params {
@@ -52,6 +54,9 @@ fn a_larger_overview_fills_what_is_left_below_the_figure() {
     assert!((overview(2.0, 0.5).expect("there is room") - 0.5).abs() < 0.01);
     assert_eq!(overview(0.7, 0.5), None, "the figure takes all the height that there is");
     assert_eq!(overview(2.0, 0.2), None, "the own one is as large");
+    // as large as there is room for, below the figure and then beside
+    assert!(overview(1.5, 2.0).is_some_and(|share| (0.5..0.99).contains(&share)));
+    assert!(overview(4.0, 2.0).is_some_and(|share| (0.98..1.01).contains(&share)));
 }
 
 #[test]
@@ -144,5 +149,22 @@ fn a_width_that_is_asked_for_is_kept() {
         assert!((layout.figure.center().x - 105.0).abs() < 1e-4);
         let boxes = boxes(&layout, &params());
         assert!(blank(layout.mark.as_ref().expect("a mark"), boxes[0]) >= 5.0 - 1e-3);
+    }
+}
+
+#[test]
+fn below_a_title_everything_keeps_inside_the_margins() {
+    let table = Code::of_language("en").and_then(Code::table).expect("a table");
+    let heading = HeadingParams::of(&table.translate("a cup of coffee"), 0, CellSize::MARBURG, Align::Left);
+    for params in all_params().map(|params| Params { heading, ..params }) {
+        for aspect in ASPECTS {
+            let layout = fit(aspect, f32::MAX, &params);
+            let [width, height] = layout.sheet;
+            let title = layout.heading.expect("there is room");
+            let free = MmRect::new(MmPoint::new(10.0, title.place.max.y), MmPoint::new(width - 10.0, height - 10.0));
+            for place in boxes(&layout, &params) {
+                assert!(free.inflate(0.01, 0.01).contains_box(&place), "{aspect}: {layout:?}");
+            }
+        }
     }
 }

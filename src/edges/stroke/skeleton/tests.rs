@@ -63,3 +63,11 @@ fn a_cross_has_four_arms_from_one_junction() {
     assert!(paths.iter().all(|path| path.nodes.iter().flatten().count() == 1));
     assert!((nodes[0].at - PxPoint::new(4.5, 4.5)).length() < 0.8, "{nodes:?}");
 }
+
+#[test]
+fn junctions_side_by_side_are_one() {
+    let rows = ["...#......", "...#......", "...#......", "##########", "....#.....", "....#.....", "....#....."];
+    let (paths, nodes) = skeleton(&rows);
+    assert_eq!((paths.len(), nodes.len()), (4, 1), "{paths:?}\n{nodes:?}");
+    assert!((nodes[0].at - PxPoint::new(4.0, 3.5)).length() < 0.1, "{nodes:?}");
+}

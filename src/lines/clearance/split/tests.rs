@@ -1,7 +1,10 @@
 //! Tests of `split`.
 
+use super::super::draw;
 use super::super::tests::{drawn, polyline};
 use super::*;
+use crate::lines::outlines::Rank;
+use crate::units::{MmPoint, MmRect};
 
 #[test]
 #[expect(clippy::single_range_in_vec_init, reason = "lists of stretches, of which there may be one")]
@@ -63,4 +66,26 @@ fn of_a_ring_that_is_mostly_too_near_nothing_is_left() {
     let dot = polyline(&[(50.0, 31.0), (52.0, 31.0), (52.0, 33.0), (50.0, 33.0)], true);
     assert!(Params::TEST.is_dot(dot.length()));
     assert_eq!(split(&dot, &lines.states(&dot), PartEnds::Extended, &lines), []);
+}
+
+#[test]
+fn of_a_line_that_is_near_everywhere_the_part_that_tells_most_stays() {
+    let lines = [10.0, 40.0, 25.0].map(|length| polyline(&[(5.0, 5.0), (5.0 + length, 5.0)], false));
+    assert_eq!(most_salient(lines.to_vec(), &Params::TEST), Some(lines[1].clone()));
+    assert_eq!(most_salient(vec![lines[0].clone(); 2], &Params::TEST), Some(lines[0].clone()));
+    assert_eq!(most_salient(Vec::new(), &Params::TEST), None);
+}
+
+#[test]
+fn a_tick_is_short_and_a_line_across_two_legs_of_another_is_none() {
+    let params = Params { of_drawing: true, ..Params::TEST };
+    let mut lines = DrawnLines::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), &params);
+    let legs = polyline(&[(30.0, 20.0), (30.0, 80.0), (70.0, 80.0), (70.0, 20.0)], false);
+    draw(legs, &[], Rank::Ordinary, &mut lines);
+    let of = |from: f32, to: f32| {
+        let line = polyline(&[(from, 40.1), (to, 40.1)], false);
+        without_stubs(&line, &lines.passage(line.view()), &lines).map(|line| line.length())
+    };
+    assert!(of(28.0, 72.0).is_some_and(|length| (length - 40.0).abs() < 0.1), "{:?}", of(28.0, 72.0));
+    assert_eq!(of(28.0, 32.0), None, "both stubs are the tick");
 }
