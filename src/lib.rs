@@ -160,8 +160,8 @@
 //! * ring: a closed line.
 //! * drawing: a vector picture, such as an SVG or a page of a PDF; but [`Drawing`] is what a picture has become. Key:
 //!   the sheets that say what textures and abbreviations stand for; but [`Key`] is one of a profile's settings.
-//! * Places in words, in notes and findings, are upper, middle and lower, each with left, middle and right, and "middle"
-//!   for that of the middle; sides of a rim are left, upper, right and lower.
+//! * Places in words, in notes and findings, are upper, middle and lower, each with left, middle and right, and
+//!   "middle" for that of the middle; sides of a rim are left, upper, right and lower.
 //! * glyph: one rhombus or dot of a texture. Sign: the kind of glyph, and its direction, that stands for a [`Class`] of
 //!   colours.
 //! * seen from the back: with left and right exchanged, as for a machine that presses dots from the back of the sheet.

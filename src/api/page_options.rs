@@ -39,8 +39,8 @@ pub struct PageOptions {
 pub(super) const USUAL_FINGER: f32 = 1.0;
 
 impl PageOptions {
-    /// The fingertips that there are, 0.3 to 2.5 mm: what [`PageOptions::finger_mm`] takes. Chosen by us, around those of
-    /// children and of large hands.
+    /// The fingertips that there are, 0.3 to 2.5 mm: what [`PageOptions::finger_mm`] takes. Chosen by us, around those
+    /// of children and of large hands.
     pub const FINGERS: RangeInclusive<f32> = touch::FINGERS;
 
     /// The page by its own profile, in its own language, with a fingertip of 1 mm.

@@ -250,7 +250,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
 fn told_in_parts(lost: &Lost) -> Option<Note> {
     let shapes = if lost.rings == 1 { "1 closed shape is" } else { &format!("{} closed shapes are", lost.rings) };
     let told = format!("{shapes} open or missing in the overview, as there is no room in it to draw them whole");
-    (lost.rings > 0).then(|| Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
+    (lost.rings > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
 }
 
 /// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what

@@ -275,7 +275,8 @@ fn findings_have_their_line_in_the_file() {
     };
     assert_eq!(line_of("line-length", "\"roof\""), Some(row_of("<path id=\"roof\"")));
     assert_eq!(line_of("letters", "\"cell\""), Some(row_of("<text")));
-    let roof = checked.findings.iter().find(|finding| finding.rule.id == "line-length" && finding.what.contains("roof"));
+    let roof =
+        checked.findings.iter().find(|finding| finding.rule.id == "line-length" && finding.what.contains("roof"));
     let object = roof.and_then(|finding| finding.object.as_deref());
     assert!(object.is_some_and(|object| object.contains("roof")), "{object:?}");
     let sarif: serde_json::Value = serde_json::from_str(&checked.to_sarif("page.svg")).expect("JSON");

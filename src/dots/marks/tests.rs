@@ -180,7 +180,7 @@ fn a_ring_is_hollow_however_close_dots_lie() {
             ..LineMarks::default()
         };
         let placed =
-            place(&marks, &rows, Lattice::Grid { grid: &grid, within: CellBox::within(SHEET, &grid) }, &params);
+            place(&marks, &rows, Lattice::Grid { grid: &grid, within: GridBox::within(SHEET, &grid) }, &params);
         let nearest = placed.runs[0][0].iter().map(|dot| (*dot - at).length()).fold(f32::INFINITY, f32::min);
         assert!(2.0 * nearest >= HOLLOW + params.diameter - 0.01, "{nearest} mm from the middle at {pitch} mm");
     }
