@@ -116,9 +116,11 @@ struct OverviewSource<'a> {
 impl OverviewSource<'_> {
     fn overview(&self, place: MmRect, lines_of: LinesOf<'_>, size: OverviewSize) -> DrawnOverview {
         let first = self.place_of_photograph(size).unwrap_or(place);
-        let mut best = self.largest_needed(first, Rings::Whole);
+        let mut best = self.largest_needed(first);
         if self.edges.of_drawing() && best.lost.share() >= MISLEADS {
-            let in_parts = self.largest_needed(first, Rings::InParts);
+            // the larger, the less is in parts
+            let largest = self.larger_places().pop().unwrap_or(first);
+            let in_parts = self.draw_at(largest, self.plan.lines().detail, Rings::InParts);
             // parts of rings say more than nothing
             if best.lines.is_empty() || in_parts.lost.share() + MORE_IN_PARTS <= best.lost.share() {
                 best = in_parts;
@@ -133,15 +135,15 @@ impl OverviewSource<'_> {
         DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, rings, instead }
     }
 
-    /// The overview in this place, or in a larger one if it lacks less there.
-    fn largest_needed(&self, place: MmRect, rings: Rings) -> PlacedOverview {
+    /// The overview of whole rings in this place, or in a larger one if it lacks less there.
+    fn largest_needed(&self, place: MmRect) -> PlacedOverview {
         let detail = self.plan.lines().detail;
-        let mut best = self.draw_at(place, detail, rings);
+        let mut best = self.draw_at(place, detail, Rings::Whole);
         for place in self.larger_places() {
             if is_enough(&best.lost) {
                 break;
             }
-            let larger = self.draw_at(place, detail, rings);
+            let larger = self.draw_at(place, detail, Rings::Whole);
             if (larger.lost.rings, larger.lost.share()) < (best.lost.rings, best.lost.share()) {
                 best = larger;
             }

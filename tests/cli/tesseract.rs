@@ -39,7 +39,7 @@ fn texts_of_a_bitmap_are_read_and_listed() {
     let run = run(&place, &["--ocr"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let wanted = "6 texts left out, as fingers cannot read letters: \"word1\", \"word2\", \"word3\", \"word4\", \
-                  \"word5\", \"word6\"\n";
+                  \"word5\", \"word6\"; write them in braille with --labels texts\n";
     assert!(run.err.contains(wanted), "{}", run.err);
     let asked = place.text("asked.txt");
     assert!(asked.ends_with("stdout -l eng --psm 7 --dpi 300 tsv\n"), "{asked}");
