@@ -24,10 +24,9 @@ use crate::{About, Note, Reason};
 /// the last it is no overview any more.
 const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
 /// An overview that lacks this share of a drawing's lines, as its rings have no room to be drawn whole, shows another
-/// thing: a hand without its outline. Its rings are drawn in part if it then lacks so much less. (Of 162 drawings of
-/// school books on A4, 28 lacked half of their lines; looked at one by one.)
+/// thing: a hand without its outline. Its rings are drawn in part if it then lacks less. (Of 162 drawings of school books
+/// on A4, 28 lacked half of their lines; looked at one by one.)
 const MISLEADS: f32 = 0.3;
-const MORE_IN_PARTS: f32 = 0.2;
 /// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
 const MAY_LACK: f32 = 0.04;
 /// An overview without this share of a drawing's lines is told of: a bar of a chart may be missing, and less are ticks.
@@ -118,11 +117,9 @@ impl OverviewSource<'_> {
         let first = self.place_of_photograph(size).unwrap_or(place);
         let mut best = self.largest_needed(first);
         if self.edges.of_drawing() && best.lost.share() >= MISLEADS {
-            // the larger, the less is in parts
-            let largest = self.larger_places().pop().unwrap_or(first);
-            let in_parts = self.draw_at(largest, self.plan.lines().detail, Rings::InParts);
+            let in_parts = self.draw_at(first, self.plan.lines().detail, Rings::InParts);
             // parts of rings say more than nothing
-            if best.lines.is_empty() || in_parts.lost.share() + MORE_IN_PARTS <= best.lost.share() {
+            if best.lines.is_empty() || in_parts.lost.share() < best.lost.share() {
                 best = in_parts;
             }
         }
