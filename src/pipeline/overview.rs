@@ -24,8 +24,8 @@ use crate::{About, Note, Reason};
 /// the last it is no overview any more.
 const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
 /// An overview that lacks this share of a drawing's lines, as its rings have no room to be drawn whole, shows another
-/// thing: a hand without its outline. Its rings are drawn in part if it then lacks less. (Of 162 drawings of school books
-/// on A4, 28 lacked half of their lines; looked at one by one.)
+/// thing: a hand without its outline. Its rings are drawn in part if it then lacks less. (Of 162 drawings of school
+/// books on A4, 28 lacked half of their lines; looked at one by one.)
 const MISLEADS: f32 = 0.3;
 /// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
 const MAY_LACK: f32 = 0.04;
