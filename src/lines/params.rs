@@ -45,7 +45,7 @@ pub struct Params {
     pub min_gap: f32,
     /// Farthest distance of two ends that are joined when they continue one another. As far is an end led on to a line
     /// ahead of it (`lead_on`, and what is left of a cut line in `clearance::extend`), and so far from other lines may
-    /// the ends of a link be ([`links`](super::links)).
+    /// the ends of a link be (`links`).
     pub join_gap: f32,
     /// Sigma of the Gaussian that smooths a line along itself.
     pub smoothing: f32,
