@@ -34,8 +34,8 @@ pub struct PageOptions {
     caller: Caller,
 }
 
-/// Fingertip of most adults, mm: that by which a check judges textures. Chosen by us; what is felt of textures is
-/// compared with it, and not measured by it.
+/// Fingertip of most adults, mm: that by which a check judges textures. Chosen by us: it serves to compare textures,
+/// and does not stand for a reader.
 pub(super) const USUAL_FINGER: f32 = 1.0;
 
 impl PageOptions {
@@ -79,7 +79,7 @@ impl PageOptions {
     /// and lines, 8 s, with at most 1.7 s from one question to the next. Of the largest that is read at all, with five
     /// million points, a check takes 34 s and a description 53 s, with up to 17 s between two questions. A drawing with
     /// filters is rendered without a question; one whose filters would take more than about 10 s is refused
-    /// ([`Error::TooComplex`]). How far the work is is not told.
+    /// ([`Error::TooComplex`]). There is no progress.
     pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         self.caller.on_question(asked);
         self

@@ -30,6 +30,16 @@ pub fn is_accent(character: char) -> bool {
     canonical_combining_class(character) != 0
 }
 
+/// Whether a character is one of a formula: a number, a power, an index, a sign of mathematics.
+pub fn is_of_formula(character: char) -> bool {
+    let is_sign = matches!(
+        character,
+        '+' | '<' | '=' | '>' | '\u{b1}' | '\u{d7}' | '\u{f7}' | '\u{ac}' | '\u{b7}' | '\u{1d2c}'..='\u{1d6a}'
+            | '\u{2070}'..='\u{209f}' | '\u{2200}'..='\u{22ff}' | '\u{27c0}'..='\u{27ef}' | '\u{2980}'..='\u{2aff}'
+    );
+    is_sign || character.is_numeric()
+}
+
 /// Puts a letter with its accents behind other characters.
 fn put(letter: &str, at: usize, characters: &mut Vec<(char, usize)>) {
     for character in letter.nfc() {

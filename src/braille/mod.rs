@@ -21,7 +21,7 @@ mod translator;
 mod wrap;
 
 pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
-pub use characters::{characters, is_accent};
+pub use characters::{characters, is_accent, is_of_formula};
 pub use code::{Code, Grade};
 pub use numbers::is_script;
 pub use table::Table;

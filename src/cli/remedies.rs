@@ -35,7 +35,6 @@ pub(super) fn of_note(note: &Note) -> String {
         Note::LinesLeftOut { is_larger_turned: true, .. } => {
             format!("{note} (--set page.orientation=landscape)")
         }
-        Note::OfFile(_, of) => note.to_string().replace(&of.to_string(), &of_note(of)),
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => {
             format!("{note} (--braille-table TABLE)")

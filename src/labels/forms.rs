@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::abbreviate;
 use super::placed::{Unplaced, WrittenLabel};
-use crate::braille::{Braille, Divide, Lacking, Translator, in_two, is_accent};
+use crate::braille::{Braille, Divide, Lacking, Translator, in_two, is_accent, is_of_formula};
 use crate::page::cells::CellGrid;
 use crate::units::MmVector;
 
@@ -146,15 +146,15 @@ pub(super) fn of(
     texts.iter().zip(short).map(of_text).collect()
 }
 
-/// Whether a text says something else without this character: letters, numbers, signs of mathematics and currencies do,
-/// ornaments and pictures do not.
+/// Whether a text says something else without this character: letters, numbers, signs of mathematics and currencies and
+/// arrows do, ornaments and pictures do not.
 fn says_something(character: char) -> bool {
     let is_sign = matches!(
         character,
-        '+' | '<' | '=' | '>' | '%' | '*' | '/' | '&' | '#' | '@' | '^' | '~' | '|' | '$' | '£' | '¥' | '¢' | '§'
-            | '°' | '±' | '×' | '÷' | '¬' | '·' | '\u{2030}'..='\u{2037}' | '\u{2070}'..='\u{209f}'
-            | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{22ff}' | '\u{27c0}'..='\u{27ff}' | '\u{2900}'..='\u{2aff}'
+        '%' | '*' | '/' | '&' | '#' | '@' | '^' | '~' | '|' | '$' | '£' | '¥' | '¢' | '§' | '°'
+            | '\u{2030}'..='\u{2037}' | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{21ff}' | '\u{27f0}'..='\u{27ff}'
+            | '\u{2900}'..='\u{297f}'
     );
     // a letter without its accent is another letter
-    is_sign || is_accent(character) || character.is_alphanumeric()
+    is_sign || is_of_formula(character) || is_accent(character) || character.is_alphanumeric()
 }

@@ -33,9 +33,9 @@ const MAY_LACK: f32 = 0.04;
 const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
-/// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; of a photograph it is larger from the first
-/// ([`OverviewSize`]).
+/// fewer. Of a drawing, each ring is drawn whole or not at all. Where that leaves out too much the overview is larger,
+/// as far as the sheet has room below the figure, or rings are drawn in part ([`Rings`]). Of a photograph it is larger
+/// from the first ([`OverviewSize`]).
 pub(super) fn draw_overview(
     edges: &Edges,
     lines_of: LinesOf<'_>,

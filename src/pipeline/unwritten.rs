@@ -1,6 +1,6 @@
 //! What is told of words that cannot be written in braille.
 
-use crate::braille::{Braille, Lacking, Translator, is_script};
+use crate::braille::{Braille, Lacking, Translator, is_of_formula, is_script};
 use crate::listing::first_few;
 use crate::note::{About, Note, Reason};
 
@@ -25,16 +25,6 @@ pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>
 
 /// Why a title is not written.
 const FORMULA: &str = "without signs that its code has no cells for its formula would say something else";
-
-/// Whether a character is one of a formula: a number, a power, a sign of mathematics.
-fn is_of_formula(character: char) -> bool {
-    let is_sign = matches!(
-        character,
-        '+' | '<' | '=' | '>' | '\u{b1}' | '\u{d7}' | '\u{f7}' | '\u{ac}' | '\u{b7}' | '\u{1d2c}'..='\u{1d6a}'
-            | '\u{2070}'..='\u{209f}' | '\u{2200}'..='\u{22ff}' | '\u{27c0}'..='\u{27ef}' | '\u{2980}'..='\u{2aff}'
-    );
-    is_sign || character.is_numeric()
-}
 
 /// Tells of texts whose lowered or raised numbers stand on the line.
 pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
