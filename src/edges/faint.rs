@@ -17,6 +17,8 @@ const ONE_WIDTH: f32 = 0.01;
 /// A line of a grid that lies under another stroke for most of its length is as pale as the grid at this share of its
 /// places at least; less is where another line hides a black one. Chosen by us.
 const PALEST: f32 = 0.25;
+/// A stroke that is on the border of an area at this share of its places is an outline. Chosen by us.
+const OUTLINE: f32 = 0.5;
 /// What the place of a line among pixels makes of its contrast: on the border of two it is seen in both. Chosen by us.
 const SEEN: f32 = 1.5;
 
@@ -25,15 +27,19 @@ pub(super) struct WeighedStroke {
     /// Its width, px, and that times its contrast.
     width: f32,
     weight: f32,
+    /// Its width times its contrast where it is palest.
+    palest: f32,
+    /// At which share of its places it is on the border of an area.
+    on_borders: f32,
     length: f32,
     /// Where a straight one begins and ends.
     ends: Option<[PxPoint; 2]>,
 }
 
 impl WeighedStroke {
-    pub(super) fn of(width: f32, line: PolylineRef<'_, Edgel>) -> Self {
-        let weight = width * contrast(line, 0.5);
-        Self { width, weight, length: line.length(), ends: straight_ends(line) }
+    pub(super) fn of(width: f32, on_borders: f32, line: PolylineRef<'_, Edgel>) -> Self {
+        let [weight, palest] = [0.5, PALEST].map(|share| width * contrast(line, share));
+        Self { width, weight, palest, on_borders, length: line.length(), ends: straight_ends(line) }
     }
 }
 
@@ -57,7 +63,7 @@ pub(super) struct FaintStrokes {
 
 impl FaintStrokes {
     /// Among these strokes.
-    pub(super) fn among(mut all: Vec<WeighedStroke>) -> Self {
+    pub(super) fn among(mut all: Vec<&mut WeighedStroke>) -> Self {
         all.sort_by(|a, b| a.width.total_cmp(&b.width));
         let mut grid: Option<Grid> = None;
         for of_width in all.chunk_by_mut(|a, b| b.width - a.width < ONE_WIDTH) {
@@ -75,14 +81,19 @@ impl FaintStrokes {
         Self { strong: strong.map_or(0.0, |stroke| stroke.weight), grid }
     }
 
-    /// Whether a stroke of this width along this line is one.
-    pub(super) fn holds(self, width: f32, line: PolylineRef<'_, Edgel>) -> bool {
+    /// Whether a stroke is one of them.
+    pub(super) fn holds(self, stroke: &WeighedStroke) -> bool {
         let is_of = |grid: &Grid| {
-            (grid.width - width).abs() < ONE_WIDTH
-                && straight_ends(line).is_some()
-                && width * contrast(line, PALEST) <= SEEN * grid.weight
+            (grid.width - stroke.width).abs() < ONE_WIDTH
+                && stroke.ends.is_some()
+                && stroke.palest <= SEEN * grid.weight
+                && stroke.on_borders <= 1.0 - PALEST
         };
-        let weight = self.grid.filter(is_of).map_or_else(|| width * contrast(line, 0.5), |grid| grid.weight);
+        let weight = match self.grid.filter(is_of) {
+            Some(grid) => grid.weight,
+            None if stroke.on_borders < OUTLINE => stroke.weight,
+            None => return false,
+        };
         weight <= FAINT * self.strong
     }
 }
@@ -99,10 +110,10 @@ fn contrast(line: PolylineRef<'_, Edgel>, share: f32) -> f32 {
 }
 
 /// The grid among strokes of one width and about one weight, of which only the longest line then has a length.
-fn grid_counted_once(strokes: &mut [WeighedStroke]) -> Option<Grid> {
+fn grid_counted_once(strokes: &mut [&mut WeighedStroke]) -> Option<Grid> {
     let ends: Vec<Option<[PxPoint; 2]>> = strokes.iter().map(|stroke| stroke.ends).collect();
     let are_gridlines = which_are_gridlines(&ends);
-    let mut of_grid: Vec<&mut WeighedStroke> =
+    let mut of_grid: Vec<&mut &mut WeighedStroke> =
         strokes.iter_mut().zip(are_gridlines).filter(|(_, is)| *is).map(|(stroke, _)| stroke).collect();
     of_grid.sort_by(|a, b| a.weight.total_cmp(&b.weight));
     let middle = of_grid.get(of_grid.len() / 2)?;
@@ -125,9 +136,9 @@ mod tests {
         };
         let lines = [line(10.0, strokes[0].1), line(50.0, strokes[1].1)];
         let view = |number: usize| PolylineRef { vertices: &lines[number][..], closed: false };
-        let all =
-            FaintStrokes::among((0..2).map(|number| WeighedStroke::of(strokes[number].0, view(number))).collect());
-        all.holds(strokes[0].0, view(0))
+        let mut all = [0, 1].map(|number| WeighedStroke::of(strokes[number].0, 0.0, view(number)));
+        let faint = FaintStrokes::among(all.iter_mut().collect());
+        faint.holds(&all[0])
     }
 
     #[test]

@@ -33,9 +33,9 @@ const NARROWEST: f32 = 0.1;
 const HIDDEN: f32 = 6.0;
 const HIDDEN_WIDTHS: f32 = 1.5;
 
-/// A stroke is the outline of an area where the step between its two grounds is at least this share of its contrast.
+/// A stroke is on the border of an area where the step between its two grounds is at least this share of its contrast.
 /// Chosen by us.
-const OF_OUTLINE: f32 = 0.5;
+const ON_BORDER: f32 = 0.5;
 
 /// The stretches of a proposal that the picture shows, with their contrast.
 pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> Vec<Confirmed> {
@@ -56,9 +56,8 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
         .into_iter()
         .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
         .map(|stretch| {
-            let outlines = stretch.indices().filter(|i| seen[i % seen.len()].is_outline).count();
-            let is_outline = 2 * outlines >= stretch.count;
-            Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, is_outline, faint: false }
+            let on_borders = stretch.indices().filter(|i| seen[i % seen.len()].is_on_border).count();
+            Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, on_borders, faint: false }
         })
         .collect()
 }
@@ -69,13 +68,13 @@ struct SegmentStep {
     strength: f32,
     /// Colour on the right less colour on the left.
     contrast: [f32; 3],
-    /// Whether it is one of a stroke around an area that is darker or lighter than what is around it.
-    is_outline: bool,
+    /// Whether it is one of a stroke along the border of a darker or lighter area.
+    is_on_border: bool,
 }
 
 /// Looks across the middle of a segment.
 fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentStep {
-    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3], is_outline: false };
+    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3], is_on_border: false };
     let at = a.lerp(b, 0.5);
     let size = picture.size;
     let Some(along) = (b - a).try_normalize() else { return nothing };
@@ -95,8 +94,8 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
             // a stroke along the border of the picture has one ground only
             let has_both = [-outside, outside].into_iter().all(|side| picture.holds(at + right * side));
             let step = norm(less(grounds[1], grounds[0]));
-            let is_outline = strength > 0.0 && has_both && step >= OF_OUTLINE * strength;
-            SegmentStep { strength, contrast: [0.0; 3], is_outline }
+            let is_on_border = strength > 0.0 && has_both && step >= ON_BORDER * strength;
+            SegmentStep { strength, contrast: [0.0; 3], is_on_border }
         }
     }
 }
@@ -111,9 +110,9 @@ fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<SegmentStep> {
     }
     // a strip narrower than the pixels look has its own ground on both sides
     Some(if all >= near {
-        SegmentStep { strength: all, contrast: far, is_outline: false }
+        SegmentStep { strength: all, contrast: far, is_on_border: false }
     } else {
-        SegmentStep { strength: near, contrast: close, is_outline: false }
+        SegmentStep { strength: near, contrast: close, is_on_border: false }
     })
 }
 
@@ -266,7 +265,7 @@ mod tests {
     fn a_vertex_of_a_part_has_the_mean_of_the_segments_beside_it() {
         let square = [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0)].map(|(x, y)| PxPoint::new(x, y));
         let line = Polyline { vertices: square.to_vec(), closed: true };
-        let step = |strength: f32| SegmentStep { strength, contrast: [strength, 0.0, 0.0], is_outline: false };
+        let step = |strength: f32| SegmentStep { strength, contrast: [strength, 0.0, 0.0], is_on_border: false };
         let seen = [10.0, 30.0, 50.0, 70.0].map(step);
         let of = |first, count, whole_ring| part(&line, &seen, &SegmentRun { first, count, whole_ring }, 20.0);
         let strengths = |part: &Polyline<Edgel>| part.vertices.iter().map(|edgel| edgel.strength).collect::<Vec<_>>();
@@ -290,12 +289,12 @@ mod tests {
             look(PxPoint::new(from.0, from.1), PxPoint::new(to.0, to.1), stroke, &picture)
         };
         let edge = look((20.0, 10.0), (20.0, 20.0), None);
-        assert!(edge.strength > 90.0 && !edge.is_outline, "{edge:?}");
+        assert!(edge.strength > 90.0 && !edge.is_on_border, "{edge:?}");
         for beyond in [((20.0, -9.0), (20.0, -4.0)), ((20.0, 44.0), (20.0, 49.0))] {
             assert!(look(beyond.0, beyond.1, None).strength < 1e-3);
         }
-        assert!(look((20.0, 10.0), (20.0, 20.0), Some(2.0)).is_outline, "a dark area ends there");
+        assert!(look((20.0, 10.0), (20.0, 20.0), Some(2.0)).is_on_border, "a dark area ends there");
         let blank = look((30.0, 10.0), (30.0, 20.0), Some(2.0));
-        assert!(blank.strength < 1e-3 && !blank.is_outline, "{blank:?}");
+        assert!(blank.strength < 1e-3 && !blank.is_on_border, "{blank:?}");
     }
 }

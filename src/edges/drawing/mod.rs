@@ -28,11 +28,11 @@ pub fn find_in_vector(raster: &Raster, drawing: &VectorDrawing, params: &Params)
     let size = raster.size();
     let proposals = flatten::proposals(drawing, params.widest_stroke, size);
     let picture = confirm::Lab::of(raster);
-    let (mut confirmed, mut edges): (Vec<Confirmed>, Edges) = (Vec::new(), Edges::none(size));
+    let (mut confirmed, mut edges): (Vec<Vec<Confirmed>>, Edges) = (Vec::new(), Edges::none(size));
     for proposal in &proposals {
         let of_proposal = confirm::confirmed(proposal, &picture, params);
         edges.dashed += usize::from(proposal.dashed && !of_proposal.is_empty());
-        confirmed.extend(of_proposal);
+        confirmed.push(of_proposal);
     }
     for Confirmed { line, stroke, faint, .. } in unite::merged_coincident(confirmed, size) {
         edges.push_as(

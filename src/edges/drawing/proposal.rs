@@ -19,8 +19,8 @@ pub(super) struct Proposal {
 pub(super) struct Confirmed {
     pub(super) line: Polyline<Edgel>,
     pub(super) stroke: Option<f32>,
-    /// Whether it is a stroke around an area that is darker or lighter than what is around it.
-    pub(super) is_outline: bool,
+    /// At how many of its segments it is a stroke along the border of a darker or lighter area.
+    pub(super) on_borders: usize,
     /// Whether it is a stroke that is much thinner and paler than others.
     pub(super) faint: bool,
 }

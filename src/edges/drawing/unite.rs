@@ -23,14 +23,10 @@ const CORNER: f32 = 25.0;
 
 /// The contours without those parts that coincide with one before them. Strokes come before outlines and these before
 /// faint strokes, as a line of a grid on the top of a bar; then those with the longest side between two corners: so a
-/// side that goes on beyond the other's corners is whole, and the other ends on it.
-pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
-    let strokes = confirmed.iter().filter_map(|contour| Some(WeighedStroke::of(contour.stroke?, contour.line.view())));
-    let faint = FaintStrokes::among(strokes.collect());
-    for contour in &mut confirmed {
-        let is_faint = |width: f32| !contour.is_outline && faint.holds(width, contour.line.view());
-        contour.faint = contour.stroke.is_some_and(is_faint);
-    }
+/// side that goes on beyond the other's corners is whole, and the other ends on it. What comes is of one proposal after
+/// the other.
+pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> Vec<Confirmed> {
+    let mut confirmed = with_faint_strokes(confirmed);
     let rank = |contour: &Confirmed| contour.stroke.map_or(1, |_| 2 * u8::from(contour.faint));
     // in whole pixels: rounding decides nothing
     confirmed.sort_by_cached_key(|contour| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
@@ -47,6 +43,27 @@ pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Ve
     kept
 }
 
+/// All contours, those of faint strokes marked. How a stroke is painted is told from all of it that is seen: a line of a
+/// grid that is the top of a bar and goes on to the next bar is no border of an area.
+fn with_faint_strokes(confirmed: Vec<Vec<Confirmed>>) -> Vec<Confirmed> {
+    let whole = |of: &Vec<Confirmed>| {
+        let first = of.first()?;
+        let vertices = of.iter().flat_map(|contour| contour.line.vertices.iter().copied()).collect();
+        let line = Polyline { vertices, closed: of.len() == 1 && first.line.closed };
+        let segments: usize = of.iter().map(|contour| contour.line.segments().count()).sum();
+        let on_borders: usize = of.iter().map(|contour| contour.on_borders).sum();
+        Some(WeighedStroke::of(first.stroke?, on_borders as f32 / segments.max(1) as f32, line.view()))
+    };
+    let mut strokes: Vec<Option<WeighedStroke>> = confirmed.iter().map(whole).collect();
+    let faint = FaintStrokes::among(strokes.iter_mut().flatten().collect());
+    let marked = |(mut of, stroke): (Vec<Confirmed>, Option<WeighedStroke>)| {
+        let is_faint = stroke.is_some_and(|stroke| faint.holds(&stroke));
+        of.iter_mut().for_each(|contour| contour.faint = is_faint);
+        of
+    };
+    confirmed.into_iter().zip(strokes).flat_map(marked).collect()
+}
+
 /// The longest part of a contour between two corners, px.
 fn longest_side(line: &Polyline<Edgel>) -> f32 {
     let directions: Vec<PxVector> = line.segments().map(|(a, b)| b.at - a.at).collect();
@@ -58,7 +75,7 @@ fn longest_side(line: &Polyline<Edgel>) -> f32 {
 
 /// The parts of a contour that coincide with none of those before it. They end on what covers the rest.
 fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
-    let Confirmed { line, stroke, is_outline, faint } = contour;
+    let Confirmed { line, stroke, faint, .. } = contour;
     let cover: Vec<Option<PxPoint>> =
         line.segments().map(|(a, b)| covered.under(a.at, b.at, stroke.is_some())).collect();
     if cover.iter().all(Option::is_none) {
@@ -78,7 +95,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
                 vertices[end].at = covered.nearest(vertices[end].at).unwrap_or(vertices[end].at);
             }
         }
-        Confirmed { line: Polyline::open(vertices), stroke: *stroke, is_outline: *is_outline, faint: *faint }
+        Confirmed { line: Polyline::open(vertices), stroke: *stroke, on_borders: 0, faint: *faint }
     };
     let parts = stretches(&free, line.closed).into_iter().map(part);
     parts.filter(|part| part.line.length() >= SHORTEST).collect()
