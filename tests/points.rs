@@ -52,6 +52,16 @@ fn beads(lines: &[Line], page: &Drawing) -> Vec<(f32, f32)> {
     found
 }
 
+/// As in circuits, where all shapes have the stroke of the wires.
+#[test]
+fn a_disc_with_an_outline_of_its_own_colour_is_a_bead_and_one_of_another_colour_a_ring() {
+    let wire = "<g stroke='#000' stroke-width='4'><path d='M100 250H900'/>";
+    let of = |fill: &str| page_of(&format!("{wire}<circle cx='500' cy='250' r='8' fill='{fill}'/></g>"));
+    let (filled, hollow) = (of("#000"), of("#fff"));
+    assert_eq!(beads(&filled.page.figure.lines, &filled).len(), 1);
+    assert!(beads(&hollow.page.figure.lines, &hollow).is_empty());
+}
+
 #[test]
 fn points_of_a_number_line_are_beads_on_a_line_without_gaps() {
     for page in [page_of(&number_line()), page_of_bitmap(&number_line())] {

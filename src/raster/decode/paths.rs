@@ -124,11 +124,27 @@ fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) 
         stroke
     });
     let dashed = path.stroke().is_some_and(|stroke| has_dashes(stroke, path.data().bounds()));
+    if let Some(stroke) = stroke.as_ref().filter(|_| is_one_area(path)) {
+        let sides = outline.stroke(stroke, 1.0);
+        found.paths.extend(sides.map(|path| PaintedPath { path, stroke: None, dashed: false }));
+        return;
+    }
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
         found.paths.push(PaintedPath { path: outline, stroke: None, dashed: false });
     } else {
         found.paths.push(PaintedPath { path: outline, stroke, dashed });
     }
+}
+
+/// Whether a path is filled with the colour of its stroke: a disc with an outline of its own colour is a disc, and its
+/// contour is the outer side of the stroke. An open line has an area by default and shows none.
+fn is_one_area(path: &usvg::Path) -> bool {
+    let Some((fill, stroke)) = path.fill().zip(path.stroke()) else { return false };
+    let same = matches!((fill.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
+    let is_opaque = [fill.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0);
+    let lifts = path.data().segments().filter(|segment| matches!(segment, PathSegment::MoveTo(_))).count();
+    let closes = path.data().segments().filter(|segment| matches!(segment, PathSegment::Close)).count();
+    same && is_opaque && closes >= lifts && stroke.dasharray().is_none()
 }
 
 /// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw
