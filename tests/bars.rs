@@ -172,6 +172,76 @@ fn the_top_of_a_bar_on_a_gridline_is_its_own() {
     assert!(told(&drawing).contains("gridlines, are not in the overview"), "{}", told(&drawing));
 }
 
+/// Pairs of bars whose second ends on a gridline, with a narrow gap to the next pair: a gridline is no bar between them.
+#[test]
+fn a_gridline_does_not_close_the_gap_beside_a_bar_that_ends_on_it() {
+    let pair = |x: f32, high: f32, low: f32| {
+        let bar = |x: f32, y: f32, fill: &str| {
+            format!("<rect x='{x}' y='{y}' width='45' height='{}' fill='{fill}'/>", 420.0 - y)
+        };
+        bar(x, high, "#2b6cb0") + &bar(x + 45.0, low, "#dd8833")
+    };
+    let pairs = [(105.0, 240.0, 310.0), (220.0, 200.0, 280.0), (335.0, 150.0, 260.0), (450.0, 110.0, 230.0)];
+    let drawn: String = pairs.into_iter().map(|(x, high, low)| pair(x, high, low)).collect();
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 700 500'><rect width='700' height='500' fill='#fff'/>\
+         <path stroke='#ccc' d='M80 100H560M80 180H560M80 260H560M80 340H560'/>\
+         <path d='M80 60V420H560' fill='none' stroke='#000' stroke-width='2'/>{drawn}</svg>"
+    );
+    let chart = Chart { svg, tops: Vec::new() };
+    let drawing = converted(&chart, "swell-a4");
+    let figure = &drawing.page.figure;
+    let at = |x: f32, place: MmRect| {
+        place.min + MmPoint::new(x / 700.0 * place.width(), 260.0 / 500.0 * place.height()).to_vector()
+    };
+    let broad = |line: &&Line| line.runs.iter().all(|run| run.width > 1.2);
+    let strong: Vec<Line> = figure.lines.iter().filter(broad).cloned().collect();
+    assert!(!told(&drawing).contains("touch one another"), "{}", told(&drawing));
+    assert!(far(at(402.0, figure.place), &strong, None) < NEAR, "the top of the third low bar");
+    assert!(far(at(437.0, figure.place), &strong, None) > NEAR, "the gap beside it");
+    let overview = drawing.page.overview.as_ref().expect("there is room");
+    // its middle is 1.5 mm from the sides of the bars
+    assert!(far(at(437.0, overview.place), &overview.lines, None) > 1.0, "the gap in the overview");
+}
+
+/// Of two bars with a gap of half a millimetre both have all their sides.
+#[test]
+fn bars_of_a_pair_with_a_narrow_gap_touch() {
+    let heights = [(180, 120), (240, 180), (300, 210), (120, 150), (390, 330)];
+    let pair = |(k, (first, second)): (usize, (usize, usize))| {
+        let bar = |x: usize, height: usize, fill: &str| {
+            format!("<rect x='{x}' y='{}' width='40' height='{height}' fill='{fill}'/>", 500 - height)
+        };
+        bar(115 + 130 * k, first, "#3a76c4") + &bar(157 + 130 * k, second, "#e08a2a")
+    };
+    let drawn: String = heights.into_iter().enumerate().map(pair).collect();
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 560'><rect width='800' height='560' fill='#fff'/>\
+         <path stroke='#ccc' d='M90 440H760M90 380H760M90 320H760M90 260H760M90 200H760M90 140H760M90 80H760'/>{drawn}\
+         <path d='M90 60V500H760' fill='none' stroke='#000' stroke-width='3'/></svg>"
+    );
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = converted(&Chart { svg: svg.clone(), tops: Vec::new() }, profile);
+        let told = told(&drawing);
+        assert!(told.contains("the bars of the chart touch one another"), "{profile}: {told}");
+        assert!(!told.contains("tick"), "pieces of gridlines are no ticks: {told}");
+        let figure = &drawing.page.figure;
+        for (k, (first, second)) in heights.into_iter().enumerate() {
+            // the quarters of each top, the side between the two, and the outer side of the second
+            let x = (115 + 130 * k) as f32;
+            let [first, second] = [first, second].map(|height| height as f32);
+            let tops =
+                [10.0, 30.0].map(|at| (x + at, first)).into_iter().chain([52.0, 72.0].map(|at| (x + at, second)));
+            let sides = [(x + 41.0, 0.7 * first.min(second)), (x + 82.0, 0.7 * second)];
+            for (x, up) in tops.chain(sides) {
+                let (x, y) = (x / 800.0 * figure.place.width(), (500.0 - up) / 560.0 * figure.place.height());
+                let far = far(figure.place.min + MmPoint::new(x, y).to_vector(), &figure.lines, None);
+                assert!(far < 2.2, "{profile}: {far} mm at {x}, {y}");
+            }
+        }
+    }
+}
+
 /// Where no shape is large enough for the overview, gridlines are none either.
 #[test]
 fn an_overview_without_shapes_does_not_become_one_of_gridlines() {

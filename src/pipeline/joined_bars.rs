@@ -106,6 +106,9 @@ const NEARER_OF_TOUCHING: f32 = 0.45;
 /// A side that is not drawn is seen by what is nearer to it than to the next line, as a share of their distance.
 const NEARER: f32 = 0.6;
 
+/// The sides of two bars nearer than this, px, are one contour.
+const ONE_SIDE: f32 = 1.0;
+
 /// Width of a line that stands for the outlines of bars, mm on the page: more than that of any line.
 const BROAD: f32 = 8.0;
 
@@ -238,7 +241,7 @@ impl Chart {
     fn wanted(&self, tolerances: BarTolerances, transform: &PageTransform) -> Vec<WantedPath> {
         let gap_px = tolerances.gap / transform.mm_per_px();
         let mut wanted = Vec::new();
-        for bar in &self.bars {
+        for (number, bar) in self.bars.iter().enumerate() {
             let height = (bar.top - self.base) * transform.mm_per_px();
             let is_low = height < tolerances.low;
             // nearer to it than the other side of the bar, or the line in the middle of a narrow one
@@ -250,10 +253,13 @@ impl Chart {
             let reach = tolerances.reach.min(NEAR_TOP * width);
             let weight = 1.0 / (MIDDLE[1] - MIDDLE[0]);
             wanted.extend((!is_low).then(|| WantedPath { path: vec![a, b], reach, or_none: false, weight }));
-            // a side is not the axis beside it, and may have moved away from that
+            // a side is not the axis beside it or the side of the next bar, and may have moved away from that
+            let beside = [self.bars[..number].last().map(|bar| bar.to), self.bars.get(number + 1).map(|bar| bar.from)];
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
                 let RowEnd { at, is_axis } = self.end(bar, gap_px, is_last);
-                if is_axis {
+                let is_other = |at: &f32| (ONE_SIDE..=gap_px).contains(&(own - at).abs());
+                let other = beside[usize::from(is_last)].filter(is_other);
+                if let Some(at) = is_axis.then_some(at).or(other.filter(|_| !is_low)) {
                     let inwards = 0.5 * tolerances.reach / transform.mm_per_px();
                     let across = own + if is_last { -inwards } else { inwards };
                     let path = [self.base, bar.top].map(|along| self.direction.point((across, along))).to_vec();

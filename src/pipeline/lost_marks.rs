@@ -6,6 +6,7 @@ use std::f32::consts::FRAC_1_SQRT_2;
 use super::areas::index_of_lines;
 use super::lost_signs::{beads, extent, is_small_ring};
 use crate::edges::{ChainRange, Edges};
+use crate::geom::gridlines::{straight_ends, which_are_gridlines};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
@@ -83,8 +84,12 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
-    for chain in edges.chains.iter().filter(|chain| !chain.closed && !chain.kind.added) {
-        let points = points(chain);
+    let of_chains: Vec<Vec<MmPoint>> = edges.chains.iter().map(points).collect();
+    let are_pieces = are_pieces_of_gridlines(edges, &of_chains, least);
+    for ((chain, points), is_piece) in edges.chains.iter().zip(of_chains).zip(are_pieces) {
+        if chain.closed || chain.kind.added || is_piece {
+            continue;
+        }
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let middle = first.lerp(last, 0.5);
@@ -108,6 +113,30 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         marks.first.get_or_insert(first.lerp(last, 0.5));
     }
     marks
+}
+
+/// A gridline has at least so many pieces, or a long one: ticks at two axes are two.
+const PIECES: usize = 3;
+
+/// Which chains are pieces shorter than `least`, mm, of gridlines: what is left of one between two bars is no tick.
+fn are_pieces_of_gridlines(edges: &Edges, points: &[Vec<MmPoint>], least: f32) -> Vec<bool> {
+    let ends = edges.chains.iter().zip(points).map(|(chain, points)| {
+        let line = PolylineRef { vertices: &points[..], closed: chain.closed };
+        straight_ends(line).filter(|_| chain.kind.faint)
+    });
+    let ends: Vec<Option<[MmPoint; 2]>> = ends.collect();
+    let is_of_grid = which_are_gridlines(&ends);
+    let of_grid: Vec<[MmPoint; 2]> =
+        ends.iter().zip(&is_of_grid).filter(|(_, is)| **is).filter_map(|(ends, _)| *ends).collect();
+    let length = |[a, b]: [MmPoint; 2]| (b - a).length();
+    let is_piece = |line: [MmPoint; 2]| {
+        let along = (line[1] - line[0]).normalize();
+        let on_line = |at: MmPoint| along.cross(at - line[0]).abs() <= DRAWN;
+        let of_it: Vec<[MmPoint; 2]> =
+            of_grid.iter().copied().filter(|other| other.iter().all(|at| on_line(*at))).collect();
+        length(line) < least && (of_it.len() >= PIECES || of_it.iter().any(|other| length(*other) >= least))
+    };
+    ends.iter().zip(is_of_grid).map(|(ends, is)| is && ends.is_some_and(is_piece)).collect()
 }
 
 /// The direction of a mark at one of its points.
