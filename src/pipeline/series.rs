@@ -167,11 +167,23 @@ fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
     let all = |of: &Lacking| match of.bars - of.bare {
         0 if of.bars == 1 => format!("the {} bar", of.class.name()),
         0 => format!("all {} {} bars", of.bars, of.class.name()),
-        _ => format!("all {} {} bars, so that they are alike ({} of them)", of.bars, of.class.name(), of.bare),
+        _ => format!(
+            "all {} {} bars ({} for want of room, and the others so that all are alike)",
+            of.bars,
+            of.class.name(),
+            of.bare
+        ),
     };
     let some = |of: &Lacking| format!("{} of {} {} bars", of.bare, of.bars, of.class.name());
     let each: Vec<String> = blanked.iter().map(all).chain(partly.iter().map(some)).collect();
-    let key = if has_legend { "the key names them as blank" } else { "say in a label which are which" };
+    let key = match (has_legend, blanked.len() > 1) {
+        (true, false) => "the key names them as blank",
+        (true, true) => {
+            "the key names them as blank, and fingers cannot tell these series apart: write labels at the bars, or make \
+             the figure larger"
+        }
+        (false, _) => "say in a label which are which",
+    };
     let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
     Note::NotOnPage(
         About::Areas,

@@ -67,7 +67,7 @@ fn a_series_whose_low_bars_have_no_texture_has_none() {
     let bars = girls_and_boys();
     let (with, blank, told) = alike(&bars, &[0, 1, 2, 4]);
     assert_eq!((with, blank), (vec![0, 2, 4], vec![false, true]));
-    assert!(told.contains("all 3 yellow bars, so that they are alike (2 of them)"), "{told}");
+    assert!(told.contains("all 3 yellow bars (2 for want of room, and the others so that all are alike)"), "{told}");
     assert!(told.contains("names them as blank"), "{told}");
 }
 
