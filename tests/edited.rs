@@ -352,3 +352,26 @@ fn markers_of_an_editor_are_drawn_as_heads_of_arrows() {
     let dots = render_for(&svg, "index-basic-d");
     assert_eq!(arrows(&dots.page), 1, "{}", told(&dots.notes));
 }
+
+/// Editors keep the transform of a rectangle or an ellipse that was turned.
+#[test]
+fn a_line_with_a_transform_or_opacity_of_its_own_is_read_wherever_it_stands() {
+    let page = page(&options());
+    let at = page.figure.place.min;
+    let added = format!(
+        "<g transform='translate({} {})' style='fill:none;stroke:#000;stroke-width:1.5'><path id='a' d='M10 10h30'/>\
+         <rect id='b' x='10' y='20' width='30' height='10' transform='rotate(5)'/>\
+         <path id='c' d='M50 10h30' transform='translate(0 1)'/>\
+         <ellipse id='d' cx='65' cy='30' rx='12' ry='8' transform='rotate(10 65 30)' opacity='0.6'/>\
+         <path id='e' d='M50 45h30' opacity='0.8'/></g>",
+        at.x, at.y
+    );
+    let read = |svg: &str| reading(svg).page.figure.lines.clone();
+    let (before, after) = (read(&page.to_svg()), read(&with_line(&page.to_svg(), &added)));
+    assert_eq!(after.len(), before.len() + 5);
+    let ellipse = MmPoint::new(at.x + 65.0, at.y + 30.0);
+    let is_around = |line: &&tactograph::marks::Line| {
+        line.runs.iter().any(|run| run.closed && run.points.iter().all(|point| (*point - ellipse).length() < 12.5))
+    };
+    assert_eq!(after.iter().filter(is_around).count(), 1, "in its place");
+}

@@ -185,11 +185,14 @@ impl<'a> PaintedShapes<'a> {
                 around.layer = layer_of_object(element, around.layer);
             }
         }
-        // the markers of a line follow it
+        // the markers of a line follow it, each as a group; the next object is one, too, with a transform or opacity
+        let are_markers = |group: &Group| {
+            group.id().is_empty() && group.children().iter().all(|child| matches!(child, usvg::Node::Group(_)))
+        };
         let mut line = None;
         for node in group.children() {
             match node {
-                usvg::Node::Group(group) => match line.filter(|_| group.id().is_empty()) {
+                usvg::Node::Group(group) => match line.filter(|_| are_markers(group)) {
                     Some(line) => self.add_markers(group, line, around, elements)?,
                     None => self.add_group(group, around, elements)?,
                 },
