@@ -1,0 +1,28 @@
+//! Tests of `unite`.
+
+use super::*;
+
+fn line(points: &[(f32, f32)], closed: bool) -> Polyline<Edgel> {
+    let edgel = |&(x, y): &(f32, f32)| Edgel { at: PxPoint::new(x, y), strength: 50.0, contrast: [0.0; 3] };
+    Polyline { vertices: points.iter().map(edgel).collect(), closed }
+}
+
+#[test]
+fn the_longest_side_goes_from_corner_to_corner() {
+    let hook = line(&[(0.0, 0.0), (10.0, 0.0), (20.0, 1.0), (30.0, 3.0), (30.0, 18.0)], false);
+    assert!((longest_side(&hook) - 30.2).abs() < 0.1, "{}", longest_side(&hook));
+}
+
+#[test]
+fn only_what_runs_along_a_contour_lies_on_it() {
+    let mut covered = Covered::new(Size::new(100, 100));
+    covered.add(&line(&[(10.0, 50.0), (90.0, 50.0)], false), 4.0);
+    let under = |a: (f32, f32), b: (f32, f32), is_stroke: bool| {
+        covered.under(PxPoint::new(a.0, a.1), PxPoint::new(b.0, b.1), is_stroke)
+    };
+    assert_eq!(under((40.0, 52.0), (60.0, 52.0), false), Some(PxPoint::new(50.0, 50.0)));
+    assert_eq!(under((50.0, 45.0), (50.0, 55.0), false), None, "across it");
+    assert_eq!(under((40.0, 56.0), (60.0, 56.0), false), None, "beside it");
+    assert_eq!(under((40.0, 52.0), (60.0, 52.0), true), None, "the middle of a stroke is another");
+    assert!(covered.is_near(PxPoint::new(50.0, 53.0)) && !covered.is_near(PxPoint::new(50.0, 55.0)));
+}

@@ -1,0 +1,27 @@
+//! Tests of `line`.
+
+use super::*;
+
+#[test]
+fn a_broad_stroke_counts_as_heavy_and_a_narrow_one_does_not() {
+    let heavy = HeavyStrokes { from: 60.0, width: 1.5 };
+    let strengths = |width: f32| vec![heavy.strength(width, 20.0), heavy.strength(width, 80.0)];
+    assert_eq!(strengths(2.0), [60.0, 80.0]);
+    assert_eq!(strengths(1.0), [20.0, LIGHT * 60.0]);
+    // where black beside white is not heavy, no stroke is made so
+    assert!(HeavyStrokes { from: 120.0, ..heavy }.strength(2.0, 20.0) < 20.1);
+}
+
+#[test]
+fn a_filled_point_is_broader_than_long_and_than_its_line() {
+    let run =
+        |width: f32, length: f32| Run::stroke(width, vec![MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + length, 10.0)]);
+    let beads = |runs: Vec<Run>| {
+        let line = Line { strength: 60.0, runs };
+        line.beads().map(|run| run.width).collect::<Vec<_>>()
+    };
+    assert_eq!(beads(vec![run(1.0, 20.0), run(4.0, 0.1), run(1.0, 20.0)]), [4.0]);
+    assert_eq!(beads(vec![run(1.0, 20.0), run(1.5, 0.1)]), [0.0; 0], "hardly broader than its line");
+    assert_eq!(beads(vec![run(1.0, 20.0), run(4.0, 10.0)]), [0.0; 0], "a broad piece of a line");
+    assert_eq!(beads(vec![run(4.0, 0.1)]), [0.0; 0], "on no line");
+}
