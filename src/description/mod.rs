@@ -5,11 +5,13 @@
 
 mod shapes;
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use serde_json::json;
 
 use crate::legibility::Verdict;
+use crate::lines::arrows;
 use crate::page::{Class, InSet, LeftOut, Line, Page, TextRole};
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::wording::{Value, Wording};
@@ -86,13 +88,19 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     sentences
 }
 
-/// The ticks and points on lines of dots.
+/// The heads of arrows, and the ticks and points on lines of dots.
 fn marks_on_lines<'a>(page: &'a Page, wording: &'a Wording) -> impl Iterator<Item = String> + 'a {
     let lines = &page.figure.lines;
     let points = || lines.iter().flat_map(Line::row_points);
     let filled = points().filter(|point| point.is_filled).count();
     let ticks = lines.iter().map(ticks_on).sum::<usize>();
-    let all = [("ticks", ticks), ("points-filled", filled), ("points-hollow", points().count() - filled)];
+    let shafts: BTreeSet<usize> = arrows(lines).iter().map(|arrow| arrow.line).collect();
+    let all = [
+        ("arrows", shafts.len()),
+        ("ticks", ticks),
+        ("points-filled", filled),
+        ("points-hollow", points().count() - filled),
+    ];
     all.into_iter().filter(|(_, count)| *count > 0).map(|(what, count)| wording.say(what, &[("count", count.into())]))
 }
 

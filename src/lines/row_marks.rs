@@ -34,6 +34,11 @@ impl Line {
     #[doc(hidden)]
     pub fn row_ticks(&self) -> impl Iterator<Item = (&Run, MmPoint)> {
         let first = self.first_row();
+        let heads: Vec<[MmPoint; 2]> = self.row_heads().map(|(_, _, wings)| wings).collect();
+        let is_head = move |run: &&Run| {
+            let ends = run.points.first().zip(run.points.last());
+            ends.is_some_and(|(first, last)| heads.iter().any(|wings| [*first, *last] == *wings))
+        };
         let tick = move |run| {
             let (first, step) = first?;
             let Run { points, .. }: &Run = run;
@@ -42,7 +47,7 @@ impl Line {
             let (_, at) = nearest(first, *points.first()?)?;
             (is_row && distance > AWAY * step).then_some((run, at))
         };
-        self.runs.iter().skip(1).filter_map(tick)
+        self.runs.iter().skip(1).filter(move |run| !is_head(run)).filter_map(tick)
     }
 
     /// The points on a line of dots.

@@ -80,6 +80,10 @@ lines-more = { $lines ->
     [one] 1 weitere Linie ist kürzer als diese.
    *[other] { $lines } weitere Linien sind kürzer als diese.
 }
+arrows = { $count ->
+    [one] Eine Linie endet in einer Pfeilspitze.
+   *[other] { $count } Linien enden in Pfeilspitzen.
+}
 ticks = { $count ->
     [one] 1 Teilstrich steht an einer Linie.
    *[other] { $count } Teilstriche stehen an Linien.

@@ -88,6 +88,10 @@ lines-more = { $lines ->
    *[other] { $lines } more lines are shorter than these.
 }
 # marks on lines of dots
+arrows = { $count ->
+    [one] One line ends in an arrowhead.
+   *[other] { $count } lines end in arrowheads.
+}
 ticks = { $count ->
     [one] 1 tick stands on a line.
    *[other] { $count } ticks stand on lines.

@@ -80,6 +80,10 @@ lines-more = { $lines ->
     [one] 1 línea más es más corta que estas.
    *[other] { $lines } líneas más son más cortas que estas.
 }
+arrows = { $count ->
+    [one] Una línea termina en punta de flecha.
+   *[other] { $count } líneas terminan en punta de flecha.
+}
 ticks = { $count ->
     [one] 1 marca de escala en una línea.
    *[other] { $count } marcas de escala en líneas.

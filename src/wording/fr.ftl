@@ -80,6 +80,10 @@ lines-more = { $lines ->
     [one] { $lines } autre ligne est plus courte.
    *[other] { $lines } autres lignes sont plus courtes.
 }
+arrows = { $count ->
+    [one] Une ligne se termine par une pointe de flèche.
+   *[other] { $count } lignes se terminent par une pointe de flèche.
+}
 ticks = { $count ->
     [one] 1 graduation sur une ligne.
    *[other] { $count } graduations sur des lignes.

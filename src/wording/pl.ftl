@@ -76,6 +76,11 @@ lines-more = { $lines ->
     [few] { $lines } dalsze linie są krótsze od tych.
    *[other] { $lines } dalszych linii jest krótszych od tych.
 }
+arrows = { $count ->
+    [one] Jedna linia kończy się strzałką.
+    [few] { $count } linie kończą się strzałką.
+   *[many] { $count } linii kończy się strzałką.
+}
 ticks = { $count ->
     [one] 1 kreska podziałki na linii.
     [few] { $count } kreski podziałki na liniach.
