@@ -23,9 +23,16 @@ pub struct PaintedPath {
     pub stroke: Option<Stroke>,
     /// Whether the stroke has dashes; the path has no gaps.
     pub dashed: bool,
+    /// Whether it is filled with the colour of its stroke.
+    pub filled_alike: bool,
 }
 
 impl PaintedPath {
+    /// One without a stroke.
+    pub fn filled(path: Path) -> Self {
+        Self { path, stroke: None, dashed: false, filled_alike: false }
+    }
+
     /// The boxes around its parts, each from where its pen is set down to where it is lifted.
     pub fn parts(&self) -> Vec<PixelArea> {
         let mut parts: Vec<PixelArea> = Vec::new();

@@ -4,6 +4,7 @@ use lyon::geom::{CubicBezierSegment, QuadraticBezierSegment, point};
 use resvg::tiny_skia::{Path, PathSegment, Point};
 
 use super::proposal::Proposal;
+use crate::geom::polygon::{area, roundness};
 use crate::geom::polyline::Polyline;
 use crate::raster::vector::{PaintedPath, VectorDrawing};
 use crate::units::{PxPoint, Size};
@@ -24,10 +25,15 @@ const MARGIN: f32 = 2.0;
 pub(super) fn proposals(drawing: &VectorDrawing, widest_stroke: f32, size: Size) -> Vec<Proposal> {
     let mut strokes = Vec::new();
     let mut outlines = Vec::new();
-    for PaintedPath { path, stroke, dashed } in &drawing.paths {
+    for PaintedPath { path, stroke, dashed, filled_alike } in &drawing.paths {
         match stroke {
             Some(stroke) if stroke.width <= widest_stroke => {
                 let of_path = of_path(path, Some(stroke.width), size);
+                if *filled_alike && of_path.iter().all(is_round) {
+                    let sides = path.stroke(stroke, 1.0);
+                    outlines.extend(sides.iter().flat_map(|sides| self::of_path(sides, None, size)));
+                    continue;
+                }
                 strokes.extend(of_path.into_iter().map(|proposal| Proposal { dashed: *dashed, ..proposal }));
             }
             Some(stroke) => {
@@ -39,6 +45,14 @@ pub(super) fn proposals(drawing: &VectorDrawing, widest_stroke: f32, size: Size)
     }
     strokes.append(&mut outlines);
     strokes
+}
+
+/// A shape at least so round is a disc: of one with an outline of its own colour the contour is the outer side of that.
+/// A square has 0.79: those of a board share their borders.
+const ROUND: f32 = 0.85;
+
+fn is_round(Proposal { line, .. }: &Proposal) -> bool {
+    line.closed && roundness(area(&line.vertices), line.length()) >= ROUND
 }
 
 /// The parts of a path that is drawn with a stroke of this width, px, or else filled; those of a filled one are all

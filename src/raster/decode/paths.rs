@@ -99,7 +99,7 @@ fn add_group(group: &Group, transform: Transform, found: &mut VectorDrawing) {
                 let area = image.abs_bounding_box();
                 found.pixel_areas.extend(pixel_area(area, transform));
                 let border = resvg::tiny_skia::PathBuilder::from_rect(area).transform(transform);
-                found.paths.extend(border.map(|path| PaintedPath { path, stroke: None, dashed: false }));
+                found.paths.extend(border.map(PaintedPath::filled));
             }
             Node::Text(text) => add_group(text.flattened(), transform, found),
         }
@@ -124,27 +124,18 @@ fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) 
         stroke
     });
     let dashed = path.stroke().is_some_and(|stroke| has_dashes(stroke, path.data().bounds()));
-    if let Some(stroke) = stroke.as_ref().filter(|_| is_one_area(path)) {
-        let sides = outline.stroke(stroke, 1.0);
-        found.paths.extend(sides.map(|path| PaintedPath { path, stroke: None, dashed: false }));
-        return;
-    }
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
-        found.paths.push(PaintedPath { path: outline, stroke: None, dashed: false });
+        found.paths.push(PaintedPath::filled(outline));
     } else {
-        found.paths.push(PaintedPath { path: outline, stroke, dashed });
+        found.paths.push(PaintedPath { path: outline, stroke, dashed, filled_alike: is_filled_alike(path) });
     }
 }
 
-/// Whether a path is filled with the colour of its stroke: a disc with an outline of its own colour is a disc, and its
-/// contour is the outer side of the stroke. An open line has an area by default and shows none.
-fn is_one_area(path: &usvg::Path) -> bool {
+/// Whether a path is filled with the colour of its stroke.
+fn is_filled_alike(path: &usvg::Path) -> bool {
     let Some((fill, stroke)) = path.fill().zip(path.stroke()) else { return false };
-    let same = matches!((fill.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
-    let is_opaque = [fill.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0);
-    let lifts = path.data().segments().filter(|segment| matches!(segment, PathSegment::MoveTo(_))).count();
-    let closes = path.data().segments().filter(|segment| matches!(segment, PathSegment::Close)).count();
-    same && is_opaque && closes >= lifts && stroke.dasharray().is_none()
+    let is_one_colour = matches!((fill.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
+    is_one_colour && [fill.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0)
 }
 
 /// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw
@@ -162,7 +153,7 @@ fn add_clip(group: &Group, to_pixels: Transform, found: &mut VectorDrawing) {
             Node::Group(group) => add_clip(group, to_pixels.pre_concat(group.transform()), found),
             Node::Path(path) => {
                 let path: Option<Path> = path.data().clone().transform(to_pixels);
-                found.paths.extend(path.map(|path| PaintedPath { path, stroke: None, dashed: false }));
+                found.paths.extend(path.map(PaintedPath::filled));
             }
             Node::Image(_) | Node::Text(_) => {}
         }

@@ -7,7 +7,10 @@ const SIZE: Size = Size::new(100, 100);
 
 fn drawing(path: Path, width: Option<f32>) -> VectorDrawing {
     let stroke = width.map(|width| Stroke { width, ..Stroke::default() });
-    VectorDrawing { paths: vec![PaintedPath { path, stroke, dashed: false }], ..VectorDrawing::default() }
+    VectorDrawing {
+        paths: vec![PaintedPath { path, stroke, dashed: false, filled_alike: false }],
+        ..VectorDrawing::default()
+    }
 }
 
 #[test]
@@ -54,4 +57,20 @@ fn a_thin_stroke_has_one_line_and_a_wide_one_two_sides() {
 fn what_lies_outside_the_picture_is_left_out() {
     let circle = PathBuilder::from_circle(500.0, 50.0, 30.0).expect("a circle");
     assert_eq!(proposals(&drawing(circle, None), 8.0, SIZE), []);
+}
+
+#[test]
+fn of_a_disc_in_the_colour_of_its_outline_the_sides_are_contours_and_of_a_square_the_middle() {
+    let strokes = |path: Path, filled_alike: bool| {
+        let mut drawing = drawing(path, Some(4.0));
+        drawing.paths[0].filled_alike = filled_alike;
+        let proposals = proposals(&drawing, 8.0, SIZE);
+        (proposals.len(), proposals.iter().filter(|proposal| proposal.stroke.is_some()).count())
+    };
+    let disc = || PathBuilder::from_circle(50.0, 50.0, 10.0).expect("a circle");
+    assert_eq!(strokes(disc(), true), (2, 0));
+    assert_eq!(strokes(disc(), false), (1, 1));
+    let square =
+        PathBuilder::from_rect(resvg::tiny_skia::Rect::from_xywh(20.0, 20.0, 30.0, 30.0).expect("it has sides"));
+    assert_eq!(strokes(square, true), (1, 1));
 }
