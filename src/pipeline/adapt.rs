@@ -174,8 +174,9 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
         Reason::StrokesAsDots,
         format!("{count} {noun} on a page of dots made dots, {how}"),
     );
-    names.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
-    parts.figure.lines.extend(drawn);
+    let nameless = || LineName { name: "a line without a name".to_owned(), by_hand: false };
+    names.extend(stand_for.into_iter().map(|line| line.map_or_else(nameless, |line| of_strokes[line].clone())));
+    lines.extend(drawn);
     std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
 }
 
