@@ -104,9 +104,16 @@ impl DrawnAreas {
                 format!("{} filled with the texture of its colour", areas(laid)),
             )
         });
-        let gone = lost.first().map(|(at, (reason, why))| {
-            let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(lost.len()), at.x, at.y);
-            Note::NotOnPage(About::Areas, *reason, told)
+        let mut reasons: Vec<(Why, MmPoint, usize)> = Vec::new();
+        for (at, why) in lost {
+            match reasons.iter_mut().find(|(known, ..)| *known == why) {
+                Some((.., count)) => *count += 1,
+                None => reasons.push((why, at, 1)),
+            }
+        }
+        let gone = reasons.into_iter().map(|((reason, why), at, count)| {
+            let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(count), at.x, at.y);
+            Note::NotOnPage(About::Areas, reason, told)
         });
         told.into_iter().chain(gone).collect()
     }
