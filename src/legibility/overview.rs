@@ -1,5 +1,7 @@
 //! Whether the overview shows what the figure shows, and nothing else; and what the figure lacks of its picture.
 
+use std::collections::HashSet;
+
 use super::finding::{FoundBreach, around};
 use super::limits::{RuleLimits, SHAPE};
 use super::marks::name_in;
@@ -133,7 +135,8 @@ pub(super) fn lacks_much(page: &Page, names: &Names, paths: &Paths, limits: &Rul
     let &(_, longest, at) = gone.first().filter(|_| share >= LACKS)?;
     let mut lacking: Vec<&str> =
         gone.iter().map(|(_, path, _)| name_in(&names.lines, paths.paths[*path].line)).collect();
-    lacking.dedup();
+    let mut known = HashSet::new();
+    lacking.retain(|name| known.insert(*name));
     let extent = around(paths.segments_of(longest).iter().map(|segment| segment.a))?;
     let what = format!(
         "the overview lacks {:.0} % of the lines of the figure: {}",
