@@ -33,7 +33,9 @@ pub(super) fn findings(
     if matches!(limits.medium, MediumLimits::Print { .. }) {
         found.extend(of_colours(seen.colours));
     }
-    found.extend(seen.beyond);
+    // of dots the device says how far they may reach, and there is no number
+    let is_printed = matches!(limits.medium, MediumLimits::Print { .. });
+    found.extend(seen.beyond.into_iter().map(|beyond| if is_printed { beyond } else { beyond.unmeasured() }));
     found.extend(pictures(document));
     found.extend(letters(document, typed));
     found
@@ -65,7 +67,8 @@ impl Seen {
                     let extent = in_mm(path.abs_stroke_bounding_box());
                     let paints = fill.into_iter().chain(stroke).map(|(paint, own)| channels(paint, own * opacity));
                     let inks: Vec<[u8; 3]> = paints.filter(|channels| !is_white(*channels)).collect();
-                    self.beyond.extend(beyond(extent, self.sheet, path.id()).filter(|_| !inks.is_empty()));
+                    let beyond = beyond(extent, self.sheet, (path.id(), fill.is_some()));
+                    self.beyond.extend(beyond.filter(|_| !inks.is_empty()));
                     inks.into_iter().for_each(|channels| self.add_ink(channels, extent));
                 }
                 // letters and pictures are told by their elements
@@ -97,13 +100,18 @@ fn is_white(channels: [u8; 3]) -> bool {
     channels.iter().all(|&channel| channel >= WHITE)
 }
 
-/// How far a mark of this name reaches beyond the sheet, if it does.
-fn beyond(extent: MmRect, sheet: MmRect, id: &str) -> Option<FoundBreach> {
+/// How far a mark of this name, which may be filled, reaches beyond the sheet, if it does.
+fn beyond(extent: MmRect, sheet: MmRect, (id, is_filled): (&str, bool)) -> Option<FoundBreach> {
     let MmRect { min, max } = extent;
     let out = (sheet.min.x - min.x).max(sheet.min.y - min.y).max(max.x - sheet.max.x).max(max.y - sheet.max.y);
     let name = if id.is_empty() { "a mark without a name".to_owned() } else { format!("\"{id}\"") };
     let at = extent.center().clamp(sheet.min, sheet.max);
-    let what = || format!("{name} reaches {out:.1} mm beyond the sheet, and render leaves it out");
+    let made = match (sheet.intersects(&extent), is_filled) {
+        (false, _) => "leaves it out",
+        (true, false) => "cuts it off at the edge",
+        (true, true) => "leaves it out, or cuts off a line around it at the edge",
+    };
+    let what = || format!("{name} reaches {out:.1} mm beyond the sheet, and render {made}");
     (out > ON_EDGE).then(|| FoundBreach::at(MARGIN, at, extent, -out, what()).of(id))
 }
 
