@@ -65,7 +65,8 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
         let place = MmRect::new(MmPoint::zero(), corner);
         let figure = Figure { place, source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
         let empty = Page::new(Parts::of([corner.x, corner.y], figure))?;
-        return Ok(drawn.check_as_ink(&empty, &options.plan(&empty.origin)?.limits()));
+        let letters = reading::letters_of(bytes)?;
+        return Ok(drawn.check_as_ink(&empty, &letters, &options.plan(&empty.origin)?.limits()));
     };
     let limits = options.plan(&read.page.origin)?.limits();
     let felt = felt(bytes, USUAL_FINGER, &go_on);

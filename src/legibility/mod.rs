@@ -57,7 +57,7 @@ use usvg::roxmltree::Document;
 use crate::Error;
 use crate::listing::and_more;
 use crate::page::{InSet, Names, Page};
-use crate::reading::Reading;
+use crate::reading::{Reading, SeenText};
 use crate::touch::Report;
 use finding::FoundBreach;
 
@@ -87,7 +87,7 @@ impl<'a> Drawn<'a> {
     ) -> Result<Checked, Error> {
         let page = &read.page;
         let mut found = found(page, &read.names, limits, go_on)?;
-        found.extend(drawn::findings(self.document, self.tree, &read.texts, limits));
+        found.extend(drawn::findings(self.document, self.tree, &read.letters, limits));
         // dots of a device are pressed one by one, whatever is drawn
         if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
             found.extend(ink::blocks(self.tree));
@@ -96,9 +96,10 @@ impl<'a> Drawn<'a> {
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
-    pub fn check_as_ink(&self, sheet: &Page, limits: &RuleLimits) -> Checked {
+    /// `texts` are those that it shows.
+    pub fn check_as_ink(&self, sheet: &Page, texts: &[SeenText], limits: &RuleLimits) -> Checked {
         let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
-        found.extend(drawn::findings(self.document, self.tree, &[], limits));
+        found.extend(drawn::findings(self.document, self.tree, texts, limits));
         found.extend(ink::findings(self.tree, limits));
         checked((found, Render::LeavesAsItIs), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
     }

@@ -2,7 +2,7 @@
 
 use super::areas::{self, DrawnArea};
 use super::clip;
-use super::document::{Elements, numbers};
+use super::document::{Elements, numbers, own_id};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes, WHITE};
 use super::names::{self, Name};
@@ -377,7 +377,7 @@ impl<'m> Builder<'m> {
         let sign = layer.and_then(|layer| layer.attribute("data-sign")).and_then(Sign::named);
         let colour = numbers(element, "data-colour").and_then(|all| <[f32; 3]>::try_from(all).ok());
         let area = numbers(element, "data-area").and_then(|all| all.first().copied());
-        let number = element.attribute("id").and_then(|id| id.strip_prefix("region-")?.parse().ok());
+        let number = own_id(element).and_then(|id| id.strip_prefix("region-")?.parse().ok());
         let texture = Texture {
             class,
             sign: sign.unwrap_or_else(|| self.palette.sign(class)),

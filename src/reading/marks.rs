@@ -6,9 +6,10 @@ use resvg::tiny_skia::{Point, Transform};
 use usvg::roxmltree::Node;
 use usvg::{Group, Paint, Tree};
 
-use super::document::{Elements, PLACE_OF, is_object, layer_of};
+use super::document::{Elements, is_object, layer_of, own_id};
 use super::markers;
 use super::subpath::{Subpath, clean, subpaths};
+use super::texts::{self, PLACE_OF};
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::page::{Class, TextRole, arrowhead};
@@ -82,7 +83,7 @@ pub(super) struct PaintedShapes<'a> {
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
     pub(super) far: usize,
-    /// Where texts begin and how many mm one of their units has, by their ids.
+    /// Where texts are shown and how many mm one of their units has, by their keys.
     pub(super) texts: HashMap<String, (MmPoint, f32)>,
     points: usize,
     objects: usize,
@@ -137,7 +138,7 @@ fn layer_of_object(element: Node<'_, '_>, around: Option<Layer>) -> Option<Layer
             class.map(Layer::Texture).or(around)
         }
         _ if has("data-braille") => {
-            let id = element.attribute("id").unwrap_or_default();
+            let id = own_id(element).unwrap_or_default();
             let layers = TextRole::ALL.into_iter().map(Layer::Braille);
             layers.into_iter().find(|layer| id.starts_with(&layer.id())).or(around)
         }
@@ -248,6 +249,18 @@ impl<'a> PaintedShapes<'a> {
         Ok(())
     }
 
+    /// Adds the place of a text, if it is seen at all.
+    fn add_place(&mut self, key: &str, mark: &usvg::Path, transform: Transform, opacity: f32) {
+        if opacity <= 0.0 {
+            return;
+        }
+        let corner = mark.data().bounds();
+        let mut at = [Point::from_xy(corner.left(), corner.top())];
+        transform.map_points(&mut at);
+        let unit = clean((transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt());
+        self.texts.insert(key.to_owned(), (MmPoint::new(clean(at[0].x), clean(at[0].y)), unit));
+    }
+
     fn next_object(&mut self) -> usize {
         self.objects += 1;
         self.objects
@@ -259,11 +272,11 @@ impl<'a> PaintedShapes<'a> {
         }
         let transform = to_mm(path.abs_transform());
         if let Some(text) = path.id().strip_prefix(PLACE_OF) {
-            let corner = path.data().bounds();
-            let mut at = [Point::from_xy(corner.left(), corner.top())];
-            transform.map_points(&mut at);
-            let unit = clean((transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt());
-            self.texts.insert(text.to_owned(), (MmPoint::new(clean(at[0].x), clean(at[0].y)), unit));
+            self.add_place(text, path, transform, around.opacity);
+            return Ok(());
+        }
+        let own_size = path.data().bounds();
+        if around.cloned.is_some() && texts::is_mark(own_size.width(), own_size.height()) {
             return Ok(());
         }
         let Some(geometry) = path.data().clone().transform(transform) else { return Ok(()) };
