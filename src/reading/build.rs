@@ -1,5 +1,7 @@
 //! A page of what was found drawn.
 
+use std::collections::BTreeMap;
+
 use super::areas::{self, DrawnArea};
 use super::clip;
 use super::document::{Elements, numbers, own_id};
@@ -9,9 +11,10 @@ use super::names::{self, Name};
 use super::said::{medium, on_sheet, palette, place_of, source};
 use super::shapes::{disc, glyph};
 use super::subpath::{Subpath, clean};
-use super::tally::{self, Tally, What};
+use super::tally::{self, OfFile, Tally, What};
 use super::words::{PageWords, language};
 use crate::devices::DotArea;
+use crate::geom::polyline;
 use crate::output::layer::{self, Layer};
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
@@ -24,6 +27,8 @@ use crate::{Error, Note};
 const DRAWN: f32 = 100.0;
 /// A grey value up to this is black.
 const BLACK: u8 = 16;
+/// Width of a line where none is given and there are no others, mm.
+const COMMON_WIDTH: f32 = 1.0;
 /// Two pieces of a line are one where their ends are this near, mm.
 const JOINED: f32 = 0.05;
 /// A dot this near to one that the device has is that one, mm: coordinates are written in steps of 0.01 mm.
@@ -49,7 +54,7 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print, [pictures, elsewhere, cut]): (PaintedShapes<'_>, Vec<PrintText>, [usize; 3]),
+    (marks, print, file): (PaintedShapes<'_>, Vec<PrintText>, OfFile),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
@@ -59,10 +64,12 @@ pub(super) fn page(
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, palette(&words), sheet);
     builder.is_foreign = elements.has_layer() && !elements.are_of_page;
+    builder.common_width = common_width(&marks);
     let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
         builder.add(mark, &mut runs);
     }
+    runs.extend(builder.keep_orientation_mark());
     for pieces in runs {
         builder.add_lines(pieces);
     }
@@ -95,7 +102,7 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let notes = tally.notes().chain(tally::told_of_file([pictures, elsewhere, far, cut, patterned]));
+    let notes = tally.notes().chain(OfFile { far, patterned, ..file }.told());
     let notes = notes.chain(tally::told_no_figure(elements)).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
@@ -118,6 +125,28 @@ struct Pieces {
     runs: Vec<Run>,
 }
 
+impl Pieces {
+    fn of(mark: &PaintedShape<'_>, layer: Layer, runs: Vec<Run>) -> Self {
+        let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
+        let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
+        Self { object: mark.object, layer, strength, name: names::of_line(mark.element, mark.clone), runs }
+    }
+}
+
+/// The width of most strokes of lines, by their lengths, mm.
+fn common_width(marks: &[PaintedShape<'_>]) -> f32 {
+    let mut lengths: BTreeMap<u32, f32> = BTreeMap::new();
+    let is_line = |mark: &&PaintedShape<'_>| matches!(mark.layer, Some(Layer::Lines | Layer::Overview));
+    for mark in marks.iter().filter(is_line) {
+        if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
+            let length: f32 = mark.subpaths.iter().map(|subpath| polyline::length(&subpath.points)).sum();
+            *lengths.entry((100.0 * stroke.width).round() as u32).or_default() += length;
+        }
+    }
+    let most = lengths.into_iter().reduce(|most, of| if of.1 > most.1 { of } else { most });
+    most.map_or(COMMON_WIDTH, |(hundredths, _)| hundredths as f32 / 100.0)
+}
+
 struct Builder<'m> {
     medium: &'m Medium,
     /// The signs of layers that do not say which they have, such as one that a person made.
@@ -125,6 +154,8 @@ struct Builder<'m> {
     sheet: [f32; 2],
     /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
     is_foreign: bool,
+    /// Width of a line that is drawn where none is given, mm.
+    common_width: f32,
     parts: Parts,
     overview: Vec<Line>,
     overview_frame: Dots,
@@ -142,6 +173,8 @@ struct Builder<'m> {
     areas: Vec<DrawnArea>,
     /// Which dots of labels are which object.
     labels: Vec<usize>,
+    /// What lies in the layer of the orientation mark, one of which is that.
+    orientation_marks: Vec<Pieces>,
     tally: Tally,
 }
 
@@ -153,6 +186,7 @@ impl<'m> Builder<'m> {
             palette,
             sheet,
             is_foreign: false,
+            common_width: COMMON_WIDTH,
             parts: Parts::of(sheet, empty),
             overview: Vec::new(),
             overview_frame: Dots::default(),
@@ -164,6 +198,7 @@ impl<'m> Builder<'m> {
             moved_texts: Vec::new(),
             areas: Vec::new(),
             labels: Vec::new(),
+            orientation_marks: Vec::new(),
             tally: Tally::default(),
         }
     }
@@ -210,29 +245,23 @@ impl<'m> Builder<'m> {
             (Some(discs), layer) => self.add_discs(mark, layer, &discs, layer::height(shade), runs),
             (None, _) => {
                 self.tally.add(What::Outlined, first);
-                let width = self.common_width();
+                let width = self.common_width;
                 // what has but two points is a line there and back
                 let closed = |subpath: &Subpath| Subpath { closed: subpath.points.len() > 2, ..subpath.clone() };
                 let around = mark.subpaths.iter().map(closed);
                 let around = around.map(|subpath| stroke_run(&subpath, width)).collect();
-                self.collect(mark, Layer::Lines, around, runs);
+                let in_overview = mark.layer == Some(Layer::Overview);
+                self.collect(mark, if in_overview { Layer::Overview } else { Layer::Lines }, around, runs);
             }
         }
-    }
-
-    /// Width of a line that is drawn where none is given, mm.
-    fn common_width(&self) -> f32 {
-        let widths = self.parts.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width);
-        widths.fold(1.0, f32::max)
     }
 
     fn add_strokes(&mut self, mark: &PaintedShape<'_>, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
         let is_text = mark.element.has_attribute("data-braille");
         match mark.layer {
-            Some(Layer::OrientationMark) if self.parts.orientation_mark.is_none() => {
-                let mut of_path = self.on_sheet(of_path).into_iter();
-                self.parts.orientation_mark = of_path.next();
-                self.parts.registration.extend(of_path);
+            Some(Layer::OrientationMark) => {
+                let pieces = Pieces::of(mark, Layer::Lines, of_path);
+                self.orientation_marks.push(pieces);
             }
             Some(Layer::Registration) => {
                 let kept = self.on_sheet(of_path);
@@ -257,15 +286,32 @@ impl<'m> Builder<'m> {
 
     /// Keeps the pieces of one object together, in the order in which they are drawn.
     fn collect(&mut self, mark: &PaintedShape<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
-        let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
-        let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
         match runs.last_mut() {
             Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
-            _ => {
-                let name = names::of_line(mark.element, mark.clone);
-                runs.push(Pieces { object: mark.object, layer, strength, name, runs: of_path });
-            }
+            _ => runs.push(Pieces::of(mark, layer, of_path)),
         }
+    }
+
+    /// Keeps of the marks in the layer of the orientation mark the one that is nearest to the upper corner that it
+    /// cuts, whichever comes first in the file; the others, which are returned, are lines.
+    fn keep_orientation_mark(&mut self) -> Vec<Pieces> {
+        let mut marks = std::mem::take(&mut self.orientation_marks);
+        let corners = [MmPoint::zero(), MmPoint::new(self.sheet[0], 0.0)];
+        let off = |mark: &Pieces| {
+            let points = mark.runs.first().map_or(&[][..], |run| &run.points);
+            let to = |corner: MmPoint| points.iter().map(|at| (*at - corner).length()).sum::<f32>();
+            corners.map(to).into_iter().fold(f32::MAX, f32::min) / points.len().max(1) as f32
+        };
+        let nearest = (0..marks.len()).min_by(|a, b| off(&marks[*a]).total_cmp(&off(&marks[*b])));
+        let Some(own) = nearest.map(|own| marks.remove(own)) else { return marks };
+        let mut own = self.on_sheet(own.runs).into_iter();
+        self.parts.orientation_mark = own.next();
+        self.parts.registration.extend(own);
+        for other in &marks {
+            let at = other.runs.first().and_then(|run| run.points.first()).copied();
+            self.tally.add(What::BesideMark, at);
+        }
+        marks
     }
 
     /// Runs that end where the next begins are one line.
@@ -321,7 +367,10 @@ impl<'m> Builder<'m> {
         match layer {
             Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
             Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
-            Some(Layer::OrientationMark) if is_dotted => self.parts.orientation_mark = Some(row(at)),
+            Some(Layer::OrientationMark) if is_dotted => {
+                let pieces = Pieces::of(mark, Layer::Lines, vec![row(at)]);
+                self.orientation_marks.push(pieces);
+            }
             Some(Layer::Registration) if is_dotted => self.parts.registration.push(row(at)),
             Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
                 self.collect(mark, layer, vec![row(at)], runs);

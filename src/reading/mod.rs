@@ -45,6 +45,7 @@ use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use build::Built;
 use document::Elements;
+use tally::OfFile;
 
 pub use areas::DrawnArea;
 pub use document::{FINDINGS, text_of};
@@ -72,9 +73,9 @@ pub struct Reading {
     pub moved_texts: Vec<String>,
     /// Texts that a person typed and that are to be written in braille, which are not on the page either.
     pub texts: Vec<TypedText>,
-}
     /// All texts that are shown in letters, or in a font of braille, and may rise.
     pub letters: Vec<SeenText>,
+}
 
 impl Reading {
     /// What fingers meet of a page for the back of the sheet, and the other way round; so many cells of braille are
@@ -135,9 +136,12 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);
     let pictures = document.descendants().filter(is_picture).count();
     let elsewhere = document.descendants().filter(|node| elements.is_elsewhere(*node)).count();
-    let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
+    let texts = elements.texts(&document);
+    let letters = typed::seen(&texts, &marks.texts);
+    let file = OfFile { pictures, elsewhere, cut, ..OfFile::default() };
+    let (texts, print, told) = typed::sorted(texts, &marks.texts);
     let Built { page, names, mut notes, areas, moved_texts } =
-        build::page((marks, print, [pictures, elsewhere, cut]), words, &elements, sheet)?;
+        build::page((marks, print, file), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(given.as_bytes());
     Ok(Reading { page, names, notes, areas, is_changed, moved_texts, texts, letters })
