@@ -9,12 +9,9 @@ use usvg::{Group, Paint, Tree};
 use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
-use crate::reading::{SeenText, is_braille, is_shown};
+use crate::reading::{SeenText, is_black, is_braille, is_shown, is_white};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
-/// Grey values (0..=255) up to the first count as black, from the second on as white.
-const BLACK: u8 = 8;
-const WHITE: u8 = 248;
 /// Most colours that are told one by one.
 const MOST: usize = 6;
 
@@ -78,7 +75,7 @@ impl Seen {
     }
 
     fn add_ink(&mut self, channels: [u8; 3], extent: MmRect) {
-        if channels.iter().all(|&channel| channel <= BLACK) {
+        if is_black(channels) {
             return;
         }
         let [red, green, blue] = channels;
@@ -94,10 +91,6 @@ fn channels(paint: &Paint, opacity: f32) -> [u8; 3] {
         _ => [128; 3], // a gradient or a pattern has greys at least
     };
     channels.map(|channel| (255.0 - (255.0 - f32::from(channel)) * opacity).round() as u8)
-}
-
-fn is_white(channels: [u8; 3]) -> bool {
-    channels.iter().all(|&channel| channel >= WHITE)
 }
 
 /// How far a mark of this name, which may be filled, reaches beyond the sheet, if it does.

@@ -11,6 +11,7 @@ use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
 use crate::geom::components::{self, Connectivity};
 use crate::geom::distance::squared_distances;
+use crate::reading::is_black;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 
 /// Pixels for a millimetre.
@@ -74,7 +75,7 @@ pub(super) fn blocks(tree: &Tree) -> Vec<FoundBreach> {
     if !may_have_block(tree.root()) {
         return Vec::new();
     }
-    DrawnInk::of(tree, is_black).map_or_else(Vec::new, |ink| ink.blocks())
+    DrawnInk::of(tree, is_black_pixel).map_or_else(Vec::new, |ink| ink.blocks())
 }
 
 /// Whether a path could be a block: it has a black stroke as broad as one, or is filled black and has a contour whose
@@ -95,7 +96,7 @@ fn may_have_block(group: &Group) -> bool {
 }
 
 fn is_painted_black(paint: &Paint) -> bool {
-    matches!(paint, Paint::Color(colour) if is_black(&[colour.red, colour.green, colour.blue]))
+    matches!(paint, Paint::Color(colour) if is_black([colour.red, colour.green, colour.blue]))
 }
 
 /// Whether a contour of a path, in mm, is as broad as a block. Curves count as their chords.
@@ -125,8 +126,8 @@ fn is_dark(pixel: &[u8]) -> bool {
 }
 
 /// A pixel that is black: areas that a person filled with a colour are to have its texture.
-fn is_black(pixel: &[u8]) -> bool {
-    pixel[..3].iter().all(|&channel| channel < 64)
+fn is_black_pixel(pixel: &[u8]) -> bool {
+    is_black([pixel[0], pixel[1], pixel[2]])
 }
 
 impl DrawnInk {

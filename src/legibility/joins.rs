@@ -52,8 +52,8 @@ impl Join {
     }
 }
 
-/// The joins of every path, by the lines that they join and along it. A line ends on another where their ink touches, or
-/// is no farther apart than `touch` mm. Two lines that cross again before they have been apart only wind round one
+/// The joins of every path, by the lines that they join and along it. A line ends on another where their ink touches,
+/// or is no farther apart than `touch` mm. Two lines that cross again before they have been apart only wind round one
 /// another: these are no joins.
 pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
     let widest = paths.widest();
@@ -227,8 +227,8 @@ fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index
     (1..steps).filter_map(place_at).all(near)
 }
 
-/// The joins with `line` that may reach a part of a path, each with how far it is moved for that: of a ring, a join near
-/// the beginning is near the end as well. `joins` are sorted, as [`joins`] gives them.
+/// The joins with `line` that may reach a part of a path, each with how far it is moved for that: of a ring, a join
+/// near the beginning is near the end as well. `joins` are sorted, as [`joins`] gives them.
 fn joins_around(
     joins: &[Join],
     ring_length: Option<f32>,

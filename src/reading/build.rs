@@ -1,21 +1,19 @@
 //! A page of what was found drawn.
 
-use std::collections::BTreeMap;
-
-use super::areas::{self, DrawnArea};
+use super::areas::DrawnArea;
 use super::clip;
 use super::document::{Elements, numbers, own_id};
+use super::kind::{Kind, Sorted, Sorter, common_width};
 use super::leaders::with_own_tip;
-use super::marks::{PaintedShape, PaintedShapes, WHITE};
+use super::marks::{PaintedShape, PaintedShapes};
 use super::names::{self, Name};
 use super::said::{medium, on_sheet, palette, place_of, source};
-use super::shapes::{disc, glyph};
-use super::subpath::{Subpath, clean};
+use super::shapes::glyph;
+use super::subpath::clean;
 use super::tally::{self, OfFile, Tally, What};
 use super::words::{PageWords, language};
 use crate::devices::DotArea;
-use crate::geom::polyline;
-use crate::output::layer::{self, Layer};
+use crate::output::layer::Layer;
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
     PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
@@ -25,10 +23,6 @@ use crate::{Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
-/// A grey value up to this is black.
-const BLACK: u8 = 16;
-/// Width of a line where none is given and there are no others, mm.
-const COMMON_WIDTH: f32 = 1.0;
 /// Two pieces of a line are one where their ends are this near, mm.
 const JOINED: f32 = 0.05;
 /// A dot this near to one that the device has is that one, mm: coordinates are written in steps of 0.01 mm.
@@ -62,17 +56,13 @@ pub(super) fn page(
     let PaintedShapes { marks, transforms, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
-    let mut builder = Builder::new(&medium, palette(&words), sheet);
-    builder.is_foreign = elements.has_layer() && !elements.are_of_page;
-    builder.common_width = common_width(&marks);
-    let mut runs: Vec<Pieces> = Vec::new();
-    for mark in &marks {
-        builder.add(mark, &mut runs);
-    }
-    runs.extend(builder.keep_orientation_mark());
-    for pieces in runs {
-        builder.add_lines(pieces);
-    }
+    let sorter = Sorter {
+        is_foreign: elements.has_layer() && !elements.are_of_page,
+        sheet,
+        has_heights: medium.has_heights(),
+        common_width: common_width(&marks),
+    };
+    let builder = Builder::new(&medium, palette(&words), sorter).with(&marks);
     let Builder {
         mut parts,
         tally,
@@ -133,29 +123,12 @@ impl Pieces {
     }
 }
 
-/// The width of most strokes of lines, by their lengths, mm.
-fn common_width(marks: &[PaintedShape<'_>]) -> f32 {
-    let mut lengths: BTreeMap<u32, f32> = BTreeMap::new();
-    let is_line = |mark: &&PaintedShape<'_>| matches!(mark.layer, Some(Layer::Lines | Layer::Overview));
-    for mark in marks.iter().filter(is_line) {
-        if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
-            let length: f32 = mark.subpaths.iter().map(|subpath| polyline::length(&subpath.points)).sum();
-            *lengths.entry((100.0 * stroke.width).round() as u32).or_default() += length;
-        }
-    }
-    let most = lengths.into_iter().reduce(|most, of| if of.1 > most.1 { of } else { most });
-    most.map_or(COMMON_WIDTH, |(hundredths, _)| hundredths as f32 / 100.0)
-}
-
 struct Builder<'m> {
     medium: &'m Medium,
     /// The signs of layers that do not say which they have, such as one that a person made.
     palette: Palette,
     sheet: [f32; 2],
-    /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
-    is_foreign: bool,
-    /// Width of a line that is drawn where none is given, mm.
-    common_width: f32,
+    sorter: Sorter,
     parts: Parts,
     overview: Vec<Line>,
     overview_frame: Dots,
@@ -179,14 +152,14 @@ struct Builder<'m> {
 }
 
 impl<'m> Builder<'m> {
-    fn new(medium: &'m Medium, palette: Palette, sheet: [f32; 2]) -> Self {
+    fn new(medium: &'m Medium, palette: Palette, sorter: Sorter) -> Self {
+        let sheet = sorter.sheet;
         let empty = Figure { place: MmRect::zero(), source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
         Self {
             medium,
             palette,
             sheet,
-            is_foreign: false,
-            common_width: COMMON_WIDTH,
+            sorter,
             parts: Parts::of(sheet, empty),
             overview: Vec::new(),
             overview_frame: Dots::default(),
@@ -203,56 +176,28 @@ impl<'m> Builder<'m> {
         }
     }
 
+    /// The same with all that paths draw.
+    fn with(mut self, marks: &[PaintedShape<'_>]) -> Self {
+        let mut runs: Vec<Pieces> = Vec::new();
+        marks.iter().for_each(|mark| self.add(mark, &mut runs));
+        runs.extend(self.keep_orientation_mark());
+        runs.into_iter().for_each(|pieces| self.add_lines(pieces));
+        self
+    }
+
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
     fn add(&mut self, mark: &PaintedShape<'_>, runs: &mut Vec<Pieces>) {
         let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
-        if self.is_foreign && mark.layer.is_none() {
-            return self.tally.add(What::Foreign, first);
-        }
-        if mark.layer == Some(Layer::PrintWords) {
-            return self.tally.add(What::InPrint, first);
-        }
-        if mark.is_white() && !mark.covers(self.parts.sheet) {
-            return self.tally.add(What::White, first);
-        }
-        let has_heights = self.medium.has_heights();
-        let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
-        let is_area = area.is_some();
-        if let Some(area) = area {
-            self.areas.push(area);
-        }
-        if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
-            if stroke.shade > BLACK && !has_heights {
-                self.tally.add(What::Shaded, first);
-            }
-            if stroke.is_dashed {
-                self.tally.add(What::Dashed, first);
-            }
-            let of_path = mark.subpaths.iter().map(|subpath| stroke_run(subpath, stroke.width)).collect();
-            self.add_strokes(mark, of_path, runs);
-            return;
-        }
-        let Some(shade) = mark.fill.filter(|shade| *shade < WHITE && !is_area) else { return };
-        if shade > BLACK && !has_heights {
-            self.tally.add(What::Shaded, first);
-        }
-        if let Some(Layer::Texture(class)) = mark.layer {
-            self.add_glyphs(mark, class);
-            return;
-        }
-        let discs: Option<Vec<(MmPoint, f32)>> = mark.subpaths.iter().map(disc).collect();
-        match (discs, mark.layer) {
-            (Some(discs), layer) => self.add_discs(mark, layer, &discs, layer::height(shade), runs),
-            (None, _) => {
-                self.tally.add(What::Outlined, first);
-                let width = self.common_width;
-                // what has but two points is a line there and back
-                let closed = |subpath: &Subpath| Subpath { closed: subpath.points.len() > 2, ..subpath.clone() };
-                let around = mark.subpaths.iter().map(closed);
-                let around = around.map(|subpath| stroke_run(&subpath, width)).collect();
-                let in_overview = mark.layer == Some(Layer::Overview);
-                self.collect(mark, if in_overview { Layer::Overview } else { Layer::Lines }, around, runs);
-            }
+        let Sorted { kind, area, told } = self.sorter.sort(mark);
+        self.areas.extend(area);
+        told.into_iter().for_each(|what| self.tally.add(what, first));
+        match kind {
+            Kind::LeftOut(what) => self.tally.add(what, first),
+            Kind::Blank => {}
+            Kind::Strokes(of_path) => self.add_strokes(mark, of_path, runs),
+            Kind::Signs(class) => self.add_glyphs(mark, class),
+            Kind::Discs(discs, height) => self.add_discs(mark, &discs, height, runs),
+            Kind::Around(around, layer) => collect(mark, layer, around, runs),
         }
     }
 
@@ -273,22 +218,14 @@ impl<'m> Builder<'m> {
                 let index = self.text_of(mark, role);
                 self.parts.braille[index].leader = leader;
             }
-            Some(layer @ (Layer::Lines | Layer::Overview)) => self.collect(mark, layer, of_path, runs),
+            Some(layer @ (Layer::Lines | Layer::Overview)) => collect(mark, layer, of_path, runs),
             layer => {
                 if !matches!(layer, Some(Layer::Figure)) {
                     let at = of_path.first().and_then(|run| run.points.first()).copied();
                     self.tally.add(What::LineOutside, at);
                 }
-                self.collect(mark, Layer::Lines, of_path, runs);
+                collect(mark, Layer::Lines, of_path, runs);
             }
-        }
-    }
-
-    /// Keeps the pieces of one object together, in the order in which they are drawn.
-    fn collect(&mut self, mark: &PaintedShape<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
-        match runs.last_mut() {
-            Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
-            _ => runs.push(Pieces::of(mark, layer, of_path)),
         }
     }
 
@@ -341,14 +278,7 @@ impl<'m> Builder<'m> {
         all.extend(lines);
     }
 
-    fn add_discs(
-        &mut self,
-        mark: &PaintedShape<'_>,
-        layer: Option<Layer>,
-        discs: &[(MmPoint, f32)],
-        height: Height,
-        runs: &mut Vec<Pieces>,
-    ) {
+    fn add_discs(&mut self, mark: &PaintedShape<'_>, discs: &[(MmPoint, f32)], height: Height, runs: &mut Vec<Pieces>) {
         let Some(&(_, diameter)) = discs.first() else { return };
         let uneven = discs.iter().find(|(_, other)| (other - diameter).abs() > SAME);
         if let Some((at, _)) = uneven {
@@ -364,7 +294,7 @@ impl<'m> Builder<'m> {
         }
         let is_dotted = matches!(self.medium, Medium::Dots(_));
         let row = |at: Vec<MmPoint>| Run::dots(diameter, at, height);
-        match layer {
+        match mark.layer {
             Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
             Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
             Some(Layer::OrientationMark) if is_dotted => {
@@ -373,7 +303,7 @@ impl<'m> Builder<'m> {
             }
             Some(Layer::Registration) if is_dotted => self.parts.registration.push(row(at)),
             Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
-                self.collect(mark, layer, vec![row(at)], runs);
+                collect(mark, layer, vec![row(at)], runs);
             }
             Some(Layer::Braille(role)) if mark.element.has_attribute("data-braille") => {
                 let index = self.text_of(mark, role);
@@ -507,8 +437,12 @@ impl<'m> Builder<'m> {
     }
 }
 
-fn stroke_run(subpath: &Subpath, width: f32) -> Run {
-    Run { width, points: subpath.points.clone(), closed: subpath.closed, pen: Pen::Stroke }
+/// Keeps the pieces of one object together, in the order in which they are drawn.
+fn collect(mark: &PaintedShape<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
+    match runs.last_mut() {
+        Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
+        _ => runs.push(Pieces::of(mark, layer, of_path)),
+    }
 }
 
 fn extend(dots: &mut Dots, diameter: f32, at: Vec<MmPoint>) {

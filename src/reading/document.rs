@@ -119,7 +119,8 @@ pub(super) struct TypedElement<'a> {
 const LABELS: &str = "labels-text";
 
 /// The same text, in which each element has an id of its own: usvg keeps ids and no other attributes, and plain editors
-/// give none, or copy them. A mark stands where each text is shown, and nothing is cut off: says how many elements were.
+/// give none, or copy them. A mark stands where each text is shown, and nothing is cut off: says how many elements
+/// were.
 ///
 /// # Errors
 /// As [`parse`].

@@ -19,6 +19,7 @@ mod clip;
 mod cuts;
 mod document;
 mod entities;
+mod kind;
 mod leaders;
 mod markers;
 mod marks;
@@ -30,6 +31,7 @@ mod style;
 mod subpath;
 mod tally;
 mod texts;
+mod tone;
 mod typed;
 mod words;
 
@@ -49,6 +51,7 @@ use tally::OfFile;
 
 pub use areas::DrawnArea;
 pub use document::{FINDINGS, text_of};
+pub use tone::{is_black, is_white};
 pub use typed::{SeenText, TypedText, is_braille};
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.

@@ -183,3 +183,13 @@ fn what_leaves_the_sheet_is_told_as_render_makes_it() {
     assert!(ends("<path d='M-20,60h80'/>", "render cuts it off at the edge"));
     assert!(ends("<path d='M-40,60h20'/>", "render leaves it out"));
 }
+
+/// What `render` takes as white or black is so for the check, too.
+#[test]
+fn render_and_check_know_one_black_and_one_white() {
+    for (channels, lines, coloured) in [("f8f8f8", 0, 0), ("f7f7f7", 1, 1), ("101010", 1, 0), ("111111", 1, 1)] {
+        let line = format!("<path d='M30,60h60' stroke='#{channels}'/>");
+        assert_eq!(reading(&line, "").page.figure.lines.len(), lines, "{channels}");
+        assert_eq!(found(&line, "", "black-only").len(), coloured, "{channels}");
+    }
+}
