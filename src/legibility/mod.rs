@@ -39,6 +39,7 @@ pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APART, APPROACH, BEND_LEAST, CLUSTER_APPROACH, SMALL_RING};
 pub use layer::marked;
 pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
+use limits::CELL;
 pub(crate) use limits::LEADER_END;
 pub use limits::{MediumLimits, RuleLimits};
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
@@ -129,8 +130,6 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Optio
     (!found.is_empty()).then(|| format!("braille stays where it is on the page: {told}; move one of them"))
 }
 
-/// Side of the cells in which segments are looked for, mm: about the clearance of two lines. Chosen by us.
-const CELL: f32 = 5.0;
 /// Most places that are told one by one.
 const MOST_TOLD: usize = 5;
 

@@ -7,7 +7,7 @@ use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
 use super::joins::APPROACH;
-use super::limits::{LAST_DIGIT, MediumLimits, NEXT_DOT, RuleLimits};
+use super::limits::{CELL, LAST_DIGIT, MediumLimits, NEXT_DOT, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
@@ -127,9 +127,6 @@ enum Surroundings {
     /// Dots, with their lines.
     Dots(Index<(usize, MmPoint), Mm>),
 }
-
-/// Side of the cells in which they are looked for, mm: about the clearance of two lines.
-const CELL: f32 = 5.0;
 
 impl Surroundings {
     fn of(lines: &[Line], limits: &RuleLimits) -> Self {

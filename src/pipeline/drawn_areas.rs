@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::areas::of_page;
+use super::areas::{lightness, of_page};
 use super::label::CLEARANCE;
 use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
@@ -117,13 +117,6 @@ impl DrawnAreas {
         });
         told.into_iter().chain(gone).collect()
     }
-}
-
-/// HSL lightness of a colour.
-fn lightness(colour: [u8; 3]) -> f32 {
-    let channels = colour.map(f32::from);
-    let [low, high] = [channels.iter().copied().fold(255.0, f32::min), channels.iter().copied().fold(0.0, f32::max)];
-    (low + high) / 510.0
 }
 
 /// Lays the textures of drawn areas over those that are there, the last on top. Tells how many, and which have none.
