@@ -49,7 +49,7 @@ mod typed;
 mod unwritten;
 mod words;
 
-pub use adapt::{Adapted, adapted, as_felt, with_strokes_as_dots};
+pub use adapt::{Adapted, AsRendered, as_felt, as_rendered, with_strokes_as_dots};
 pub use drawn_areas::areas_of;
 pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::{Given, GivenLines};

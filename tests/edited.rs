@@ -375,3 +375,18 @@ fn a_line_with_a_transform_or_opacity_of_its_own_is_read_wherever_it_stands() {
     };
     assert_eq!(after.iter().filter(is_around).count(), 1, "in its place");
 }
+
+#[test]
+fn strokes_in_the_overview_of_a_page_of_dots_become_dots() {
+    let options = Options::new(Profile::named("index-basic-d").expect("it is built in"));
+    let page = tactograph::convert(PICTURE.as_bytes(), &options).expect("a page").page;
+    let MmRect { min, .. } = page.figure.place;
+    let lines = format!("<path d='M{} {}h40v20' fill='none' stroke='#000'/>", min.x + 10.0, min.y + 10.0);
+    let overview = format!("<g id='overview' data-box='{} {} 60 60'>{lines}</g>", min.x, min.y);
+    let drawing = render(&with(&page.to_svg(), &overview));
+    let overview = drawing.page.overview.as_ref().expect("it has one");
+    let runs: Vec<_> = overview.lines.iter().flat_map(|line| &line.runs).collect();
+    assert!(overview.lines.len() == 1 && runs.iter().all(|run| run.points.len() >= 20), "{runs:?}");
+    assert_eq!(drawing.page.figure.lines.len(), page.figure.lines.len());
+    assert!(told(&drawing.notes).contains("1 line of the overview on a page of dots made dots"));
+}

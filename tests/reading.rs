@@ -312,6 +312,11 @@ fn what_is_drawn_by_hand_is_read_by_its_kind() {
     let dots = page.labels.last().expect("a dot");
     assert_eq!((dots.diameter, dots.at.as_slice()), (1.5, &[MmPoint::new(100.0, 100.0)][..]));
     assert_eq!(page.figure.lines.len(), count + 1);
+    let around = &page.figure.lines[count].runs[0];
+    let corners = [(20.0, 20.0), (26.0, 20.0), (26.0, 26.0)].map(|(x, y)| MmPoint::new(x, y));
+    assert!(around.closed && around.points == corners, "{around:?}");
+    let widths = before.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width);
+    assert!(widths.into_iter().any(|width| (width - around.width).abs() < 0.006), "{}", around.width);
     for what in ["1 disc", "1 filled shape", "in grey or colour", "\"Cup\"", "beyond the sheet", "1 picture"] {
         assert!(told.contains(what), "{what}: {told}");
     }

@@ -65,15 +65,18 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
         let place = MmRect::new(MmPoint::zero(), corner);
         let figure = Figure { place, source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
         let empty = Page::new(Parts::of([corner.x, corner.y], figure))?;
-        return Ok(drawn.check_as_ink(&empty, &options.plan(&empty.origin)?.limits()));
+        let letters = reading::letters_of(bytes)?;
+        return Ok(drawn.check_as_ink(&empty, &letters, &options.plan(&empty.origin)?.limits()));
     };
     let limits = options.plan(&read.page.origin)?.limits();
-    let felt = felt(bytes, USUAL_FINGER, &go_on);
+    let felt = match felt(bytes, USUAL_FINGER, &go_on) {
+        // also a page whose layers have labels and no ids of ours
+        felt @ (Ok(_) | Err(Error::TooLargeToFeel { .. } | Error::NotAPage { .. })) => felt,
+        Err(why) => return Err(why),
+    };
     let fingertip = match &felt {
         Ok(felt) => Fingertip::Felt(felt.report()),
-        Err(Error::Cancelled) => return Err(Error::Cancelled),
         Err(Error::TooLargeToFeel { .. }) => Fingertip::TooLarge,
-        // a page whose layers have labels and no ids of ours
         Err(_) => Fingertip::NotAsked,
     };
     let (own, refused) = Profile::of_origin(&read.page.origin)?;
@@ -168,11 +171,9 @@ pub fn describe(page: impl AsRef<[u8]>, options: &PageOptions) -> Result<Descrip
     options.go_on()?;
     let wording = wording.unwrap_or_else(|| Wording::nearest(&read.page.description_language));
     // what somebody drew or typed is told as render makes it
-    let page = if read.areas.is_empty() && read.texts.is_empty() {
-        read.page
-    } else {
-        let plan = Plan::new(&Profile::of_origin(&read.page.origin)?.0)?;
-        pipeline::adapted(&read, &plan, None)?.page
-    };
+    let plan = Plan::new(&Profile::of_origin(&read.page.origin)?.0)?;
+    let rendered = pipeline::as_rendered(read, &plan, false, None)?;
+    let page = rendered.adapted.page;
+    let page = if rendered.turned_over { page.mirrored() } else { page };
     Ok(description::describe(&page, &checked.verdict, wording))
 }

@@ -8,7 +8,7 @@ use crate::braille::Translate;
 use crate::listing::first_few;
 use crate::page::{BrailleText, InSet, MediumParams, Page};
 use crate::pipeline::{
-    self, Adapted, Drawing, Event, Fit, KeySheets, KeyWanted, OldPage, Request, Stage, Watch, run_stage,
+    self, Adapted, AsRendered, Drawing, Event, Fit, KeySheets, KeyWanted, OldPage, Request, Stage, Watch, run_stage,
 };
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
@@ -118,12 +118,9 @@ fn rendered(svg: &[u8], options: &RenderOptions, watch: &mut Watch<'_>) -> Resul
     notes.extend(refused);
     let own = Plan::new(&own)?;
     let was_mirrored = read.page.is_mirrored();
-    // what a person changed, and another device, want the page as it is felt
-    let turned_over = was_mirrored && (read.is_changed || options.profile.is_some());
-    if turned_over {
-        read = pipeline::as_felt(read, &own);
-    }
-    let adapted = pipeline::adapted(&read, &own, options.translate.as_deref())?;
+    let for_another = options.profile.is_some();
+    let AsRendered { adapted, read, turned_over } =
+        pipeline::as_rendered(read, &own, for_another, options.translate.as_deref())?;
     let page = AdaptedPage { options, read: &read, own: &own, adapted: &adapted, was_mirrored, turned_over };
     let mut drawing = match &options.profile {
         None => run_stage(watch, Stage::Page, || page.as_it_is(notes))?,

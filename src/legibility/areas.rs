@@ -130,7 +130,9 @@ fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) 
         let out = -group.worst;
         let name = part.name(page, names);
         let what = format!("{name} reaches {out:.1} mm beyond {what}");
-        FoundBreach::at(MARGIN, group.at, group.extent, limits.margin - out, what).of(&name)
+        let found = FoundBreach::at(MARGIN, group.at, group.extent, limits.margin - out, what).of(&name);
+        // of dots there is no number
+        if matches!(page.medium, Medium::Print(_)) { found } else { found.unmeasured() }
     };
     grouped(marks, -ROUNDING, within).into_iter().map(of).collect()
 }

@@ -1,5 +1,7 @@
 //! Lines of dots that come too near to one another: counted in empty dots between them.
 
+use std::collections::HashMap;
+
 use super::finding::around;
 use super::gaps::{Near, ONE, all_too_near_of_dots};
 use super::limits::NEXT_DOT;
@@ -78,7 +80,7 @@ pub(super) fn too_near(lines: &[Line], gap: u32, medium: &DotMedium) -> (Vec<Nea
 
 fn on_grid(lines: &[Line], gap: u32, grid: &Grid, pitch: f32) -> Vec<Near> {
     let rows = Rows::of(lines, gap, grid);
-    let mut found: Vec<Near> = Vec::new();
+    let mut found = Stretches::default();
     for dot in &rows.dots {
         let Some((apart, other)) = rows.nearest_before(dot) else { continue };
         if rows.arrives(dot, &other) || rows.arrives(&other, dot) {
@@ -91,24 +93,34 @@ fn on_grid(lines: &[Line], gap: u32, grid: &Grid, pitch: f32) -> Vec<Near> {
             length: pitch,
             extent: around([dot.at, other.at]).unwrap_or_else(MmRect::zero),
         };
-        add(&mut found, near, ONE + pitch);
+        found.add(near, ONE + pitch);
     }
-    found
+    found.all
 }
 
-/// Adds a place where two lines are near, to the stretch that is no farther than `reach` from it if there is one.
-fn add(found: &mut Vec<Near>, near: Near, reach: f32) {
-    let is_on_it =
-        |of: &&mut Near| of.lines == near.lines && of.extent.inflate(reach, reach).contains_inclusive(near.at);
-    match found.iter_mut().rev().find(is_on_it) {
-        Some(of) => {
-            of.length += near.length;
-            of.extent = of.extent.union(&near.extent);
-            if near.gap < of.gap {
-                (of.gap, of.at) = (near.gap, near.at);
-            }
+/// Stretches where two lines are near, by their lines.
+#[derive(Default)]
+struct Stretches {
+    all: Vec<Near>,
+    of_lines: HashMap<(usize, usize), Vec<usize>>,
+}
+
+impl Stretches {
+    /// Adds a place where two lines are near, to the last stretch that is no farther than `reach` from it if there is
+    /// one.
+    fn add(&mut self, near: Near, reach: f32) {
+        let own = self.of_lines.entry(near.lines).or_default();
+        let is_on_it = |of: &Near| of.extent.inflate(reach, reach).contains_inclusive(near.at);
+        let Some(&on) = own.iter().rev().find(|of| is_on_it(&self.all[**of])) else {
+            own.push(self.all.len());
+            return self.all.push(near);
+        };
+        let of = &mut self.all[on];
+        of.length += near.length;
+        of.extent = of.extent.union(&near.extent);
+        if near.gap < of.gap {
+            (of.gap, of.at) = (near.gap, near.at);
         }
-        None => found.push(near),
     }
 }
 

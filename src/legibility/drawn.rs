@@ -9,20 +9,17 @@ use usvg::{Group, Paint, Tree};
 use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
-use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written, string_of};
+use crate::reading::{SeenText, is_black, is_braille, is_shown, is_white};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
-/// Grey values (0..=255) up to the first count as black, from the second on as white.
-const BLACK: u8 = 8;
-const WHITE: u8 = 248;
 /// Most colours that are told one by one.
 const MOST: usize = 6;
 
-/// All that is no black mark. `typed` are the texts of a page that are written in braille, with their places.
+/// All that is no black mark. `texts` are those that are shown in letters.
 pub(super) fn findings(
     document: &Document<'_>,
     tree: &Tree,
-    typed: &[TypedText],
+    texts: &[SeenText],
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(tree.size().width(), tree.size().height()) * MM_PER_CSS_PX);
@@ -33,9 +30,11 @@ pub(super) fn findings(
     if matches!(limits.medium, MediumLimits::Print { .. }) {
         found.extend(of_colours(seen.colours));
     }
-    found.extend(seen.beyond);
+    // of dots the device says how far they may reach, and there is no number
+    let is_printed = matches!(limits.medium, MediumLimits::Print { .. });
+    found.extend(seen.beyond.into_iter().map(|beyond| if is_printed { beyond } else { beyond.unmeasured() }));
     found.extend(pictures(document));
-    found.extend(letters(document, typed));
+    found.extend(texts.iter().map(letters));
     found
 }
 
@@ -65,7 +64,8 @@ impl Seen {
                     let extent = in_mm(path.abs_stroke_bounding_box());
                     let paints = fill.into_iter().chain(stroke).map(|(paint, own)| channels(paint, own * opacity));
                     let inks: Vec<[u8; 3]> = paints.filter(|channels| !is_white(*channels)).collect();
-                    self.beyond.extend(beyond(extent, self.sheet, path.id()).filter(|_| !inks.is_empty()));
+                    let beyond = beyond(extent, self.sheet, (path.id(), fill.is_some()));
+                    self.beyond.extend(beyond.filter(|_| !inks.is_empty()));
                     inks.into_iter().for_each(|channels| self.add_ink(channels, extent));
                 }
                 // letters and pictures are told by their elements
@@ -75,7 +75,7 @@ impl Seen {
     }
 
     fn add_ink(&mut self, channels: [u8; 3], extent: MmRect) {
-        if channels.iter().all(|&channel| channel <= BLACK) {
+        if is_black(channels) {
             return;
         }
         let [red, green, blue] = channels;
@@ -93,17 +93,18 @@ fn channels(paint: &Paint, opacity: f32) -> [u8; 3] {
     channels.map(|channel| (255.0 - (255.0 - f32::from(channel)) * opacity).round() as u8)
 }
 
-fn is_white(channels: [u8; 3]) -> bool {
-    channels.iter().all(|&channel| channel >= WHITE)
-}
-
-/// How far a mark of this name reaches beyond the sheet, if it does.
-fn beyond(extent: MmRect, sheet: MmRect, id: &str) -> Option<FoundBreach> {
+/// How far a mark of this name, which may be filled, reaches beyond the sheet, if it does.
+fn beyond(extent: MmRect, sheet: MmRect, (id, is_filled): (&str, bool)) -> Option<FoundBreach> {
     let MmRect { min, max } = extent;
     let out = (sheet.min.x - min.x).max(sheet.min.y - min.y).max(max.x - sheet.max.x).max(max.y - sheet.max.y);
     let name = if id.is_empty() { "a mark without a name".to_owned() } else { format!("\"{id}\"") };
     let at = extent.center().clamp(sheet.min, sheet.max);
-    let what = || format!("{name} reaches {out:.1} mm beyond the sheet, and render leaves it out");
+    let made = match (sheet.intersects(&extent), is_filled) {
+        (false, _) => "leaves it out",
+        (true, false) => "cuts it off at the edge",
+        (true, true) => "leaves it out, or cuts off a line around it at the edge",
+    };
+    let what = || format!("{name} reaches {out:.1} mm beyond the sheet, and render {made}");
     (out > ON_EDGE).then(|| FoundBreach::at(MARGIN, at, extent, -out, what()).of(id))
 }
 
@@ -141,36 +142,14 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = FoundBreach>
 }
 
 /// Texts that are written in letters and shown.
-fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<FoundBreach> {
-    let is_print = |node: &Node<'_, '_>| is_print_words(*node) && is_light(*node);
-    let is_text = |node: &Node<'_, '_>| {
-        node.is_element() && node.tag_name().name() == "text" && is_shown(node) && !is_print(node)
+fn letters(text: &SeenText) -> FoundBreach {
+    let short: String = text.string.chars().take(40).collect();
+    let (rule, what) = match is_braille(&text.string) {
+        true => (BRAILLE_CELL, format!("\"{short}\" is braille in a font, whose dots are not those of standard cells")),
+        false => (LETTERS, format!("\"{short}\" is written in letters, which fingers do not read")),
     };
-    let found = |node: Node<'_, '_>| {
-        let whole = string_of(node);
-        let text: String = whole.chars().take(40).collect();
-        // the reader knows what moves a text
-        let of_typed = || typed.iter().find(|typed| typed.string == whole).map(|typed| typed.at);
-        let at = place(&node, document).or_else(of_typed);
-        let extent = at.map(|at| MmRect::new(at, at));
-        let becomes_braille = is_written(node, &whole);
-        let (rule, what) = match is_braille(&whole) {
-            true => {
-                (BRAILLE_CELL, format!("\"{text}\" is braille in a font, whose dots are not those of standard cells"))
-            }
-            false => (LETTERS, format!("\"{text}\" is written in letters, which fingers do not read")),
-        };
-        (!text.is_empty()).then_some(FoundBreach {
-            rule,
-            what,
-            at,
-            extent,
-            measured: None,
-            becomes_braille,
-            in_file: row(node),
-        })
-    };
-    document.descendants().filter(is_text).filter_map(found).collect()
+    let (at, extent, in_file) = (Some(text.at), Some(MmRect::new(text.at, text.at)), InFile::Row(text.row));
+    FoundBreach { rule, what, at, extent, measured: None, becomes_braille: text.is_written, in_file }
 }
 
 /// The line of the file in which an element begins.
@@ -178,7 +157,7 @@ fn row(node: Node<'_, '_>) -> InFile {
     InFile::Row(node.document().text_pos_at(node.range().start).row)
 }
 
-/// Where a text stands, where nothing around it moves it and the drawing is in mm.
+/// Where a picture lies, where nothing around it moves it and the drawing is in mm.
 fn place(node: &Node<'_, '_>, document: &Document<'_>) -> Option<MmPoint> {
     let root = document.root_element();
     let width = root.attribute("width")?.strip_suffix("mm")?.trim().parse::<f32>().ok()?;
@@ -188,7 +167,6 @@ fn place(node: &Node<'_, '_>, document: &Document<'_>) -> Option<MmPoint> {
         return None;
     }
     let number = |node: &Node<'_, '_>, name: &str| node.attribute(name)?.split([' ', ',']).next()?.parse::<f32>().ok();
-    let own = [*node].into_iter().chain(node.children().filter(Node::is_element));
-    let (x, y) = own.filter_map(|node| Some((number(&node, "x")?, number(&node, "y")?))).next()?;
+    let (x, y) = (number(node, "x")?, number(node, "y")?);
     Some(MmPoint::new((x - view[0]) * scale, (y - *view.get(1)?) * scale))
 }

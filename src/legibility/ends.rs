@@ -43,9 +43,10 @@ pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: 
     let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
     let mut near: Index<usize, Mm> = Index::new(area, most);
     tips.iter().enumerate().for_each(|(number, tip)| near.put_at(tip.at, number));
+    let largest = tips.iter().map(|tip| tip.radius).fold(0.0, f32::max);
     let mut found = Vec::new();
     for (number, tip) in tips.iter().enumerate() {
-        near.around(tip.at, tip.at, most + 2.0 * tip.radius, |&id| {
+        near.around(tip.at, tip.at, most + tip.radius + largest, |&id| {
             let other = &tips[id];
             let blank = (other.at - tip.at).length() - tip.radius - other.radius;
             // dots that are next to one another are no gap

@@ -4,13 +4,14 @@
 //! Opening and closing by a disc (Serra 1982), through exact Euclidean distances (Felzenszwalb and Huttenlocher 2012).
 
 use resvg::tiny_skia::{Color, Path, PathSegment, Pixmap, Transform};
-use usvg::{Fill, Group, Node, Paint, Tree};
+use usvg::{Group, Node, Paint, Stroke, Tree};
 
 use super::finding::FoundBreach;
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
 use crate::geom::components::{self, Connectivity};
 use crate::geom::distance::squared_distances;
+use crate::reading::is_black;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 
 /// Pixels for a millimetre.
@@ -74,24 +75,28 @@ pub(super) fn blocks(tree: &Tree) -> Vec<FoundBreach> {
     if !may_have_block(tree.root()) {
         return Vec::new();
     }
-    DrawnInk::of(tree, is_black).map_or_else(Vec::new, |ink| ink.blocks())
+    DrawnInk::of(tree, is_black_pixel).map_or_else(Vec::new, |ink| ink.blocks())
 }
 
-/// Whether a filled path has a contour that could be a block: area and length are those of a square of its side, or of
-/// something broader.
+/// Whether a path could be a block: it has a black stroke as broad as one, or is filled black and has a contour whose
+/// area and length are those of a square of its side, or of something broader.
 fn may_have_block(group: &Group) -> bool {
     group.children().iter().any(|node| match node {
         Node::Group(group) => may_have_block(group),
-        Node::Path(path) if path.is_visible() && path.fill().is_some_and(is_filled_black) => {
-            let geometry = path.data().clone().transform(path.abs_transform().post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX));
-            geometry.is_some_and(|geometry| has_block(&geometry))
+        Node::Path(path) if path.is_visible() => {
+            let to_mm = path.abs_transform().post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX);
+            let scale = (to_mm.sx * to_mm.sy - to_mm.kx * to_mm.ky).abs().sqrt();
+            let is_broad = |stroke: &Stroke| is_painted_black(stroke.paint()) && stroke.width().get() * scale >= BLOCK;
+            let is_filled = path.fill().is_some_and(|fill| is_painted_black(fill.paint()));
+            let geometry = || path.data().clone().transform(to_mm).is_some_and(|geometry| has_block(&geometry));
+            path.stroke().is_some_and(is_broad) || is_filled && geometry()
         }
         Node::Path(_) | Node::Image(_) | Node::Text(_) => false,
     })
 }
 
-fn is_filled_black(fill: &Fill) -> bool {
-    matches!(fill.paint(), Paint::Color(colour) if is_black(&[colour.red, colour.green, colour.blue]))
+fn is_painted_black(paint: &Paint) -> bool {
+    matches!(paint, Paint::Color(colour) if is_black([colour.red, colour.green, colour.blue]))
 }
 
 /// Whether a contour of a path, in mm, is as broad as a block. Curves count as their chords.
@@ -121,8 +126,8 @@ fn is_dark(pixel: &[u8]) -> bool {
 }
 
 /// A pixel that is black: areas that a person filled with a colour are to have its texture.
-fn is_black(pixel: &[u8]) -> bool {
-    pixel[..3].iter().all(|&channel| channel < 64)
+fn is_black_pixel(pixel: &[u8]) -> bool {
+    is_black([pixel[0], pixel[1], pixel[2]])
 }
 
 impl DrawnInk {

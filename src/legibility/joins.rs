@@ -1,5 +1,7 @@
 //! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
 
+use std::collections::HashMap;
+
 use super::limits::LAST_DIGIT;
 use super::paths::{Paths, may_be_near, nearest};
 use crate::geom::crossing;
@@ -17,6 +19,8 @@ pub(crate) const BEND_LEAST: f32 = 2.0;
 /// Lines cross in a vertex of both if it is on both within this, mm: each is rounded to the
 /// nearest number.
 const VERTEX: f32 = 0.5 * LAST_DIGIT;
+/// Two joins with one line are one where they are nearer along a path, mm.
+const SAME_JOIN: f32 = 4.0 * VERTEX;
 /// The largest ring that stands for a point of a drawing, across in distances of two lines.
 pub(crate) const SMALL_RING: f32 = 2.5;
 /// Lines that cross twice are looked at this often between the crossings, mm.
@@ -48,37 +52,60 @@ impl Join {
     }
 }
 
-/// The joins of every path. A line ends on another where their ink touches, or is no farther apart than `touch` mm. Two
-/// lines that cross again before they have been apart only wind round one another: these are no joins.
+/// The joins of every path, by the lines that they join and along it. A line ends on another where their ink touches,
+/// or is no farther apart than `touch` mm. Two lines that cross again before they have been apart only wind round one
+/// another: these are no joins.
 pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
     let widest = paths.widest();
     let mut found: Vec<Vec<Join>> =
         (0..paths.paths.len()).map(|path| joins_of(path, paths, index, (widest, touch))).collect();
     add_meetings_in_rings(&mut found, paths, least);
     // of a line of dots the last two dots may both touch another line: it ends there, and does not wind round it
-    let winds = |number: usize, join: &Join| {
-        join.other as usize != number
-            && found[number].iter().any(|other| {
-                let (from, to) = (join.arc.min(other.arc), join.arc.max(other.arc));
-                other.other == join.other
-                    && to - from > touch.max(1.0)
-                    && follows(paths, number, (from, to), join.other, index, least)
-            })
-    };
-    let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
-    let mut kept: Vec<Vec<Join>> = found.iter().enumerate().map(kept).collect();
-    add_corners(&mut kept, paths, index);
-    add_clusters(&mut kept, paths, least + 2.0 * widest);
-    kept
+    let apart = touch.max(1.0);
+    for (number, list) in found.iter_mut().enumerate() {
+        keep_straight(number, list, apart, |stretch, other| follows(paths, number, stretch, other, index, least));
+    }
+    add_corners(&mut found, paths, index);
+    add_clusters(&mut found, paths, least + 2.0 * widest);
+    for list in &mut found {
+        list.sort_by(|a, b| a.line.cmp(&b.line).then(a.arc.total_cmp(&b.arc)));
+    }
+    found
+}
+
+/// Takes out the joins of a path from which it winds round the other line: up to the next join with that line which is
+/// more than `apart` mm away, on either side, it follows that. What follows it farther follows it so far.
+fn keep_straight(number: usize, list: &mut Vec<Join>, apart: f32, follows: impl Fn((f32, f32), u32) -> bool) {
+    list.sort_by(|a, b| a.other.cmp(&b.other).then(a.arc.total_cmp(&b.arc)));
+    let mut kept = Vec::with_capacity(list.len());
+    for of_other in list.chunk_by(|a, b| a.other == b.other) {
+        let winds = |join: &&Join| {
+            let before = of_other.partition_point(|other| join.arc - other.arc > apart);
+            let behind = of_other.partition_point(|other| other.arc - join.arc <= apart);
+            let neighbours = [before.checked_sub(1), Some(behind)].into_iter().flatten();
+            join.other as usize != number
+                && neighbours.filter_map(|at| of_other.get(at)).any(|other| {
+                    let stretch = (join.arc.min(other.arc), join.arc.max(other.arc));
+                    follows(stretch, join.other)
+                })
+        };
+        kept.extend(of_other.iter().filter(|join| !winds(join)).copied());
+    }
+    *list = kept;
 }
 
 /// Where one path ends on others, or on itself, and where it crosses them; each place once.
 fn joins_of(number: usize, paths: &Paths, index: &Nearby, (widest, touch): (f32, f32)) -> Vec<Join> {
     let mut found: Vec<Join> = Vec::new();
     let path = &paths.paths[number];
+    // where along it each other is joined, in stretches of [`SAME_JOIN`]
+    let mut known: HashMap<(u32, i64), Vec<f32>> = HashMap::new();
     let mut add = |arc: f32, other: u32, there: f32| {
         let is_bent = other as usize == number && path.between(arc, there) <= BEND_LEAST;
-        if !is_bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 4.0 * VERTEX) {
+        let stretch = (arc / SAME_JOIN).floor() as i64;
+        let near = (stretch - 1..=stretch + 1).filter_map(|of| known.get(&(other, of))).flatten();
+        if !is_bent && !near.into_iter().any(|at| (at - arc).abs() < SAME_JOIN) {
+            known.entry((other, stretch)).or_default().push(arc);
             found.push(Join::of(arc, (other, there), paths));
         }
     };
@@ -194,15 +221,35 @@ fn longer(segment: &Segment) -> (MmPoint, MmPoint) {
 
 /// Whether a path stays within the least blank of another between two of its places.
 fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
-    let near = |at: MmPoint| index.nearest(at, least, |segment| segment.line == other).is_some();
+    let near = |at: MmPoint| index.nearest_of_line(at, least, other).is_some();
     let steps = ((to - from) / STEP).ceil().max(1.0) as u32;
     let place_at = |k: u32| paths.at(path, from + (to - from) * k as f32 / steps as f32);
     (1..steps).filter_map(place_at).all(near)
 }
 
+/// The joins with `line` that may reach a part of a path, each with how far it is moved for that: of a ring, a join
+/// near the beginning is near the end as well. `joins` are sorted, as [`joins`] gives them.
+fn joins_around(
+    joins: &[Join],
+    ring_length: Option<f32>,
+    (from, to): (f32, f32),
+    line: usize,
+    clearance: f32,
+) -> impl Iterator<Item = (&Join, f32)> {
+    let farthest = APPROACH * clearance + VERTEX;
+    let rounds = ring_length.map_or([Some(0.0), None, None], |length| [Some(-length), Some(0.0), Some(length)]);
+    rounds.into_iter().flatten().flat_map(move |round| {
+        let (low, high) = (from - farthest - round, to + farthest - round);
+        let first = joins.partition_point(|join| join.line < line || join.line == line && join.arc < low);
+        let near = joins[first..].iter().take_while(move |join| join.line == line && join.arc <= high);
+        near.map(move |join| (join, round))
+    })
+}
+
 /// Whether a place of a path is on the stretch to a join with `line`.
 pub(super) fn arrives(joins: &[Join], ring_length: Option<f32>, arc: f32, line: usize, clearance: f32) -> bool {
-    joins.iter().any(|join| join.line == line && arc_between(join.arc, arc, ring_length) <= join.reach(clearance))
+    joins_around(joins, ring_length, (arc, arc), line, clearance)
+        .any(|(join, _)| arc_between(join.arc, arc, ring_length) <= join.reach(clearance))
 }
 
 /// The parts of a segment, as places along its path, that are not on the stretch to a join with `line`.
@@ -214,24 +261,19 @@ pub(super) fn free_parts(
     clearance: f32,
 ) -> Vec<(f32, f32)> {
     let whole = (segment.arc, segment.arc + (segment.b - segment.a).length());
-    let mut parts = vec![whole];
-    // of a ring, a join near the beginning is near the end as well
-    let rounds = ring_length.map_or(vec![0.0], |length| vec![-length, 0.0, length]);
-    let mut joined = false;
-    for join in joins.iter().filter(|join| join.line == line) {
-        joined = true;
+    let joined = joins.binary_search_by_key(&line, |join| join.line).is_ok();
+    // of a dot on its own that joins there is no part
+    let mut parts = if joined && whole.1 <= whole.0 { Vec::new() } else { vec![whole] };
+    for (join, round) in joins_around(joins, ring_length, whole, line, clearance) {
         let limit = join.reach(clearance);
-        for round in &rounds {
-            let (low, high) = (join.arc + round - limit, join.arc + round + limit);
-            parts = parts
-                .into_iter()
-                .flat_map(|(from, to)| [(from, to.min(low)), (from.max(high), to)])
-                .filter(|(from, to)| to > from)
-                .collect();
+        let (low, high) = (join.arc + round - limit, join.arc + round + limit);
+        let cut = parts.into_iter().flat_map(|(from, to)| [(from, to.min(low)), (from.max(high), to)]);
+        parts = cut.filter(|(from, to)| to > from).collect();
+        if parts.is_empty() {
+            break;
         }
     }
-    // of a dot on its own there is no part
-    if joined { parts } else { vec![whole] }
+    parts
 }
 
 #[cfg(test)]

@@ -57,6 +57,8 @@ pub(super) const NEXT_DOT: f32 = 1.5;
 /// A blank is that much less or more by rounding, mm: of two marks three numbers are added up.
 pub(super) const ROUNDING: f32 = 1.5 * LAST_DIGIT;
 
+/// Side of the cells in which segments are looked for, mm: about the clearance of two lines. Chosen by us.
+pub(super) const CELL: f32 = 5.0;
 /// Most textures that readers keep apart (BANA, as quoted by others).
 pub(super) const MOST_TEXTURES: usize = 5;
 const _: () = assert!(Class::COUNT <= MOST_TEXTURES, "a page of all classes would break the rule");

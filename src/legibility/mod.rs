@@ -39,6 +39,7 @@ pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APART, APPROACH, BEND_LEAST, CLUSTER_APPROACH, SMALL_RING};
 pub use layer::marked;
 pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
+use limits::CELL;
 pub(crate) use limits::LEADER_END;
 pub use limits::{MediumLimits, RuleLimits};
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
@@ -57,7 +58,7 @@ use usvg::roxmltree::Document;
 use crate::Error;
 use crate::listing::and_more;
 use crate::page::{InSet, Names, Page};
-use crate::reading::Reading;
+use crate::reading::{Reading, SeenText};
 use crate::touch::Report;
 use finding::FoundBreach;
 
@@ -87,7 +88,7 @@ impl<'a> Drawn<'a> {
     ) -> Result<Checked, Error> {
         let page = &read.page;
         let mut found = found(page, &read.names, limits, go_on)?;
-        found.extend(drawn::findings(self.document, self.tree, &read.texts, limits));
+        found.extend(drawn::findings(self.document, self.tree, &read.letters, limits));
         // dots of a device are pressed one by one, whatever is drawn
         if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
             found.extend(ink::blocks(self.tree));
@@ -96,9 +97,10 @@ impl<'a> Drawn<'a> {
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
-    pub fn check_as_ink(&self, sheet: &Page, limits: &RuleLimits) -> Checked {
+    /// `texts` are those that it shows.
+    pub fn check_as_ink(&self, sheet: &Page, texts: &[SeenText], limits: &RuleLimits) -> Checked {
         let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
-        found.extend(drawn::findings(self.document, self.tree, &[], limits));
+        found.extend(drawn::findings(self.document, self.tree, texts, limits));
         found.extend(ink::findings(self.tree, limits));
         checked((found, Render::LeavesAsItIs), sheet, &BTreeMap::new(), limits, Fingertip::NotAsked)
     }
@@ -128,8 +130,6 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Optio
     (!found.is_empty()).then(|| format!("braille stays where it is on the page: {told}; move one of them"))
 }
 
-/// Side of the cells in which segments are looked for, mm: about the clearance of two lines. Chosen by us.
-const CELL: f32 = 5.0;
 /// Most places that are told one by one.
 const MOST_TOLD: usize = 5;
 

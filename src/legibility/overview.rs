@@ -1,7 +1,9 @@
 //! Whether the overview shows what the figure shows, and nothing else; and what the figure lacks of its picture.
 
+use std::collections::HashSet;
+
 use super::finding::{FoundBreach, around};
-use super::limits::{RuleLimits, SHAPE};
+use super::limits::{CELL, RuleLimits, SHAPE};
 use super::marks::name_in;
 use super::paths::{Paths, point_at};
 use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
@@ -25,6 +27,31 @@ const MISSING_BY_HAND: f32 = 0.25;
 /// by eye and simplifying may move a line by. Both are chosen by us.
 const NEAR_BY_HAND: f32 = 0.5;
 
+/// A figure and its overview, as places of the one in the other.
+#[derive(Clone, Copy)]
+struct Pair {
+    figure: MmPoint,
+    overview: MmPoint,
+    /// Millimetres of the figure for one of the overview.
+    scale: f32,
+}
+
+impl Pair {
+    fn of(page: &Page, overview: &Overview) -> Self {
+        let (figure, place) = (page.figure.place, overview.place);
+        let scale = figure.width() / place.width().max(f32::MIN_POSITIVE);
+        Self { figure: figure.min, overview: place.min, scale }
+    }
+
+    fn in_figure(self, at: MmPoint) -> MmPoint {
+        self.figure + (at - self.overview) * self.scale
+    }
+
+    fn in_overview(self, at: MmPoint) -> MmPoint {
+        self.overview + (at - self.figure) / self.scale
+    }
+}
+
 /// `paths` are those of the figure, `index` their segments.
 pub(super) fn findings(
     page: &Page,
@@ -34,27 +61,25 @@ pub(super) fn findings(
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
-    let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
+    let pair = Pair::of(page, overview);
     let of_overview = Paths::whole(&overview.lines);
-    let mut found = added(page, overview, (&of_overview, &names.overview_lines), (index, scale), limits);
-    found.extend(lacking(page, overview, (paths, names), (&of_overview, scale), limits));
+    let mut found = added(overview, (&of_overview, &names.overview_lines), (index, pair), limits);
+    found.extend(lacking(page, (paths, names), (&of_overview, pair), limits));
     found
 }
 
 /// Lines of the overview that the figure has not.
 fn added(
-    page: &Page,
     overview: &Overview,
     (paths, names): (&Paths, &[String]),
-    (index, scale): (&Nearby, f32),
+    (index, pair): (&Nearby, Pair),
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
-    let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
     let of_line = |number: usize| {
         let own = (0..paths.paths.len()).filter(|&path| paths.paths[path].line == number);
         let segments = own.flat_map(|path| paths.segments_of(path));
-        let like = Like { index, reach: scale * limits.spacing(), missing: MISSING };
-        let Missing { length, places } = missing(segments, STEP, in_figure, like)?;
+        let like = Like { index, reach: pair.scale * limits.spacing(), missing: MISSING };
+        let Missing { length, places } = missing(segments, STEP, |at| pair.in_figure(at), like)?;
         let at = places.get(places.len() / 2).copied()?;
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
         let name = name_in(names, number);
@@ -67,20 +92,18 @@ fn added(
 /// Closed lines of the figure that are large enough for the overview and not in it.
 fn lacking(
     page: &Page,
-    overview: &Overview,
     (paths, names): (&Paths, &Names),
-    (of_overview, scale): (&Paths, f32),
+    (of_overview, pair): (&Paths, Pair),
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
-    let index = of_overview.index(5.0);
+    let index = of_overview.index(CELL);
     // those of a grid would hide its shapes
     let weak = which_are_weak(&page.figure.lines, limits.least_strength);
-    let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
     let of_path = |path: usize| {
         let of = paths.paths.get(path).filter(|of| of.closed && !weak[of.line])?;
         let segments = paths.segments_of(path);
         let extent = around(segments.iter().map(|segment| segment.a))?;
-        let side = extent.width().min(extent.height()) / scale;
+        let side = extent.width().min(extent.height()) / pair.scale;
         if side < SHAPE {
             return None;
         }
@@ -90,7 +113,7 @@ fn lacking(
             false => (limits.spacing(), MISSING),
         };
         let like = Like { index: &index, reach, missing: missing_from };
-        missing(segments.iter(), scale * STEP, in_overview, like)?;
+        missing(segments.iter(), pair.scale * STEP, |at| pair.in_overview(at), like)?;
         let what = format!(
             "the overview has nothing like {name} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
             extent.width(),
@@ -113,18 +136,17 @@ pub(super) fn lacks_much(page: &Page, names: &Names, paths: &Paths, limits: &Rul
     if LeftOut::of(page).of_photograph {
         return None;
     }
-    let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
+    let pair = Pair::of(page, overview);
     let of_overview = Paths::whole(&overview.lines);
-    let index = of_overview.index(5.0);
+    let index = of_overview.index(CELL);
     let weak = which_are_weak(&page.figure.lines, limits.least_strength);
-    let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
     let counts = |path: &&usize| !weak[paths.paths[**path].line];
     let all: Vec<usize> = (0..paths.paths.len()).collect();
     let whole: f32 = all.iter().filter(counts).map(|&path| paths.paths[path].length).sum();
     let gone = |&path: &usize| {
         let like = Like { index: &index, reach: limits.spacing(), missing: MISSING };
         let segments = paths.segments_of(path);
-        let missing = missing(segments.iter(), scale * STEP, in_overview, like)?;
+        let missing = missing(segments.iter(), pair.scale * STEP, |at| pair.in_overview(at), like)?;
         Some((missing.length, path, *missing.places.first()?))
     };
     let mut gone: Vec<(f32, usize, MmPoint)> = all.iter().filter(counts).filter_map(gone).collect();
@@ -133,7 +155,8 @@ pub(super) fn lacks_much(page: &Page, names: &Names, paths: &Paths, limits: &Rul
     let &(_, longest, at) = gone.first().filter(|_| share >= LACKS)?;
     let mut lacking: Vec<&str> =
         gone.iter().map(|(_, path, _)| name_in(&names.lines, paths.paths[*path].line)).collect();
-    lacking.dedup();
+    let mut known = HashSet::new();
+    lacking.retain(|name| known.insert(*name));
     let extent = around(paths.segments_of(longest).iter().map(|segment| segment.a))?;
     let what = format!(
         "the overview lacks {:.0} % of the lines of the figure: {}",

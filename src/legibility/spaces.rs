@@ -13,6 +13,9 @@ use crate::units::{MmPoint, MmRect};
 /// Where dots can be anywhere, rounding to whole empty dots goes this way.
 const HALF_A_DOT: f32 = 0.5;
 
+/// Least side of the cells in which marks are looked for, mm: the blank around braille.
+const LEAST_CELL: f32 = BRAILLE_GAP;
+
 /// What one part does to another, mark by mark.
 struct Breach {
     count: usize,
@@ -76,7 +79,7 @@ fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
         MediumLimits::Print { texture_gap, .. } => texture_gap,
         MediumLimits::Dots { pitch, .. } => pitch,
     };
-    let index = index(marks, cell.max(3.0));
+    let index = index(marks, cell.max(LEAST_CELL));
     let mut all = All::default();
     // a mark lies in several cells
     let mut seen = vec![u32::MAX; marks.len()];
@@ -176,7 +179,7 @@ fn texture_reach(limits: &RuleLimits) -> f32 {
 pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
     let felt = page.risen();
     let marks = marks_of(&felt);
-    let index = index(&marks, texture_reach(limits).max(3.0));
+    let index = index(&marks, texture_reach(limits).max(LEAST_CELL));
     let of = |mark: &Mark| if let PageObject::Texture(texture) = mark.part { Some(texture as usize) } else { None };
     let (mut found, mut last, mut glyph) = (Vec::new(), None, 0);
     for (mark, texture) in marks.iter().filter_map(|mark| Some((mark, of(mark)?))) {

@@ -1,19 +1,21 @@
 //! Lines one by one: their width and length, and the blank between them.
 
+use std::collections::BTreeSet;
 use std::f32::consts::SQRT_2;
 
 use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
 use super::joins::APPROACH;
-use super::limits::{LAST_DIGIT, MediumLimits, NEXT_DOT, RuleLimits};
+use super::limits::{CELL, LAST_DIGIT, MediumLimits, NEXT_DOT, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
+use crate::geom::nearby::{Index, Nearby};
 use crate::geom::{nearest_on_segment, polyline};
 use crate::listing::counted;
 use crate::page::{Line, Medium, Pen, Run};
-use crate::units::{MmPoint, MmRect};
+use crate::units::{Mm, MmPoint, MmRect};
 
 /// What lines of one picture break; `names` say what they are called. Of one of several sheets, `window` is what it
 /// shows of the picture: lines that end there go on on the next.
@@ -25,11 +27,14 @@ pub(super) fn findings(
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let mut found = Vec::new();
+    let near = Surroundings::of(lines, limits);
     for (number, line) in lines.iter().enumerate() {
         found.extend(too_thin(line, name_in(names, number), limits));
         if !window.is_some_and(|window| goes_on(line, window, limits)) {
             let short = too_short(line, name_in(names, number), limits);
-            found.extend(short.filter(|_| !is_link(number, lines, limits) && !is_arm(number, lines, limits)));
+            found.extend(
+                short.filter(|_| !is_link(number, lines, &near, limits) && !is_arm(number, lines, &near, limits)),
+            );
         }
     }
     let (near, are_all) = match (limits.medium, medium) {
@@ -115,10 +120,76 @@ fn meet_beyond(near: &Near, lines: &[Line], window: MmRect, limits: &RuleLimits)
     is_at_edge && goes_on(&lines[one], window, limits) && goes_on(&lines[other], window, limits)
 }
 
+/// The marks of lines by their places, to ask which others are near an end of one.
+enum Surroundings {
+    /// Strokes, with half of their widths, and the greatest width.
+    Strokes(Nearby, f32),
+    /// Dots, with their lines.
+    Dots(Index<(usize, MmPoint), Mm>),
+}
+
+impl Surroundings {
+    fn of(lines: &[Line], limits: &RuleLimits) -> Self {
+        let area = around(lines.iter().flat_map(points)).unwrap_or_else(MmRect::zero);
+        match limits.medium {
+            MediumLimits::Print { .. } => {
+                let mut strokes = Nearby::new(area, CELL);
+                let runs = (0..).zip(lines).flat_map(|(line, of)| of.runs.iter().map(move |run| (line, run)));
+                runs.for_each(|(line, run)| strokes.insert_line(line, run.polyline(), 0.5 * run.width));
+                let widths = lines.iter().flat_map(|line| &line.runs).map(|run| run.width);
+                Self::Strokes(strokes, widths.fold(0.0, f32::max))
+            }
+            MediumLimits::Dots { .. } => {
+                let mut dots = Index::new(area, CELL);
+                let all = lines.iter().enumerate().flat_map(|(line, of)| points(of).map(move |at| (line, at)));
+                all.for_each(|(line, at)| dots.put_at(at, (line, at)));
+                Self::Dots(dots)
+            }
+        }
+    }
+
+    /// Whether an end of a line, so broad, lies on a stroke of another.
+    fn is_on_stroke(&self, line: usize, end: MmPoint, width: f32) -> bool {
+        let Self::Strokes(strokes, widest) = self else { return false };
+        let mut is_on = false;
+        strokes.around(end, end, 0.5 * (width + *widest) + LAST_DIGIT, |of| {
+            let near = || nearest_on_segment(end, of.a, of.b).0 <= 0.5 * width + of.half_width;
+            is_on = is_on || of.line as usize != line && near();
+        });
+        is_on
+    }
+
+    /// Whether a dot of another line than these, within `reach` of the box around two places, is as asked.
+    fn has_dot(
+        &self,
+        but: [usize; 2],
+        (a, b): (MmPoint, MmPoint),
+        reach: f32,
+        is_it: impl Fn(MmPoint) -> bool,
+    ) -> bool {
+        let Self::Dots(dots) = self else { return false };
+        let mut has = false;
+        dots.around(a.min(b), a.max(b), reach + LAST_DIGIT, |(line, at)| {
+            has = has || !but.contains(line) && is_it(*at)
+        });
+        has
+    }
+
+    /// The lines of dots of which some may lie within `reach` of a place.
+    fn lines_around(&self, at: MmPoint, reach: f32) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        if let Self::Dots(dots) = self {
+            dots.around(at, at, reach + LAST_DIGIT, |(line, _)| {
+                found.insert(*line);
+            });
+        }
+        found
+    }
+}
+
 /// Whether both ends of a line lie on others, or beside dots of others, as those of an arrow between two boxes, which
 /// may be short.
-fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
-    let others = || lines.iter().enumerate().filter(|(other, _)| *other != number).flat_map(|(_, line)| &line.runs);
+fn is_link(number: usize, lines: &[Line], near: &Surroundings, limits: &RuleLimits) -> bool {
     let own = &lines[number].runs;
     let end = |run: Option<&Run>, which: fn(&[MmPoint]) -> Option<&MmPoint>| Some((run?.width, *which(&run?.points)?));
     // the second row of a line of dots has ends of its own
@@ -127,12 +198,10 @@ fn is_link(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
         MediumLimits::Dots { .. } => (lines[number].row(), lines[number].row()),
     };
     let is_on = |(width, end): (f32, MmPoint)| match limits.medium {
-        MediumLimits::Print { .. } => others().any(|run| {
-            let is_near = |(a, b): (&MmPoint, &MmPoint)| nearest_on_segment(end, *a, *b).0 <= 0.5 * (width + run.width);
-            run.polyline().segments().any(is_near)
-        }),
+        MediumLimits::Print { .. } => near.is_on_stroke(number, end, width),
         MediumLimits::Dots { pitch, .. } => {
-            others().flat_map(|run| &run.points).any(|dot| (*dot - end).length() <= NEXT_DOT * pitch)
+            let reach = NEXT_DOT * pitch;
+            near.has_dot([number; 2], (end, end), reach, |dot| (dot - end).length() <= reach)
         }
     };
     [end(first, <[_]>::first), end(last, <[_]>::last)].into_iter().all(|end| end.is_some_and(is_on))
@@ -153,7 +222,7 @@ pub(crate) const fn longest_cut(gap: u32) -> u32 {
 /// Whether a line of dots is an arm of a cross: at one end it goes on beyond a third line, after a gap on both sides of
 /// that, and both arms together are long enough. Where they lead is also taken outside of the gap: within it they may
 /// bend towards the line, as the two arms of an angle do.
-fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
+fn is_arm(number: usize, lines: &[Line], near: &Surroundings, limits: &RuleLimits) -> bool {
     let MediumLimits::Dots { pitch, line_gap, .. } = limits.medium else { return false };
     let gap = (line_gap as f32 + 0.5) * pitch;
     let is_near = |a: MmPoint, b: MmPoint| (a.x - b.x).abs().max((a.y - b.y).abs()) <= gap;
@@ -161,16 +230,14 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
     // a row without the dots of its ends that are near to other lines than these two
     let clear = |line: usize, but: usize| -> Vec<MmPoint> {
         let row = row(line);
-        let others = || lines.iter().enumerate().filter(|(other, _)| ![line, but].contains(other));
-        let is_clear = |at: &MmPoint| !others().any(|(_, other)| points(other).any(|dot| is_near(dot, *at)));
+        let is_clear = |at: &MmPoint| !near.has_dot([line, but], (*at, *at), gap, |dot| is_near(dot, *at));
         let range = row.iter().position(is_clear).zip(row.iter().rposition(is_clear));
         range.map_or_else(Vec::new, |(first, last)| row[first..=last].to_vec())
     };
     // along a diagonal, and with a dot to both sides
     let reach = SQRT_2 * (longest_cut(line_gap) + 2) as f32 * pitch;
     let lies_between = |a: MmPoint, b: MmPoint, but: usize| {
-        let others = lines.iter().enumerate().filter(|(other, _)| ![number, but].contains(other));
-        others.flat_map(|(_, line)| points(line)).any(|dot| nearest_on_segment(dot, a, b).0 <= pitch)
+        near.has_dot([number, but], (a, b), pitch, |dot| nearest_on_segment(dot, a, b).0 <= pitch)
     };
     let goes_on_as = |own: &[MmPoint], beyond: &[MmPoint], other: usize| {
         let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
@@ -185,9 +252,10 @@ fn is_arm(number: usize, lines: &[Line], limits: &RuleLimits) -> bool {
             })
         })
     };
-    let ends = |line: usize| [row(line).first(), row(line).last()].into_iter().flatten();
-    let is_in_reach = |other: usize| ends(other).any(|b| ends(number).any(|a| (*b - *a).length() <= reach));
-    (0..lines.len()).any(|other| {
+    let ends = |line: usize| [row(line).first(), row(line).last()].into_iter().flatten().copied();
+    let is_in_reach = |other: usize| ends(other).any(|b| ends(number).any(|a| (b - a).length() <= reach));
+    let others: BTreeSet<usize> = ends(number).flat_map(|end| near.lines_around(end, reach)).collect();
+    others.into_iter().any(|other| {
         other != number
             && is_in_reach(other)
             && (goes_on_as(row(number), row(other), other)

@@ -6,7 +6,8 @@ use std::collections::{HashMap, HashSet};
 use super::finding::{FoundBreach, around};
 use super::marks::name_in;
 use super::rules::OVERLAP;
-use crate::page::{Line, Names, Page, Parts};
+use crate::page::{Line, Names, Page, Parts, Pen, Run};
+use crate::units::MmPoint;
 
 /// A page without its lines that lie on an equal one, its names, and what is told of them. `page` is returned as it is
 /// where there are none.
@@ -40,9 +41,7 @@ fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<F
     // for each line the first that is equal
     let of: Vec<usize> = (0..).zip(lines.iter()).map(|(at, line)| *first.entry(key(line)).or_insert(at)).collect();
     let mut twins = vec![0_usize; lines.len()];
-    for (at, &of) in of.iter().enumerate().filter(|(at, of)| at != *of) {
-        twins[of] += usize::from(at != of);
-    }
+    of.iter().enumerate().filter(|(at, of)| at != *of).for_each(|(_, &of)| twins[of] += 1);
     for (at, count) in twins.into_iter().enumerate().filter(|(_, count)| *count > 0) {
         let points = || lines[at].runs.iter().flat_map(|run| run.points.iter().copied());
         let (Some(middle), Some(extent)) = (points().nth(points().count() / 2), around(points())) else { continue };
@@ -59,16 +58,24 @@ fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<F
     names.retain(|_| number.next().is_some_and(is_first));
 }
 
-/// What equal lines have in common: every number of their marks.
+/// What equal lines have in common: every number of their marks, from whichever end they are drawn.
 fn key(line: &Line) -> Vec<u32> {
-    let of_run = |run: &crate::page::Run| {
-        let points = run.points.iter().flat_map(|at| [at.x.to_bits(), at.y.to_bits()]);
-        [run.points.len() as u32, u32::from(run.closed), run.width.to_bits()]
-            .into_iter()
-            .chain(points)
-            .collect::<Vec<_>>()
+    let of_run = |run: &Run, backwards: bool| {
+        let pen = match run.pen {
+            Pen::Stroke => 0,
+            Pen::Dots(height) => 1 + height as u32,
+        };
+        let mut key = vec![run.points.len() as u32, u32::from(run.closed), run.width.to_bits(), pen];
+        let bits = |at: &MmPoint| [at.x.to_bits(), at.y.to_bits()];
+        match backwards {
+            false => key.extend(run.points.iter().flat_map(bits)),
+            true => key.extend(run.points.iter().rev().flat_map(bits)),
+        }
+        key
     };
-    line.runs.iter().flat_map(of_run).collect()
+    let forwards: Vec<u32> = line.runs.iter().flat_map(|run| of_run(run, false)).collect();
+    let backwards = line.runs.iter().rev().flat_map(|run| of_run(run, true)).collect();
+    forwards.min(backwards)
 }
 
 #[cfg(test)]

@@ -18,7 +18,12 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
     let as_felt = |at: MmPoint| mirror_sum.map_or(at, |sum| MmPoint::new(sum - at.x, at.y));
     let of = |(number, text): (usize, &BrailleText)| {
         let name = super::marks::PageObject::Braille(number as u32).name(page, names);
-        let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| cells(line)).collect();
+        if let Some(letter) = text.lines.iter().flat_map(|line| line.chars()).find(|c| cell(*c).is_none()) {
+            let at = around(text.dots.at.iter().copied())?;
+            let what = format!("{name} is said to be in braille, and \"{letter}\" in it is no sign of that");
+            return Some(FoundBreach::at(BRAILLE_CELL, at.center(), at, 0.0, what).unmeasured().of(&name));
+        }
+        let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| line.chars().filter_map(cell).collect()).collect();
         let wanted: Vec<Vec<MmPoint>> = (0..)
             .zip(&lines)
             .map(|(number, cells): (u32, _)| {
@@ -52,9 +57,9 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<F
     page.braille.iter().enumerate().filter_map(of).collect()
 }
 
-/// The cells of a line of Unicode braille.
-fn cells(line: &str) -> Vec<u8> {
-    line.chars().map(|c| u8::try_from((c as u32).saturating_sub(BLANK)).unwrap_or(0)).collect()
+/// The cell of a sign of Unicode braille; none of other letters.
+fn cell(sign: char) -> Option<u8> {
+    u32::from(sign).checked_sub(BLANK).and_then(|cell| u8::try_from(cell).ok())
 }
 
 /// Which dot lies farthest from where it should, and how far. Each line may begin anywhere, as titles stand in the
@@ -66,15 +71,22 @@ fn farthest_off(dots: &[MmPoint], wanted: &[Vec<MmPoint>]) -> (MmPoint, f32) {
         let off = |line: &&Vec<MmPoint>| line.iter().map(|want| (want.y + down - at.y).abs()).fold(f32::MAX, f32::min);
         wanted.iter().enumerate().min_by(|a, b| off(&a.1).total_cmp(&off(&b.1))).map_or(0, |(number, _)| number)
     };
+    let across = low(&mut dots.iter().map(|at| at.x)) - low(&mut wanted.iter().flatten().map(|at| at.x));
     let mut of_lines: Vec<Vec<MmPoint>> = vec![Vec::new(); wanted.len()];
     dots.iter().for_each(|at| of_lines[line_of(at)].push(*at));
+    let nearest = |at: MmPoint, to: &[MmPoint]| to.iter().map(|to| (*to - at).length()).fold(f32::MAX, f32::min);
     let off = |(have, want): (&Vec<MmPoint>, &Vec<MmPoint>)| {
         let right = low(&mut have.iter().map(|at| at.x)) - low(&mut want.iter().map(|at| at.x));
-        let moved = MmVector::new(right, down);
-        let to_nearest =
-            |at: &MmPoint| (*at, want.iter().map(|want| (*want + moved - *at).length()).fold(f32::MAX, f32::min));
-        have.iter().map(to_nearest).collect::<Vec<_>>()
+        let moved = MmVector::new(if have.is_empty() { across } else { right }, down);
+        let places: Vec<MmPoint> = want.iter().map(|want| *want + moved).collect();
+        let of_dots = have.iter().map(|at| (*at, nearest(*at, &places)));
+        // two dots may lie on one another, and another place be empty
+        let of_places = places.iter().map(|place| (*place, nearest(*place, dots)));
+        of_dots.chain(of_places).collect::<Vec<_>>()
     };
     let all = of_lines.iter().zip(wanted).flat_map(off);
     all.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((MmPoint::zero(), 0.0))
 }
+
+#[cfg(test)]
+mod tests;

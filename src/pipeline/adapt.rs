@@ -40,20 +40,50 @@ pub struct Adapted {
     pub abbreviates: bool,
 }
 
+/// A page that was read as `render` makes it.
+#[derive(Debug)]
+pub struct AsRendered {
+    /// As its paper or device takes it.
+    pub adapted: Adapted,
+    /// What was read.
+    pub read: Reading,
+    /// Whether both are here as they are felt, and not as they were read.
+    pub turned_over: bool,
+}
+
+/// A page that was read as `render` makes it by `own`, the plan that it was made with. What a person changed, and
+/// another paper or device, want a mirrored page as it is felt.
+///
+/// # Errors
+/// If a mark is off the sheet then.
+pub fn as_rendered(
+    read: Reading,
+    own: &Plan,
+    for_another: bool,
+    translate: Option<&Translate>,
+) -> Result<AsRendered, Error> {
+    let turned_over = read.page.is_mirrored() && (read.is_changed || for_another);
+    let read = if turned_over { as_felt(read, own) } else { read };
+    Ok(AsRendered { adapted: adapted(&read, own, translate)?, read, turned_over })
+}
+
 /// A page that was read as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page
 /// of dots as dots, areas that were moved to another colour or drawn by hand with the signs of that, typed texts in
 /// braille, and textures apart from lines.
 ///
 /// # Errors
 /// If a mark is off the sheet then.
-pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result<Adapted, Error> {
+fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result<Adapted, Error> {
     let Reading { page, .. } = read;
     let mut parts = Parts::clone(page);
     let mut lines = LineName::of(&read.names);
+    let mut overview_lines = read.names.overview_lines.clone();
     let mut notes: Vec<Note> = right_signs(&mut parts, page, &read.names.areas, plan);
     match &page.medium {
         Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
-        Medium::Dots(medium) => notes.extend(strokes_as_dots(&mut parts, &mut lines, medium, plan)),
+        Medium::Dots(medium) => {
+            notes.extend(strokes_as_dots(&mut parts, &mut lines, &mut overview_lines, (medium, plan)));
+        }
     }
     notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
     let labels = parts.braille.len();
@@ -72,7 +102,7 @@ pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Re
         notes.extend(told);
         let names = Names {
             lines: lines.iter().map(|line| line.name.clone()).collect(),
-            overview_lines: read.names.overview_lines.clone(),
+            overview_lines,
             // they have others than in the file where some were drawn or left out
             areas: Names::of(&page).areas,
             rows: read.names.rows.clone(),
@@ -138,17 +168,42 @@ fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
     (count > 0).then(|| Note::TakenAs(About::Widths, Reason::WidthOutOfRange, told()))
 }
 
-/// Makes strokes on a page of dots dots, behind the rows of dots that are there; tells how many, and which are lost.
-fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMedium, plan: &Plan) -> Vec<Note> {
-    let all: Vec<(Line, LineName)> = parts.figure.lines.drain(..).zip(names.drain(..)).collect();
+/// Makes strokes on a page of dots dots, in the figure and in its overview; tells how many, and which are lost.
+fn strokes_as_dots(
+    parts: &mut Parts,
+    names: &mut Vec<LineName>,
+    overview_names: &mut Vec<String>,
+    (medium, plan): (&DotMedium, &Plan),
+) -> Vec<Note> {
+    let place = parts.figure.place;
+    let mut notes = dots_of_strokes((&mut parts.figure.lines, place, ""), names, medium, plan);
+    if let Some(overview) = &mut parts.overview {
+        let named = overview_names.drain(..).map(|name| LineName { name, by_hand: false });
+        let mut own: Vec<LineName> = named.collect();
+        let lines = (&mut overview.lines, overview.place, " of the overview");
+        notes.extend(dots_of_strokes(lines, &mut own, medium, plan));
+        overview_names.extend(own.into_iter().map(|own| own.name));
+    }
+    notes
+}
+
+/// Makes the strokes among these lines, which lie in `place`, dots, behind the rows of dots that are there; `of` says
+/// in the notes what they are of.
+fn dots_of_strokes(
+    (lines, place, of): (&mut Vec<Line>, MmRect, &str),
+    names: &mut Vec<LineName>,
+    medium: &DotMedium,
+    plan: &Plan,
+) -> Vec<Note> {
+    let all: Vec<(Line, LineName)> = lines.drain(..).zip(names.drain(..)).collect();
     let is_stroke = |(line, _): &(Line, LineName)| line.runs.iter().any(|run| run.pen == Pen::Stroke);
     let (strokes, rows): (Vec<_>, Vec<_>) = all.into_iter().partition(is_stroke);
-    (parts.figure.lines, *names) = rows.into_iter().unzip();
+    (*lines, *names) = rows.into_iter().unzip();
     if strokes.is_empty() {
         return Vec::new();
     }
     let (mut strokes, of_strokes): (Vec<Line>, Vec<LineName>) = strokes.into_iter().unzip();
-    let (count, place, params) = (strokes.len(), parts.figure.place, plan.dots(medium));
+    let (count, params) = (strokes.len(), plan.dots(medium));
     // on such a page the width of a stroke says how heavy its line is
     let widest = |line: &Line| line.runs.iter().map(|run| run.width).fold(0.0, f32::max);
     if let Some(heavy) = plan.heavy_strokes() {
@@ -172,10 +227,11 @@ fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMed
     let told = Note::TakenAs(
         About::Lines,
         Reason::StrokesAsDots,
-        format!("{count} {noun} on a page of dots made dots, {how}"),
+        format!("{count} {noun}{of} on a page of dots made dots, {how}"),
     );
-    names.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
-    parts.figure.lines.extend(drawn);
+    let nameless = || LineName { name: "a line without a name".to_owned(), by_hand: false };
+    names.extend(stand_for.into_iter().map(|line| line.map_or_else(nameless, |line| of_strokes[line].clone())));
+    lines.extend(drawn);
     std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
 }
 
@@ -188,11 +244,13 @@ pub fn with_strokes_as_dots(read: &Reading, plan: &Plan) -> Result<Option<(Readi
     let Medium::Dots(medium) = &read.page.medium else { return Ok(None) };
     let mut parts = Parts::clone(&read.page);
     let mut lines = LineName::of(&read.names);
-    let notes = strokes_as_dots(&mut parts, &mut lines, medium, plan);
+    let mut overview_lines = read.names.overview_lines.clone();
+    let notes = strokes_as_dots(&mut parts, &mut lines, &mut overview_lines, (medium, plan));
     if notes.is_empty() {
         return Ok(None);
     }
-    let names = Names { lines: lines.into_iter().map(|line| line.name).collect(), ..read.names.clone() };
+    let lines = lines.into_iter().map(|line| line.name).collect();
+    let names = Names { lines, overview_lines, ..read.names.clone() };
     Ok(Some((Reading { page: Page::new(parts)?, names, ..read.clone() }, notes)))
 }
 

@@ -59,8 +59,7 @@ pub(super) fn of_page(page: &Page) -> Classes {
     let of_texture = |(number, (texture, mut cells)): (u32, (&Texture, AreaCells))| {
         cells.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         cells.truncate((LARGER * texture.area / (step[0] * step[1])).ceil() as usize);
-        let colour = texture.colour.map(f32::from);
-        let light = (colour.iter().copied().fold(0.0, f32::max) + colour.iter().copied().fold(255.0, f32::min)) / 510.0;
+        let light = self::lightness(texture.colour);
         for &(_, cell) in &cells {
             region[cell] = Some(number);
             lightness.values[cell] = light;
@@ -69,6 +68,13 @@ pub(super) fn of_page(page: &Page) -> Classes {
     };
     let regions = (0..).zip(textures.iter().zip(near)).map(of_texture).collect();
     Classes { size, region, regions, lightness, fringe: Vec::new() }
+}
+
+/// HSL lightness of a colour.
+pub(super) fn lightness(colour: [u8; 3]) -> f32 {
+    let channels = colour.map(f32::from);
+    let [low, high] = [channels.iter().copied().fold(255.0, f32::min), channels.iter().copied().fold(0.0, f32::max)];
+    (low + high) / 510.0
 }
 
 /// How many signs are looked at from a cell: behind a line there are others.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::areas::of_page;
+use super::areas::{lightness, of_page};
 use super::label::CLEARANCE;
 use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
@@ -104,19 +104,19 @@ impl DrawnAreas {
                 format!("{} filled with the texture of its colour", areas(laid)),
             )
         });
-        let gone = lost.first().map(|(at, (reason, why))| {
-            let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(lost.len()), at.x, at.y);
-            Note::NotOnPage(About::Areas, *reason, told)
+        let mut reasons: Vec<(Why, MmPoint, usize)> = Vec::new();
+        for (at, why) in lost {
+            match reasons.iter_mut().find(|(known, ..)| *known == why) {
+                Some((.., count)) => *count += 1,
+                None => reasons.push((why, at, 1)),
+            }
+        }
+        let gone = reasons.into_iter().map(|((reason, why), at, count)| {
+            let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(count), at.x, at.y);
+            Note::NotOnPage(About::Areas, reason, told)
         });
         told.into_iter().chain(gone).collect()
     }
-}
-
-/// HSL lightness of a colour.
-fn lightness(colour: [u8; 3]) -> f32 {
-    let channels = colour.map(f32::from);
-    let [low, high] = [channels.iter().copied().fold(255.0, f32::min), channels.iter().copied().fold(0.0, f32::max)];
-    (low + high) / 510.0
 }
 
 /// Lays the textures of drawn areas over those that are there, the last on top. Tells how many, and which have none.

@@ -3,6 +3,8 @@
 mod line;
 mod thickness;
 
+use std::collections::HashSet;
+
 use super::cut_contours::{index_of_edges, parts_beside, take_out};
 use super::kept_lines::LineName;
 use crate::edges::{ChainKind, Edgel, Edges};
@@ -183,7 +185,8 @@ impl HandLines {
         let mm = self.left_outside.iter().map(|(_, mm)| mm).sum::<f32>().round();
         let named = self.left_outside.iter().filter(|(_, mm)| *mm >= 0.5).filter_map(|(line, _)| self.names.get(*line));
         let mut named: Vec<&str> = named.map(|line| line.name.as_str()).collect();
-        named.dedup();
+        let mut known = HashSet::new();
+        named.retain(|name| known.insert(*name));
         let names = if named.is_empty() {
             String::new()
         } else {

@@ -39,9 +39,9 @@ const MOST: usize = 6;
 /// Most lines that are named of those that a person drew.
 const MOST_BY_HAND: usize = 20;
 
-/// The lines of `before` that each line of `after` stands for, and what share of each line of `before` is there. Both
-/// are lines of one figure, that lies in `from` and in `to`.
-pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect) -> (Vec<usize>, Vec<f32>) {
+/// The line of `before` that each line of `after` stands for, none where none is near, and what share of each line of
+/// `before` is there. Both are lines of one figure, that lies in `from` and in `to`.
+pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect) -> (Vec<Option<usize>>, Vec<f32>) {
     let mut near = Nearby::new(from, REACH);
     for (line, of) in (0..).zip(before) {
         for (a, b) in of.runs.iter().flat_map(steps_of) {
@@ -64,8 +64,8 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
                 }
             }
         }
-        let most = own.iter().fold((0, 0.0), |best, (&line, &of)| if of > best.1 { (line as usize, of) } else { best });
-        stand_for.push(most.0);
+        let most = own.iter().fold((None, 0.0), |best, (&line, &of)| if of > best.1 { (Some(line), of) } else { best });
+        stand_for.push(most.0.map(|line| line as usize));
         own.into_iter().for_each(|(line, of)| lengths[line as usize] += of);
     }
     let share = |(line, kept): (&Line, f32)| {

@@ -232,12 +232,12 @@ fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (
 
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
 /// are all of full strength.
-fn keep_widths(drawn: &mut [Line], stand_for: &[usize], old: OldPage<'_>, plan: &Plan) {
+fn keep_widths(drawn: &mut [Line], stand_for: &[Option<usize>], old: OldPage<'_>, plan: &Plan) {
     let OldPage { page, lines: names, plan: own } = old;
     let (params, swell) = (plan.lines(), own.profile().print.swell);
-    for (line, &number) in drawn.iter_mut().zip(stand_for) {
-        let Some(before) = page.figure.lines.get(number).filter(|_| names.get(number).is_some_and(|of| of.by_hand))
-        else {
+    for (line, number) in drawn.iter_mut().zip(stand_for) {
+        let by_hand = number.filter(|number| names.get(*number).is_some_and(|of| of.by_hand));
+        let Some(before) = by_hand.and_then(|number| page.figure.lines.get(number)) else {
             continue;
         };
         let strokes = || before.runs.iter().filter(|run| run.pen == Pen::Stroke);

@@ -39,6 +39,10 @@ pub(super) fn write(
         return Typed::default();
     }
     let place = parts.figure.place;
+    let medium = parts.medium.clone();
+    let cells = CellGrid::of(&medium, plan.profile().braille.cell);
+    let width = |text: &TypedText| cells.extent(text.string.chars().count(), 1).x;
+    let texts: Vec<TypedText> = texts.iter().map(|text| text.from_its_begin(width(text))).collect();
     let label = |text: &TypedText| {
         let [x, y] = Position::in_figure(text.at, place);
         Label { x, y, text: text.string.clone() }
@@ -50,7 +54,6 @@ pub(super) fn write(
     let in_order = beside.iter().chain(&exact).enumerate();
     let nameless: Vec<usize> = in_order.filter(|(_, text)| is_outside(text)).map(|(number, _)| number).collect();
     let labels: Vec<Label> = beside.into_iter().map(label).collect();
-    let cells = CellGrid::of(&parts.medium, plan.profile().braille.cell);
     let exact: Vec<Text> = exact.into_iter().map(|text| in_place(text, &cells)).collect();
     let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
     let language = parts.language.clone();
@@ -68,7 +71,7 @@ pub(super) fn write(
         ..Words::default()
     };
     let written = WrittenWords::new(&words, plan);
-    let (sheet, medium) = (parts.sheet, parts.medium.clone());
+    let sheet = parts.sheet;
     let layout = Layout { sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
     let OnPage { mut braille, notes, lines } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     *names = lines.into_iter().map(|line| names[line].clone()).collect();

@@ -22,15 +22,15 @@ pub struct DrawnArea {
 
 /// The area that a mark is. One in a layer of textures has the class of that; elsewhere it must have a colour, or be
 /// grey: what is black is ink.
-pub(super) fn of(mark: &PaintedShape<'_>, is_ink: impl Fn(u8) -> bool) -> Option<DrawnArea> {
-    let shade = mark.fill?;
+pub(super) fn of(mark: &PaintedShape<'_>) -> Option<DrawnArea> {
+    let tone = mark.fill?;
     let is_own = ["data-class", "data-braille", "data-strength"].iter().any(|name| mark.element.has_attribute(*name));
     let class = match mark.layer {
         Some(Layer::Texture(class)) => Some(class),
         None | Some(Layer::Figure | Layer::Textures | Layer::Lines) => None,
         Some(_) => return None,
     };
-    if is_own || (class.is_none() && is_ink(shade)) {
+    if is_own || (class.is_none() && !tone.is_shaded()) {
         return None;
     }
     let outlines: Vec<Vec<MmPoint>> = mark.subpaths.iter().map(|subpath| subpath.points.clone()).collect();

@@ -1,18 +1,19 @@
 //! A page of what was found drawn.
 
-use super::areas::{self, DrawnArea};
+use super::areas::DrawnArea;
 use super::clip;
-use super::document::{Elements, numbers};
+use super::document::{Elements, numbers, own_id};
+use super::kind::{Kind, Sorted, Sorter, common_width};
 use super::leaders::with_own_tip;
-use super::marks::{PaintedShape, PaintedShapes, WHITE};
+use super::marks::{PaintedShape, PaintedShapes};
 use super::names::{self, Name};
 use super::said::{medium, on_sheet, palette, place_of, source};
-use super::shapes::{disc, glyph};
-use super::subpath::{Subpath, clean};
-use super::tally::{self, Tally, What};
+use super::shapes::glyph;
+use super::subpath::clean;
+use super::tally::{self, OfFile, Tally, What};
 use super::words::{PageWords, language};
 use crate::devices::DotArea;
-use crate::output::layer::{self, Layer};
+use crate::output::layer::Layer;
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
     PrintText, Run, Shape, Sign, TextRole, Texture, text_name,
@@ -22,8 +23,6 @@ use crate::{Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
-/// A grey value up to this is black.
-const BLACK: u8 = 16;
 /// Two pieces of a line are one where their ends are this near, mm.
 const JOINED: f32 = 0.05;
 /// A dot this near to one that the device has is that one, mm: coordinates are written in steps of 0.01 mm.
@@ -49,7 +48,7 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print, [pictures, elsewhere, cut]): (PaintedShapes<'_>, Vec<PrintText>, [usize; 3]),
+    (marks, print, file): (PaintedShapes<'_>, Vec<PrintText>, OfFile),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
@@ -57,15 +56,13 @@ pub(super) fn page(
     let PaintedShapes { marks, transforms, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
-    let mut builder = Builder::new(&medium, palette(&words), sheet);
-    builder.is_foreign = elements.has_layer() && !elements.are_of_page;
-    let mut runs: Vec<Pieces> = Vec::new();
-    for mark in &marks {
-        builder.add(mark, &mut runs);
-    }
-    for pieces in runs {
-        builder.add_lines(pieces);
-    }
+    let sorter = Sorter {
+        is_foreign: elements.has_layer() && !elements.are_of_page,
+        sheet,
+        has_heights: medium.has_heights(),
+        common_width: common_width(&marks),
+    };
+    let builder = Builder::new(&medium, palette(&words), sorter).with(&marks);
     let Builder {
         mut parts,
         tally,
@@ -95,7 +92,7 @@ pub(super) fn page(
         let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
-    let notes = tally.notes().chain(tally::told_of_file([pictures, elsewhere, far, cut, patterned]));
+    let notes = tally.notes().chain(OfFile { far, patterned, ..file }.told());
     let notes = notes.chain(tally::told_no_figure(elements)).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
@@ -118,13 +115,20 @@ struct Pieces {
     runs: Vec<Run>,
 }
 
+impl Pieces {
+    fn of(mark: &PaintedShape<'_>, layer: Layer, runs: Vec<Run>) -> Self {
+        let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
+        let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
+        Self { object: mark.object, layer, strength, name: names::of_line(mark.element, mark.clone), runs }
+    }
+}
+
 struct Builder<'m> {
     medium: &'m Medium,
     /// The signs of layers that do not say which they have, such as one that a person made.
     palette: Palette,
     sheet: [f32; 2],
-    /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
-    is_foreign: bool,
+    sorter: Sorter,
     parts: Parts,
     overview: Vec<Line>,
     overview_frame: Dots,
@@ -142,17 +146,20 @@ struct Builder<'m> {
     areas: Vec<DrawnArea>,
     /// Which dots of labels are which object.
     labels: Vec<usize>,
+    /// What lies in the layer of the orientation mark, one of which is that.
+    orientation_marks: Vec<Pieces>,
     tally: Tally,
 }
 
 impl<'m> Builder<'m> {
-    fn new(medium: &'m Medium, palette: Palette, sheet: [f32; 2]) -> Self {
+    fn new(medium: &'m Medium, palette: Palette, sorter: Sorter) -> Self {
+        let sheet = sorter.sheet;
         let empty = Figure { place: MmRect::zero(), source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
         Self {
             medium,
             palette,
             sheet,
-            is_foreign: false,
+            sorter,
             parts: Parts::of(sheet, empty),
             overview: Vec::new(),
             overview_frame: Dots::default(),
@@ -164,75 +171,42 @@ impl<'m> Builder<'m> {
             moved_texts: Vec::new(),
             areas: Vec::new(),
             labels: Vec::new(),
+            orientation_marks: Vec::new(),
             tally: Tally::default(),
         }
+    }
+
+    /// The same with all that paths draw.
+    fn with(mut self, marks: &[PaintedShape<'_>]) -> Self {
+        let mut runs: Vec<Pieces> = Vec::new();
+        marks.iter().for_each(|mark| self.add(mark, &mut runs));
+        runs.extend(self.keep_orientation_mark());
+        runs.into_iter().for_each(|pieces| self.add_lines(pieces));
+        self
     }
 
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
     fn add(&mut self, mark: &PaintedShape<'_>, runs: &mut Vec<Pieces>) {
         let first = mark.subpaths.first().and_then(|subpath| subpath.points.first()).copied();
-        if self.is_foreign && mark.layer.is_none() {
-            return self.tally.add(What::Foreign, first);
+        let Sorted { kind, area, told } = self.sorter.sort(mark);
+        self.areas.extend(area);
+        told.into_iter().for_each(|what| self.tally.add(what, first));
+        match kind {
+            Kind::LeftOut(what) => self.tally.add(what, first),
+            Kind::Blank => {}
+            Kind::Strokes(of_path) => self.add_strokes(mark, of_path, runs),
+            Kind::Signs(class) => self.add_glyphs(mark, class),
+            Kind::Discs(discs, height) => self.add_discs(mark, &discs, height, runs),
+            Kind::Around(around, layer) => collect(mark, layer, around, runs),
         }
-        if mark.layer == Some(Layer::PrintWords) {
-            return self.tally.add(What::InPrint, first);
-        }
-        if mark.is_white() && !mark.covers(self.parts.sheet) {
-            return self.tally.add(What::White, first);
-        }
-        let has_heights = self.medium.has_heights();
-        let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
-        let is_area = area.is_some();
-        if let Some(area) = area {
-            self.areas.push(area);
-        }
-        if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
-            if stroke.shade > BLACK && !has_heights {
-                self.tally.add(What::Shaded, first);
-            }
-            if stroke.is_dashed {
-                self.tally.add(What::Dashed, first);
-            }
-            let of_path = mark.subpaths.iter().map(|subpath| stroke_run(subpath, stroke.width)).collect();
-            self.add_strokes(mark, of_path, runs);
-            return;
-        }
-        let Some(shade) = mark.fill.filter(|shade| *shade < WHITE && !is_area) else { return };
-        if shade > BLACK && !has_heights {
-            self.tally.add(What::Shaded, first);
-        }
-        if let Some(Layer::Texture(class)) = mark.layer {
-            self.add_glyphs(mark, class);
-            return;
-        }
-        let discs: Option<Vec<(MmPoint, f32)>> = mark.subpaths.iter().map(disc).collect();
-        match (discs, mark.layer) {
-            (Some(discs), layer) => self.add_discs(mark, layer, &discs, layer::height(shade), runs),
-            (None, _) => {
-                self.tally.add(What::Outlined, first);
-                let width = self.common_width();
-                // what has but two points is a line there and back
-                let closed = |subpath: &Subpath| Subpath { closed: subpath.points.len() > 2, ..subpath.clone() };
-                let around = mark.subpaths.iter().map(closed);
-                let around = around.map(|subpath| stroke_run(&subpath, width)).collect();
-                self.collect(mark, Layer::Lines, around, runs);
-            }
-        }
-    }
-
-    /// Width of a line that is drawn where none is given, mm.
-    fn common_width(&self) -> f32 {
-        let widths = self.parts.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width);
-        widths.fold(1.0, f32::max)
     }
 
     fn add_strokes(&mut self, mark: &PaintedShape<'_>, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
         let is_text = mark.element.has_attribute("data-braille");
         match mark.layer {
-            Some(Layer::OrientationMark) if self.parts.orientation_mark.is_none() => {
-                let mut of_path = self.on_sheet(of_path).into_iter();
-                self.parts.orientation_mark = of_path.next();
-                self.parts.registration.extend(of_path);
+            Some(Layer::OrientationMark) => {
+                let pieces = Pieces::of(mark, Layer::Lines, of_path);
+                self.orientation_marks.push(pieces);
             }
             Some(Layer::Registration) => {
                 let kept = self.on_sheet(of_path);
@@ -244,28 +218,37 @@ impl<'m> Builder<'m> {
                 let index = self.text_of(mark, role);
                 self.parts.braille[index].leader = leader;
             }
-            Some(layer @ (Layer::Lines | Layer::Overview)) => self.collect(mark, layer, of_path, runs),
+            Some(layer @ (Layer::Lines | Layer::Overview)) => collect(mark, layer, of_path, runs),
             layer => {
                 if !matches!(layer, Some(Layer::Figure)) {
                     let at = of_path.first().and_then(|run| run.points.first()).copied();
                     self.tally.add(What::LineOutside, at);
                 }
-                self.collect(mark, Layer::Lines, of_path, runs);
+                collect(mark, Layer::Lines, of_path, runs);
             }
         }
     }
 
-    /// Keeps the pieces of one object together, in the order in which they are drawn.
-    fn collect(&mut self, mark: &PaintedShape<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
-        let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
-        let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
-        match runs.last_mut() {
-            Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
-            _ => {
-                let name = names::of_line(mark.element, mark.clone);
-                runs.push(Pieces { object: mark.object, layer, strength, name, runs: of_path });
-            }
+    /// Keeps of the marks in the layer of the orientation mark the one that is nearest to the upper corner that it
+    /// cuts, whichever comes first in the file; the others, which are returned, are lines.
+    fn keep_orientation_mark(&mut self) -> Vec<Pieces> {
+        let mut marks = std::mem::take(&mut self.orientation_marks);
+        let corners = [MmPoint::zero(), MmPoint::new(self.sheet[0], 0.0)];
+        let off = |mark: &Pieces| {
+            let points = mark.runs.first().map_or(&[][..], |run| &run.points);
+            let to = |corner: MmPoint| points.iter().map(|at| (*at - corner).length()).sum::<f32>();
+            corners.map(to).into_iter().fold(f32::MAX, f32::min) / points.len().max(1) as f32
+        };
+        let nearest = (0..marks.len()).min_by(|a, b| off(&marks[*a]).total_cmp(&off(&marks[*b])));
+        let Some(own) = nearest.map(|own| marks.remove(own)) else { return marks };
+        let mut own = self.on_sheet(own.runs).into_iter();
+        self.parts.orientation_mark = own.next();
+        self.parts.registration.extend(own);
+        for other in &marks {
+            let at = other.runs.first().and_then(|run| run.points.first()).copied();
+            self.tally.add(What::BesideMark, at);
         }
+        marks
     }
 
     /// Runs that end where the next begins are one line.
@@ -295,14 +278,7 @@ impl<'m> Builder<'m> {
         all.extend(lines);
     }
 
-    fn add_discs(
-        &mut self,
-        mark: &PaintedShape<'_>,
-        layer: Option<Layer>,
-        discs: &[(MmPoint, f32)],
-        height: Height,
-        runs: &mut Vec<Pieces>,
-    ) {
+    fn add_discs(&mut self, mark: &PaintedShape<'_>, discs: &[(MmPoint, f32)], height: Height, runs: &mut Vec<Pieces>) {
         let Some(&(_, diameter)) = discs.first() else { return };
         let uneven = discs.iter().find(|(_, other)| (other - diameter).abs() > SAME);
         if let Some((at, _)) = uneven {
@@ -318,13 +294,16 @@ impl<'m> Builder<'m> {
         }
         let is_dotted = matches!(self.medium, Medium::Dots(_));
         let row = |at: Vec<MmPoint>| Run::dots(diameter, at, height);
-        match layer {
+        match mark.layer {
             Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
             Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
-            Some(Layer::OrientationMark) if is_dotted => self.parts.orientation_mark = Some(row(at)),
+            Some(Layer::OrientationMark) if is_dotted => {
+                let pieces = Pieces::of(mark, Layer::Lines, vec![row(at)]);
+                self.orientation_marks.push(pieces);
+            }
             Some(Layer::Registration) if is_dotted => self.parts.registration.push(row(at)),
             Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
-                self.collect(mark, layer, vec![row(at)], runs);
+                collect(mark, layer, vec![row(at)], runs);
             }
             Some(Layer::Braille(role)) if mark.element.has_attribute("data-braille") => {
                 let index = self.text_of(mark, role);
@@ -377,7 +356,7 @@ impl<'m> Builder<'m> {
         let sign = layer.and_then(|layer| layer.attribute("data-sign")).and_then(Sign::named);
         let colour = numbers(element, "data-colour").and_then(|all| <[f32; 3]>::try_from(all).ok());
         let area = numbers(element, "data-area").and_then(|all| all.first().copied());
-        let number = element.attribute("id").and_then(|id| id.strip_prefix("region-")?.parse().ok());
+        let number = own_id(element).and_then(|id| id.strip_prefix("region-")?.parse().ok());
         let texture = Texture {
             class,
             sign: sign.unwrap_or_else(|| self.palette.sign(class)),
@@ -458,8 +437,12 @@ impl<'m> Builder<'m> {
     }
 }
 
-fn stroke_run(subpath: &Subpath, width: f32) -> Run {
-    Run { width, points: subpath.points.clone(), closed: subpath.closed, pen: Pen::Stroke }
+/// Keeps the pieces of one object together, in the order in which they are drawn.
+fn collect(mark: &PaintedShape<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
+    match runs.last_mut() {
+        Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
+        _ => runs.push(Pieces::of(mark, layer, of_path)),
+    }
 }
 
 fn extend(dots: &mut Dots, diameter: f32, at: Vec<MmPoint>) {

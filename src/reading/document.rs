@@ -1,12 +1,13 @@
 //! The elements of a page's SVG: under limits, and each with an id.
 
 use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
-use std::fmt::Write;
+use std::collections::HashMap;
+use std::ops::Range;
 
 use usvg::roxmltree::{Document, Node};
 
-use super::{cuts, entities};
+use super::style::{is_definition, is_shown};
+use super::{cuts, entities, texts};
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::raster::decode::{checked_document, no_longer_than};
@@ -91,59 +92,6 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
 /// Begins the id that an element gets that has none.
 pub(super) const UNNAMED: &str = "unnamed-";
 
-/// Begins the id of the mark that stands before a text where it begins: without fonts usvg places no texts.
-pub(super) const PLACE_OF: &str = "place-of-";
-
-/// A mark at the place of a text, under the transforms that the text has.
-fn place_mark(text: Node<'_, '_>, id: &str) -> String {
-    let first = |name: &str| {
-        let value = text.descendants().filter(Node::is_element).find_map(|part| part.attribute(name));
-        let number = value.and_then(|value| value.split([' ', ',']).find(|number| !number.is_empty()));
-        number.unwrap_or("0").to_owned()
-    };
-    let transform = text.attribute("transform").unwrap_or_default();
-    let attributes = [
-        ("id", format!("{PLACE_OF}{id}")),
-        ("x", first("x")),
-        ("y", first("y")),
-        ("width", "0.01".into()),
-        ("height", "0.01".into()),
-        ("fill", "#000".into()),
-        ("transform", transform.into()),
-    ];
-    let escaped = |value: &str| value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    let attributes = attributes.iter().map(|(name, value)| format!(" {name}=\"{}\"", escaped(value)));
-    format!("<rect{}/>", attributes.collect::<String>())
-}
-
-/// Elements that are not drawn themselves, beside `defs`.
-const NOT_DRAWN: [&str; 5] = ["clipPath", "mask", "symbol", "pattern", "marker"];
-
-/// Whether an element is a text that is shown, and no part of a definition.
-fn is_seen_text(node: Node<'_, '_>) -> bool {
-    let hides = |above: Node<'_, '_>| {
-        let style = above.attribute("style").unwrap_or_default().replace(' ', "");
-        let name = above.tag_name().name();
-        name == "defs"
-            || NOT_DRAWN.contains(&name)
-            || above.attribute("display") == Some("none")
-            || style.contains("display:none")
-    };
-    node.tag_name().name() == "text" && !node.ancestors().any(hides) && is_visible(node)
-}
-
-/// What the nearest element that sets it says of an element's visibility.
-fn is_visible(node: Node<'_, '_>) -> bool {
-    let of = |above: Node<'_, '_>| {
-        let style = above.attribute("style").unwrap_or_default().split(';');
-        let declared = style.filter_map(|declared| declared.split_once(':'));
-        let last = declared.rev().find(|(key, _)| key.trim() == "visibility");
-        let set = last.map(|(_, value)| value.trim().to_owned());
-        set.or_else(|| above.attribute("visibility").map(str::to_owned))
-    };
-    node.ancestors().find_map(of).is_none_or(|set| set != "hidden" && set != "collapse")
-}
-
 /// The letters of a part of a text, and a blank before each line: a part that has a place of its own, or is a line of
 /// Inkscape's. Other parts, such as an index, belong to the word that they stand in.
 fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
@@ -155,10 +103,13 @@ fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
     }
 }
 
-/// A text that is shown.
+/// A text as it is shown, by itself or by a clone.
 pub(super) struct TypedElement<'a> {
-    pub(super) id: &'a str,
+    /// The key of its place.
+    pub(super) key: String,
     pub(super) node: Node<'a, 'a>,
+    /// What shows it: itself, or its clone.
+    pub(super) shown_by: Node<'a, 'a>,
     pub(super) string: String,
     /// Whether it lies in the layer of texts that are labels.
     pub(super) is_label: bool,
@@ -167,8 +118,9 @@ pub(super) struct TypedElement<'a> {
 /// The layer in which texts are labels to be written in braille.
 const LABELS: &str = "labels-text";
 
-/// The same text, in which each element has an id: usvg keeps ids and no other attributes, and plain editors give none.
-/// Before each text stands a mark of its place, and nothing is cut off: says how many elements were.
+/// The same text, in which each element has an id of its own: usvg keeps ids and no other attributes, and plain editors
+/// give none, or copy them. A mark stands where each text is shown, and nothing is cut off: says how many elements
+/// were.
 ///
 /// # Errors
 /// As [`parse`].
@@ -182,47 +134,97 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
     } else {
         text
     };
-    let all: HashSet<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
-    let mut out = String::with_capacity(text.len() + text.len() / 8);
-    let (mut done, mut number, mut cut) = (0, 0, 0);
+    let by_id = by_id(&document);
+    let (mut number, mut cut) = (0, 0);
+    let mut edits: Vec<(Range<usize>, String)> = Vec::new();
     for node in document.descendants().filter(Node::is_element) {
-        let (own, is_text) = (node.attribute("id"), is_seen_text(node));
+        let id = match kept_id(node, &by_id) {
+            Some(own) => own.to_owned(),
+            None => {
+                let fresh = fresh_id(node, &mut number, &by_id);
+                edits.push(with_id(node, &fresh, text));
+                fresh
+            }
+        };
         let start = node.range().start;
-        let id = own.map_or_else(
-            || {
-                number += 1;
-                while all.contains(format!("{UNNAMED}{number}").as_str()) {
-                    number += 1;
-                }
-                format!("{UNNAMED}{number}")
-            },
-            str::to_owned,
-        );
-        // Writing to a String cannot fail.
-        if is_text {
-            let _ = write!(out, "{}{}", &text[done..start], place_mark(node, &id));
-            done = start;
-        }
-        if own.is_none() {
-            let name = text[start + 1..].find(|c: char| c.is_whitespace() || c == '/' || c == '>').unwrap_or(0);
-            let end = start + 1 + name;
-            let _ = write!(out, "{} id=\"{id}\"", &text[done..end]);
-            done = end;
-        }
+        let ways = texts::shown_by(node, &by_id);
+        let marks = (0..).zip(&ways).map(|(nth, way)| texts::mark(way, &texts::key(&id, nth)));
+        edits.push((start..start, marks.collect()));
         let cuts = cuts::of_element(node, text);
         cut += usize::from(!cuts.is_empty() && is_cut(node));
-        for range in cuts {
-            let _ = write!(out, "{}{}", &text[done..range.start], cuts::NONE);
-            done = range.end;
-        }
+        edits.extend(cuts.into_iter().map(|range| (range, cuts::NONE.to_owned())));
+    }
+    Ok((edited(text, edits), cut))
+}
+
+/// A text with parts of it replaced.
+fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
+    edits.sort_by_key(|(range, _)| range.start);
+    let mut out = String::with_capacity(text.len() + text.len() / 8);
+    let mut done = 0;
+    for (range, with) in edits {
+        out.push_str(&text[done..range.start]);
+        out.push_str(&with);
+        done = range.end;
     }
     out.push_str(&text[done..]);
-    Ok((out, cut))
+    out
+}
+
+/// The first element of each id.
+fn by_id<'a>(document: &'a Document<'a>) -> HashMap<&'a str, Node<'a, 'a>> {
+    let mut found = HashMap::new();
+    for node in document.descendants() {
+        if let Some(id) = node.attribute("id").filter(|id| !id.is_empty()) {
+            found.entry(id).or_insert(node);
+        }
+    }
+    found
+}
+
+/// The id that an element keeps: its own, if it is the first that has it. A layer may be in several groups.
+fn kept_id<'a>(node: Node<'a, 'a>, by_id: &HashMap<&'a str, Node<'a, 'a>>) -> Option<&'a str> {
+    let is_layer = |id: &str| node.tag_name().name() == "g" && Layer::named(id).is_some();
+    node.attribute("id").filter(|id| by_id.get(id).is_some_and(|first| *first == node || is_layer(id)))
+}
+
+/// An id that no element has, with the one that it has in the file behind it.
+fn fresh_id(node: Node<'_, '_>, number: &mut u32, known: &HashMap<&str, Node<'_, '_>>) -> String {
+    let own = node.attribute("id").filter(|id| !id.is_empty()).map_or(String::new(), |id| format!("-{id}"));
+    loop {
+        *number += 1;
+        let id = format!("{UNNAMED}{number}{own}");
+        if !known.contains_key(id.as_str()) {
+            return id;
+        }
+    }
+}
+
+/// What gives an element this id: in place of the one that it has, or behind its name.
+fn with_id(node: Node<'_, '_>, id: &str, text: &str) -> (Range<usize>, String) {
+    let id = id.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    let start = node.range().start + 1;
+    let own = node.attributes().find(|attribute| attribute.namespace().is_none() && attribute.name() == "id");
+    match own {
+        Some(own) => (own.range(), format!("id=\"{id}\"")),
+        None => {
+            let end = text[start..].find(|c: char| c.is_whitespace() || c == '/' || c == '>').unwrap_or(0);
+            (start + end..start + end, format!(" id=\"{id}\""))
+        }
+    }
+}
+
+/// The id that an element has in the file, also one that another has before it; none of one that has none.
+pub(super) fn own_id<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+    let id = node.attribute("id")?;
+    let Some(fresh) = id.strip_prefix(UNNAMED) else { return Some(id) };
+    let (number, own) = fresh.split_once('-')?;
+    number.bytes().all(|byte| byte.is_ascii_digit()).then_some(own)
 }
 
 /// Whether an element is shown, and no part of what only others show.
 fn is_drawn(node: Node<'_, '_>) -> bool {
-    is_shown(&node) && !node.ancestors().any(|above| NOT_DRAWN.contains(&above.tag_name().name()))
+    is_shown(&node) && !is_definition(node)
 }
 
 /// Whether what an element has of clip paths, masks and filters would be seen: it is drawn, or it is a style sheet.
@@ -241,14 +243,8 @@ pub(super) struct Elements<'a> {
 
 impl<'a> Elements<'a> {
     pub(super) fn of(document: &'a Document<'a>) -> Self {
-        let mut by_id = HashMap::new();
-        for node in document.descendants() {
-            if let Some(id) = node.attribute("id") {
-                by_id.entry(id).or_insert(node);
-            }
-        }
         let are_of_page = document.descendants().any(is_of_page);
-        Self { by_id, text: document.input_text(), are_of_page }
+        Self { by_id: by_id(document), text: document.input_text(), are_of_page }
     }
 
     pub(super) fn get(&self, id: &str) -> Option<Node<'a, 'a>> {
@@ -262,8 +258,7 @@ impl<'a> Elements<'a> {
             if shown.tag_name().name() != "use" {
                 return Some(shown);
             }
-            let mut links = shown.attributes().filter(|attribute| attribute.name() == "href");
-            shown = links.find_map(|link| self.get(link.value().trim().strip_prefix('#')?))?;
+            shown = texts::target(shown, &self.by_id)?;
         }
         None
     }
@@ -290,18 +285,20 @@ impl<'a> Elements<'a> {
         is_lost && is_drawn(node)
     }
 
-    /// The texts that are shown, in their order.
-    pub(super) fn texts(&self) -> Vec<TypedElement<'a>> {
-        let mut found: Vec<(usize, TypedElement<'a>)> = Vec::new();
-        for (id, node) in self.by_id.iter().filter(|(_, node)| is_seen_text(**node)) {
-            let string = string_of(*node);
-            let is_label = is_in_labels(*node);
-            if !string.is_empty() {
-                found.push((node.range().start, TypedElement { id, node: *node, string, is_label }));
+    /// The texts, in the order of what shows them. Whether they are hidden say their marks.
+    pub(super) fn texts(&self, document: &'a Document<'a>) -> Vec<TypedElement<'a>> {
+        let mut found = Vec::new();
+        for shown_by in document.descendants().filter(Node::is_element) {
+            for (nth, way) in texts::shown_by(shown_by, &self.by_id).into_iter().enumerate() {
+                let Some(&node) = way.last() else { continue };
+                let (string, is_label) = (string_of(node), is_in_labels(shown_by));
+                let key = texts::key(shown_by.attribute("id").unwrap_or_default(), nth);
+                if !string.is_empty() {
+                    found.push(TypedElement { key, node, shown_by, string, is_label });
+                }
             }
         }
-        found.sort_by_key(|(start, _)| *start);
-        found.into_iter().map(|(_, text)| text).collect()
+        found
     }
 }
 
@@ -317,7 +314,7 @@ fn is_of_page(node: Node<'_, '_>) -> bool {
 }
 
 /// What a text says, its lines apart.
-pub fn string_of(text: Node<'_, '_>) -> String {
+pub(super) fn string_of(text: Node<'_, '_>) -> String {
     let letters: String = text.descendants().filter_map(|part| letters(part, text)).collect();
     letters.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -349,12 +346,4 @@ pub(super) fn is_object(element: Node<'_, '_>) -> bool {
 /// The name of an element as Inkscape shows it.
 pub(super) fn label_of<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     node.attribute((INKSCAPE, "label"))
-}
-/// Whether an element is drawn: neither it nor what is around it is hidden.
-pub(crate) fn is_shown(node: &Node<'_, '_>) -> bool {
-    let hidden = |node: Node<'_, '_>| {
-        let style = node.attribute("style").unwrap_or("").replace(' ', "");
-        node.attribute("display") == Some("none") || style.contains("display:none") || node.tag_name().name() == "defs"
-    };
-    !node.ancestors().any(hidden)
 }

@@ -6,9 +6,11 @@ use resvg::tiny_skia::{Point, Transform};
 use usvg::roxmltree::Node;
 use usvg::{Group, Paint, Tree};
 
-use super::document::{Elements, PLACE_OF, is_object, layer_of};
+use super::document::{Elements, is_object, layer_of, own_id};
 use super::markers;
 use super::subpath::{Subpath, clean, subpaths};
+use super::texts::{self, PLACE_OF};
+use super::tone::Tone;
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::page::{Class, TextRole, arrowhead};
@@ -35,8 +37,8 @@ pub(super) struct PaintedShape<'a> {
     /// Whether it lies right in its object, and not in a group of that.
     pub(super) is_direct: bool,
     pub(super) subpaths: Vec<Subpath>,
-    /// Lightness of what fills it, 0 black.
-    pub(super) fill: Option<u8>,
+    /// How light is what fills it.
+    pub(super) fill: Option<Tone>,
     /// The colour of that, on white.
     pub(super) colour: [u8; 3],
     pub(super) stroke: Option<PaintedStroke>,
@@ -44,17 +46,15 @@ pub(super) struct PaintedShape<'a> {
     pub(super) area_scale: f32,
 }
 
-/// A grey value (0..=255) from this on is white: nothing is printed.
-pub(super) const WHITE: u8 = 250;
 /// A ground covers this share of its sheet at least: people leave a narrow rim. Chosen by us.
 const GROUND: f32 = 0.9;
 
 impl PaintedShape<'_> {
     /// Whether it is painted, and white all over.
     pub(super) fn is_white(&self) -> bool {
-        let stroke = self.stroke.as_ref().filter(|stroke| stroke.width > 0.0).map(|stroke| stroke.shade);
-        let mut shades = [self.fill, stroke].into_iter().flatten().peekable();
-        shades.peek().is_some() && shades.all(|shade| shade >= WHITE)
+        let stroke = self.stroke.as_ref().filter(|stroke| stroke.width > 0.0).map(|stroke| stroke.tone);
+        let mut tones = [self.fill, stroke].into_iter().flatten().peekable();
+        tones.peek().is_some() && tones.all(|tone| tone.is_white)
     }
 
     /// Whether it may be the ground of a sheet of this width and height, mm: it reaches over nearly all of it.
@@ -68,9 +68,15 @@ impl PaintedShape<'_> {
 pub(super) struct PaintedStroke {
     /// Width, mm.
     pub(super) width: f32,
-    /// Lightness, 0 black.
-    pub(super) shade: u8,
+    pub(super) tone: Tone,
     pub(super) is_dashed: bool,
+}
+
+impl PaintedStroke {
+    /// Whether anything of it is printed.
+    pub(super) fn is_seen(&self) -> bool {
+        !self.tone.is_white && self.width > 0.0
+    }
 }
 
 /// Everything that is drawn.
@@ -82,7 +88,7 @@ pub(super) struct PaintedShapes<'a> {
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
     pub(super) far: usize,
-    /// Where texts begin and how many mm one of their units has, by their ids.
+    /// Where texts are shown and how many mm one of their units has, by their keys.
     pub(super) texts: HashMap<String, (MmPoint, f32)>,
     points: usize,
     objects: usize,
@@ -137,7 +143,7 @@ fn layer_of_object(element: Node<'_, '_>, around: Option<Layer>) -> Option<Layer
             class.map(Layer::Texture).or(around)
         }
         _ if has("data-braille") => {
-            let id = element.attribute("id").unwrap_or_default();
+            let id = own_id(element).unwrap_or_default();
             let layers = TextRole::ALL.into_iter().map(Layer::Braille);
             layers.into_iter().find(|layer| id.starts_with(&layer.id())).or(around)
         }
@@ -151,15 +157,15 @@ fn layer_of_object(element: Node<'_, '_>, around: Option<Layer>) -> Option<Layer
 fn painted_as_its_object(
     object: Node<'_, '_>,
     own: Node<'_, '_>,
-    painted: (Option<u8>, Option<PaintedStroke>),
+    painted: (Option<Tone>, Option<PaintedStroke>),
     area_scale: f32,
-) -> (Option<u8>, Option<PaintedStroke>) {
+) -> (Option<Tone>, Option<PaintedStroke>) {
     let width = own.attribute("stroke-width").and_then(|width| width.parse::<f32>().ok());
     match (painted, width) {
-        ((Some(shade), None), Some(width)) if object.has_attribute("data-strength") => {
-            (None, Some(PaintedStroke { width: clean(width * area_scale.sqrt()), shade, is_dashed: false }))
+        ((Some(tone), None), Some(width)) if object.has_attribute("data-strength") => {
+            (None, Some(PaintedStroke { width: clean(width * area_scale.sqrt()), tone, is_dashed: false }))
         }
-        ((None, Some(stroke)), _) if object.has_attribute("data-class") => (Some(stroke.shade), None),
+        ((None, Some(stroke)), _) if object.has_attribute("data-class") => (Some(stroke.tone), None),
         (painted, _) => painted,
     }
 }
@@ -226,7 +232,7 @@ impl<'a> PaintedShapes<'a> {
             let points = self.marks[before..].iter().flat_map(|mark| &mark.subpaths).flat_map(|of| of.points.clone());
             let points: Vec<MmPoint> = points.collect();
             let Some((end, tip, toward)) = markers::head(&points, &self.marks[line].subpaths) else { continue };
-            let Some(PaintedStroke { width, shade, .. }) = self.marks[line].stroke else { continue };
+            let Some(PaintedStroke { width, tone, .. }) = self.marks[line].stroke else { continue };
             self.marks.truncate(before);
             let object = self.next_object();
             let shaft = &mut self.marks[line];
@@ -243,12 +249,24 @@ impl<'a> PaintedShapes<'a> {
                 subpaths: vec![strokes],
                 fill: None,
                 colour: [0; 3],
-                stroke: Some(PaintedStroke { width, shade, is_dashed: false }),
+                stroke: Some(PaintedStroke { width, tone, is_dashed: false }),
                 area_scale: 1.0,
             };
             self.marks.push(head);
         }
         Ok(())
+    }
+
+    /// Adds the place of a text, if it is seen at all.
+    fn add_place(&mut self, key: &str, mark: &usvg::Path, transform: Transform, opacity: f32) {
+        if opacity <= 0.0 {
+            return;
+        }
+        let corner = mark.data().bounds();
+        let mut at = [Point::from_xy(corner.left(), corner.top())];
+        transform.map_points(&mut at);
+        let unit = clean((transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt());
+        self.texts.insert(key.to_owned(), (MmPoint::new(clean(at[0].x), clean(at[0].y)), unit));
     }
 
     fn next_object(&mut self) -> usize {
@@ -262,11 +280,11 @@ impl<'a> PaintedShapes<'a> {
         }
         let transform = to_mm(path.abs_transform());
         if let Some(text) = path.id().strip_prefix(PLACE_OF) {
-            let corner = path.data().bounds();
-            let mut at = [Point::from_xy(corner.left(), corner.top())];
-            transform.map_points(&mut at);
-            let unit = clean((transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt());
-            self.texts.insert(text.to_owned(), (MmPoint::new(clean(at[0].x), clean(at[0].y)), unit));
+            self.add_place(text, path, transform, around.opacity);
+            return Ok(());
+        }
+        let own_size = path.data().bounds();
+        if around.cloned.is_some() && texts::is_mark(own_size.width(), own_size.height()) {
             return Ok(());
         }
         let Some(geometry) = path.data().clone().transform(transform) else { return Ok(()) };
@@ -296,10 +314,10 @@ impl<'a> PaintedShapes<'a> {
         let area_scale = if (area_scale - 1.0).abs() < ROUNDING { 1.0 } else { area_scale };
         let opacity = around.opacity;
         let colour = path.fill().map_or([0; 3], |fill| colour_of(fill.paint(), fill.opacity().get() * opacity));
-        let fill = path.fill().map(|fill| self.shade(fill.paint(), fill.opacity().get() * opacity));
+        let fill = path.fill().map(|fill| self.tone(fill.paint(), fill.opacity().get() * opacity));
         let stroke = path.stroke().map(|stroke| PaintedStroke {
             width: clean(stroke.width().get() * area_scale.sqrt()),
-            shade: self.shade(stroke.paint(), stroke.opacity().get() * opacity),
+            tone: self.tone(stroke.paint(), stroke.opacity().get() * opacity),
             is_dashed: stroke.dasharray().is_some(),
         });
         let (fill, stroke) = painted_as_its_object(element, own, (fill, stroke), area_scale);
@@ -312,13 +330,12 @@ impl<'a> PaintedShapes<'a> {
     }
 
     /// How light a paint is on white; patterns count as black, and are counted.
-    fn shade(&mut self, paint: &Paint, opacity: f32) -> u8 {
-        let Paint::Color(colour) = paint else {
+    fn tone(&mut self, paint: &Paint, opacity: f32) -> Tone {
+        if !matches!(paint, Paint::Color(_)) {
             self.patterned += 1;
-            return 0;
-        };
-        let light = (299 * u32::from(colour.red) + 587 * u32::from(colour.green) + 114 * u32::from(colour.blue)) / 1000;
-        on_white(light as f32, opacity)
+            return Tone::BLACK;
+        }
+        Tone::of(colour_of(paint, opacity))
     }
 }
 

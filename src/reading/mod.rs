@@ -19,6 +19,7 @@ mod clip;
 mod cuts;
 mod document;
 mod entities;
+mod kind;
 mod leaders;
 mod markers;
 mod marks;
@@ -26,15 +27,18 @@ mod names;
 mod print;
 mod said;
 mod shapes;
+mod style;
 mod subpath;
 mod tally;
+mod texts;
+mod tone;
 mod typed;
 mod words;
 
-use usvg::ImageHrefResolver;
-use usvg::roxmltree::Node;
+use usvg::roxmltree::{Document, Node};
+use usvg::{ImageHrefResolver, Tree};
 
-pub(crate) use document::is_shown;
+pub(crate) use style::is_shown;
 
 use crate::output::svg;
 use crate::page::{Names, Page};
@@ -43,11 +47,12 @@ use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use build::Built;
 use document::Elements;
+use tally::OfFile;
 
 pub use areas::DrawnArea;
-pub use document::{FINDINGS, string_of, text_of};
-pub use print::{is_light, is_print_words};
-pub use typed::{TypedText, is_braille, is_written};
+pub use document::{FINDINGS, text_of};
+pub use tone::{is_black, is_white};
+pub use typed::{SeenText, TypedText, is_braille};
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
 const LEAST_SHEET: f32 = 5.0;
@@ -71,6 +76,8 @@ pub struct Reading {
     pub moved_texts: Vec<String>,
     /// Texts that a person typed and that are to be written in braille, which are not on the page either.
     pub texts: Vec<TypedText>,
+    /// All texts that are shown in letters, or in a font of braille, and may rise.
+    pub letters: Vec<SeenText>,
 }
 
 impl Reading {
@@ -80,7 +87,7 @@ impl Reading {
         let sum = self.page.mirror_sum();
         for text in &mut self.texts {
             let width = if text.is_braille { width_of(text.string.chars().count()) } else { 0.0 };
-            text.at.x = sum - text.at.x - width;
+            text.at.x = sum - text.at.x - (1.0 - 2.0 * text.anchor) * width;
         }
         let points = self.areas.iter_mut().flat_map(|area| &mut area.outlines).flatten();
         points.for_each(|at| at.x = sum - at.x);
@@ -120,9 +127,7 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
         let remedy = "convert it, if it is a drawing, or give the SVG of a page that tactograph made";
         return Err(Error::NotAPage { why, remedy });
     }
-    let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
-    let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    let tree = tree_of(&document, &options)?;
+    let tree = without_pictures(&document)?;
     let marks = marks::of(&tree, &elements)?;
     let round = |px: f32| (f64::from(px * MM_PER_CSS_PX) * 1000.0).round() as f32 / 1000.0;
     let sheet = [round(tree.size().width()), round(tree.size().height())];
@@ -134,12 +139,37 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);
     let pictures = document.descendants().filter(is_picture).count();
     let elsewhere = document.descendants().filter(|node| elements.is_elsewhere(*node)).count();
-    let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
+    let texts = elements.texts(&document);
+    let letters = typed::seen(&texts, &marks.texts);
+    let file = OfFile { pictures, elsewhere, cut, ..OfFile::default() };
+    let (texts, print, told) = typed::sorted(texts, &marks.texts);
     let Built { page, names, mut notes, areas, moved_texts } =
-        build::page((marks, print, [pictures, elsewhere, cut]), words, &elements, sheet)?;
+        build::page((marks, print, file), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(given.as_bytes());
-    Ok(Reading { page, names, notes, areas, is_changed, moved_texts, texts })
+    Ok(Reading { page, names, notes, areas, is_changed, moved_texts, texts, letters })
+}
+
+/// What is drawn, without pictures of pixels.
+fn without_pictures(document: &Document<'_>) -> Result<Tree, Error> {
+    let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
+    tree_of(document, &usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() })
+}
+
+/// The texts that an SVG shows in letters, be it a page or not.
+///
+/// # Errors
+/// As [`read_any`].
+pub fn letters_of(svg: &[u8]) -> Result<Vec<SeenText>, Error> {
+    let (text, _) = document::with_ids(&document::text_of(svg)?)?;
+    let document = document::parse(&text)?;
+    let elements = Elements::of(&document);
+    let texts = elements.texts(&document);
+    if texts.is_empty() {
+        return Ok(Vec::new());
+    }
+    let marks = marks::of(&without_pictures(&document)?, &elements)?;
+    Ok(typed::seen(&texts, &marks.texts))
 }
 
 /// Whether bytes are text in XML, as all pages are.
@@ -149,7 +179,7 @@ pub fn is_svg(bytes: &[u8]) -> bool {
 
 /// Whether bytes are an SVG that can be read, be it a page or not.
 pub fn is_drawing(bytes: &[u8]) -> bool {
-    let is_root = |document: &usvg::roxmltree::Document<'_>| document.root_element().tag_name().name() == "svg";
+    let is_root = |document: &Document<'_>| document.root_element().tag_name().name() == "svg";
     document::text_of(bytes).is_ok_and(|text| document::parse(&text).is_ok_and(|document| is_root(&document)))
 }
 
@@ -159,3 +189,6 @@ pub fn is_page(svg: &[u8]) -> bool {
     let has = |what: &str| text.contains(what);
     has("data-box=") && has("data-source=") && has("<svg")
 }
+
+#[cfg(test)]
+mod tests;

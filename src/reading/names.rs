@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use usvg::roxmltree::Node;
 
-use super::document::{UNNAMED, label_of};
+use super::document::{UNNAMED, label_of, own_id};
 use crate::page::{Class, Names};
 
 /// Most characters of a name.
@@ -17,6 +17,8 @@ pub(super) struct Name {
     /// None if it has neither a label nor an id of its own.
     shown: Option<String>,
     id: String,
+    /// Whether it has one in the file.
+    has_id: bool,
     /// Where its element begins in the text of the file.
     pub(super) begins: usize,
     /// Whether it is a line that a person drew: those that we write say how strong they are.
@@ -52,7 +54,7 @@ pub(super) fn of_area(element: Node<'_, '_>, clone: Option<Node<'_, '_>>, class:
 /// By its label, or else by its id: "line 7" as it is, other names in quotation marks.
 fn named(element: Node<'_, '_>, kind: &'static str, is_ours: impl Fn(&str) -> bool) -> Name {
     let id = element.attribute("id").unwrap_or_default();
-    let own = Some(id).filter(|id| !id.is_empty() && !id.starts_with(UNNAMED));
+    let own = own_id(element).filter(|id| !id.is_empty());
     let label = label_of(element).map(|label| label.split_whitespace().collect::<Vec<_>>().join(" "));
     let ours = |id: &str| Some(id.replace('-', " ")).filter(|name| is_ours(name));
     let name =
@@ -65,7 +67,7 @@ fn named(element: Node<'_, '_>, kind: &'static str, is_ours: impl Fn(&str) -> bo
         }
         None => None,
     };
-    Name { kind, shown, id: id.to_owned(), begins: element.range().start, by_hand: false }
+    Name { kind, shown, id: id.to_owned(), has_id: own.is_some(), begins: element.range().start, by_hand: false }
 }
 
 fn is_numbered(name: &str, prefix: &str) -> bool {
@@ -95,7 +97,10 @@ fn told(names: &[Name]) -> Vec<String> {
         match &name.shown {
             None if all > 1 => format!("{} {nth} without a name", name.kind),
             None => format!("{} {} without a name", article(name.kind), name.kind),
-            Some(shown) if all > 1 && name.id.starts_with(UNNAMED) => format!("{shown} (copy {nth}, without an id)"),
+            Some(shown) if all > 1 && name.id.starts_with(UNNAMED) => {
+                let id = if name.has_id { "with the same id" } else { "without an id" };
+                format!("{shown} (copy {nth}, {id})")
+            }
             Some(shown) if all > 1 && !is_by_id(shown) => format!("{shown} (\"{}\")", name.id),
             Some(shown) => shown.clone(),
         }

@@ -3,6 +3,7 @@
 use usvg::roxmltree::Node;
 
 use super::document::layer_of;
+use super::style::property;
 use crate::output::layer::{Layer, PRINT_GREY};
 
 /// Size of letters where none is said, mm.
@@ -21,17 +22,8 @@ const UNITS: [(&str, f32); 7] = [
 const LIGHT: [&str; 8] = ["white", "whitesmoke", "gainsboro", "lightgray", "lightgrey", "none", "transparent", "snow"];
 
 /// Whether a text is one of the words in print beside braille.
-pub fn is_print_words(text: Node<'_, '_>) -> bool {
+pub(super) fn is_print_words(text: Node<'_, '_>) -> bool {
     text.ancestors().any(|above| layer_of(above) == Some(Layer::PrintWords))
-}
-
-/// What an element says of a property, in its style or as an attribute; the last that is declared counts.
-fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
-    let in_style = node.attribute("style").and_then(|style| {
-        let mut pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
-        pairs.rfind(|(key, _)| key.trim() == name).map(|(_, value)| value.trim())
-    });
-    in_style.or(node.attribute(name)).map(|value| value.trim_end_matches("!important").trim())
 }
 
 /// Parts of a text that have letters of their own.
@@ -67,9 +59,21 @@ pub(super) fn font_size(text: Node<'_, '_>, unit: f32) -> f32 {
     size.filter(|size| size.is_finite() && *size > 0.0).unwrap_or(COMMON_SIZE)
 }
 
+/// The share of a text that lies before its place: none of one that begins there, half of one in the middle of which it
+/// is. Of a clone, what is around `shown_by` counts too.
+pub(super) fn anchor(text: Node<'_, '_>, shown_by: Node<'_, '_>) -> f32 {
+    let first = with_letters(text).next().unwrap_or(text);
+    let said = first.ancestors().chain(shown_by.ancestors()).find_map(|above| property(above, "text-anchor"));
+    match said {
+        Some("middle") => 0.5,
+        Some("end") => 1.0,
+        _ => 0.0,
+    }
+}
+
 /// Whether words in print are light enough not to rise: by what fills and outlines each of their parts, as a person may
 /// have changed it.
-pub fn is_light(text: Node<'_, '_>) -> bool {
+pub(super) fn is_light(text: Node<'_, '_>) -> bool {
     let paint = |part: Node<'_, '_>, name: &str, otherwise: &str| {
         let said = part.ancestors().find_map(|above| property(above, name)).unwrap_or(otherwise);
         is_light_paint(&said.to_ascii_lowercase())

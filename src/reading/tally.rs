@@ -18,6 +18,7 @@ pub(super) struct Tally {
 pub(super) enum What {
     LineOutside,
     DotOutside,
+    BesideMark,
     Outlined,
     NoGlyph,
     OffSheet,
@@ -30,28 +31,51 @@ pub(super) enum What {
     White,
 }
 
-/// What is told of pictures of pixels, of what is in another file or of another kind than SVG, of marks far beyond the
-/// sheet, of what cuts off others, and of what is filled unevenly, by how many there are.
-pub(super) fn told_of_file([pictures, elsewhere, far, clipped, patterned]: [usize; 5]) -> impl Iterator<Item = Note> {
-    let of_elsewhere = counted(elsewhere, "object");
-    let all = [
-        (
-            pictures,
-            Reason::Pixels,
-            format!("{}: convert what is in a picture to lines first", counted(pictures, "picture")),
-        ),
-        (
-            elsewhere,
-            Reason::Elsewhere,
-            format!("{of_elsewhere} of another file or of no kind that SVG draws: put what is shown there on the page"),
-        ),
-        (far, Reason::OffSheet, format!("{} far beyond the sheet", counted(far, "mark"))),
-        (clipped, Reason::Clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
-    ];
-    let left_out = all.into_iter().filter(|(count, ..)| *count > 0);
-    let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
-    let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, Reason::NotBlack, patterned_as));
-    left_out.map(|(_, reason, what)| Note::NotOnPage(About::Marks, reason, what)).chain(taken)
+/// How much of a file is no mark of a page.
+#[derive(Clone, Copy, Default)]
+pub(super) struct OfFile {
+    /// Pictures of pixels.
+    pub(super) pictures: usize,
+    /// What is in another file, or of another kind than SVG.
+    pub(super) elsewhere: usize,
+    /// Marks far beyond the sheet.
+    pub(super) far: usize,
+    /// Clip paths, masks and filters.
+    pub(super) cut: usize,
+    /// What is filled unevenly.
+    pub(super) patterned: usize,
+}
+
+impl OfFile {
+    /// What is told of it.
+    pub(super) fn told(self) -> impl Iterator<Item = Note> {
+        let Self { pictures, elsewhere, far, cut: clipped, patterned } = self;
+        let of_elsewhere = counted(elsewhere, "object");
+        let all = [
+            (
+                pictures,
+                Reason::Pixels,
+                format!("{}: convert what is in a picture to lines first", counted(pictures, "picture")),
+            ),
+            (
+                elsewhere,
+                Reason::Elsewhere,
+                format!(
+                    "{of_elsewhere} of another file or of no kind that SVG draws: put what is shown there on the page"
+                ),
+            ),
+            (far, Reason::OffSheet, format!("{} far beyond the sheet", counted(far, "mark"))),
+            (
+                clipped,
+                Reason::Clipped,
+                format!("clip paths, masks and filters ({clipped}): what they cut off is there"),
+            ),
+        ];
+        let left_out = all.into_iter().filter(|(count, ..)| *count > 0);
+        let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
+        let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, Reason::NotBlack, patterned_as));
+        left_out.map(|(_, reason, what)| Note::NotOnPage(About::Marks, reason, what)).chain(taken)
+    }
 }
 
 /// What is told of a page without the layer of its figure.
@@ -88,6 +112,7 @@ impl What {
         match self {
             Self::LineOutside => Note::TakenAs(About::Lines, Reason::OutsideLayers, told),
             Self::DotOutside => Note::TakenAs(About::Dots, Reason::OutsideLayers, told),
+            Self::BesideMark => Note::TakenAs(About::Lines, Reason::OutsideLayers, told),
             Self::Outlined => Note::TakenAs(About::Areas, Reason::NoTextureColour, told),
             Self::NoGlyph => Note::NotOnPage(About::Signs, Reason::NoSign, told),
             Self::OffSheet => Note::NotOnPage(About::Marks, Reason::OffSheet, told),
@@ -109,6 +134,10 @@ impl What {
                 format!("{}{at} outside of the layers, taken as lines of the figure", n("line", "lines"))
             }
             Self::DotOutside => format!("{}{at} outside of the layers, taken as dots", n("disc", "discs")),
+            Self::BesideMark => {
+                let (more, lines) = (n("more mark", "more marks"), if count == 1 { "a line" } else { "lines" });
+                format!("{more}{at} in the layer of the orientation mark, taken as {lines} of the figure")
+            }
             Self::Outlined => format!(
                 "{}{at} without the colour of a texture, drawn as {}",
                 n("filled shape", "filled shapes"),

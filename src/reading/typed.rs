@@ -2,10 +2,8 @@
 
 use std::collections::HashMap;
 
-use usvg::roxmltree::Node;
-
-use super::document::{TypedElement, is_in_labels};
-use super::print::{font_size, is_print_words};
+use super::document::TypedElement;
+use super::print::{anchor, font_size, is_light, is_print_words};
 use super::subpath::clean;
 use crate::listing::first_few;
 use crate::page::PrintText;
@@ -17,10 +15,47 @@ use crate::{About, Note, Reason};
 pub struct TypedText {
     /// What it says, in letters or in Unicode braille.
     pub string: String,
-    /// Where it begins, mm on the sheet.
+    /// Its place, mm on the sheet: where it begins, or what its anchor says.
     pub at: MmPoint,
+    /// The share of it that lies before that.
+    pub anchor: f32,
     /// Whether it is Unicode braille: then it is meant to stand where it is.
     pub is_braille: bool,
+}
+
+impl TypedText {
+    /// The same by the place where it begins, if it is so wide, mm.
+    pub fn from_its_begin(&self, width: f32) -> Self {
+        Self { at: MmPoint::new(self.at.x - self.anchor * width, self.at.y), anchor: 0.0, ..self.clone() }
+    }
+}
+
+/// A text that is shown in letters or in a font of braille.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeenText {
+    /// What it says.
+    pub string: String,
+    /// Its place, mm on the sheet.
+    pub at: MmPoint,
+    /// The line of the file in which its element begins.
+    pub row: u32,
+    /// Whether it is written in braille where the page is rendered.
+    pub is_written: bool,
+}
+
+/// Where texts are shown and how many mm one of their units has, by their keys.
+type Places = HashMap<String, (MmPoint, f32)>;
+
+/// The texts that are shown, but for words in print that are too light to rise.
+pub(super) fn seen(texts: &[TypedElement<'_>], places: &Places) -> Vec<SeenText> {
+    let seen = |text: &TypedElement<'_>| {
+        let &(at, _) = places.get(&text.key)?;
+        let row = text.node.document().text_pos_at(text.shown_by.range().start).row;
+        let is_written = text.is_label || is_braille(&text.string);
+        let is_light_print = is_print_words(text.shown_by) && is_light(text.node);
+        (!is_light_print).then(|| SeenText { string: text.string.clone(), at, row, is_written })
+    };
+    texts.iter().filter_map(seen).collect()
 }
 
 /// Most texts that are told one by one.
@@ -31,27 +66,18 @@ pub fn is_braille(text: &str) -> bool {
     text.chars().all(|c| c == ' ' || ('\u{2800}'..='\u{28ff}').contains(&c))
 }
 
-/// Whether a text of a page is one that is written in braille where the page is rendered: a label, or braille.
-pub fn is_written(node: Node<'_, '_>, text: &str) -> bool {
-    is_in_labels(node) || is_braille(text)
-}
-
-/// Texts that are to be written, those in print, and what is told of the others.
-pub(super) fn sorted(
-    texts: Vec<TypedElement<'_>>,
-    places: &HashMap<String, (MmPoint, f32)>,
-) -> (Vec<TypedText>, Vec<PrintText>, Option<Note>) {
+/// Texts that are to be written, those in print, and what is told of the others. What is hidden has no place.
+pub(super) fn sorted(texts: Vec<TypedElement<'_>>, places: &Places) -> (Vec<TypedText>, Vec<PrintText>, Option<Note>) {
     let (mut written, mut print, mut left) = (Vec::new(), Vec::new(), Vec::new());
-    for TypedElement { id, node, string, is_label } in texts {
-        match places.get(id) {
-            Some(&(at, unit)) if is_print_words(node) => {
-                print.push(PrintText { string, at, size: clean(font_size(node, unit)) });
-            }
-            Some(&(at, _)) if is_label || is_braille(&string) => {
-                written.push(TypedText { is_braille: is_braille(&string), string, at });
-            }
-            Some((at, _)) => left.push(format!("\"{string}\" at {:.0}, {:.0} mm", at.x, at.y)),
-            None => left.push(format!("\"{string}\"")),
+    for TypedElement { key, node, shown_by, string, is_label } in texts {
+        let Some(&(at, unit)) = places.get(&key) else { continue };
+        let is_braille = is_braille(&string);
+        if is_print_words(shown_by) {
+            print.push(PrintText { string, at, size: clean(font_size(node, unit)) });
+        } else if is_label || is_braille {
+            written.push(TypedText { is_braille, string, at, anchor: anchor(node, shown_by) });
+        } else {
+            left.push(format!("\"{string}\" at {:.0}, {:.0} mm", at.x, at.y));
         }
     }
     let told = (!left.is_empty()).then(|| {

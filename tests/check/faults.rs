@@ -53,7 +53,10 @@ fn lines_drawn_by_hand_are_held_against_the_rules() {
 fn what_reaches_beyond_the_sheet_is_found() {
     let drawn = |d: &str| changed("bars.svg", |svg| with_lines(svg, &format!("<path id=\"far\" d=\"{d}\"/>")));
     let checked = drawn("M-20,250 H60");
-    assert!(has(&checked, "margin", "\"far\" reaches 20.5 mm beyond the sheet, and render leaves it out"), "{checked}");
+    assert!(
+        has(&checked, "margin", "\"far\" reaches 20.5 mm beyond the sheet, and render cuts it off at the edge"),
+        "{checked}"
+    );
     assert!(has(&checked, "margin", "0 mm from the left and 250 mm from the top"), "{checked}");
     assert!(checked.errors() > 0);
     assert!(!has(&drawn("M60,250 H150"), "margin", ""));

@@ -73,3 +73,28 @@ fn lines_that_end_on_a_third_at_nearly_one_place_join_one_another() {
     let beside = [(31.0, 0.0), (32.0, 30.0)];
     assert_eq!(joined(&[BASE, STEM, &beside]), [vec![1, 2], vec![0], vec![0]], "they run beside one another");
 }
+
+/// Of many joins with one line each asks of the next on either side only.
+#[test]
+fn a_join_asks_of_its_neighbours_only() {
+    let join = |k: u32| Join { arc: 2.0 * k as f32, other: 1, there: 0.0, line: 1, by_third: None };
+    let mut list: Vec<Join> = (0..300).map(join).collect();
+    let asked = std::cell::Cell::new(0);
+    keep_straight(0, &mut list, 1.0, |(from, to), _| {
+        asked.set(asked.get() + 1);
+        from >= 100.0 && to <= 110.0
+    });
+    let left: Vec<f32> = list.iter().map(|join| join.arc).filter(|arc| (95.0..115.0).contains(arc)).collect();
+    assert_eq!((list.len(), left), (294, vec![96.0, 98.0, 112.0, 114.0]));
+    assert!(asked.get() <= 600, "{} questions", asked.get());
+}
+
+/// Hundreds of crossings of two lines are as many joins of both.
+#[test]
+fn a_zigzag_joins_a_line_at_each_crossing() {
+    let zigzag: Vec<(f32, f32)> = (0..=500).map(|k| (10.0 * k as f32, if k % 2 == 0 { -30.0 } else { 30.0 })).collect();
+    let joins = joins_of_strokes(&[&[(0.0, 0.0), (5000.0, 0.0)], &zigzag]);
+    assert_eq!(joins.iter().map(Vec::len).collect::<Vec<_>>(), [500, 500]);
+    let clear = free_parts(&joins[0], None, &paths(&[&[(0.0, 0.0), (5000.0, 0.0)]]).segments_of(0)[0], 1, 0.25);
+    assert_eq!(clear.len(), 501, "what is left between the joins");
+}

@@ -1,8 +1,7 @@
 //! Tests of `twins`.
 
 use super::*;
-use crate::page::Run;
-use crate::units::MmPoint;
+use crate::page::Height;
 
 fn line(y: f32) -> Line {
     let points = vec![MmPoint::new(10.0, y), MmPoint::new(50.0, y), MmPoint::new(90.0, y)];
@@ -24,10 +23,21 @@ fn of_equal_lines_the_first_stays_and_is_told_once() {
     assert!(!has_twins(&lines));
 }
 
-/// The same line drawn from its other end is another one here: what lies on it is told by the rule of distances.
 #[test]
 fn lines_that_differ_in_a_number_stay() {
     let mut wider = line(10.0);
     wider.runs[0].width = 1.2;
-    assert!(!has_twins(&[line(10.0), wider, line(10.01)]));
+    let dots = |height| {
+        let points = line(10.0).runs[0].points.clone();
+        Line { strength: 1.0, runs: vec![Run::dots(1.0, points, height)] }
+    };
+    let [low, high] = [Height::Low, Height::High].map(dots);
+    assert!(!has_twins(&[line(10.0), wider, line(10.01), low, high]));
+}
+
+#[test]
+fn a_line_drawn_from_its_other_end_is_the_same() {
+    let mut backwards = line(10.0);
+    backwards.runs[0].points.reverse();
+    assert!(has_twins(&[line(10.0), backwards]));
 }

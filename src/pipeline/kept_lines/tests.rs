@@ -14,7 +14,10 @@ fn a_line_that_is_gone_is_named_though_its_neighbour_is_near() {
     // half as large, the first moved a little, the second gone, half of the third
     let after = [line(50.0, 10.0, 35.0), line(25.4, 10.0, 50.0)];
     let (stand_for, shares) = matched(&before, from, &after, to);
-    assert_eq!(stand_for, [2, 0]);
+    assert_eq!(stand_for, [Some(2), Some(0)]);
+    // one that lies near none stands for none of them
+    let (stand_for, _) = matched(&before, from, &[line(66.0, 10.0, 50.0)], to);
+    assert_eq!(stand_for, [None]);
     assert!(shares[0] > 0.9 && shares[1] < 0.1 && (shares[2] - 0.5).abs() < 0.05, "{shares:?}");
     let name = |name: &str, by_hand: bool| LineName { name: name.to_owned(), by_hand };
     let names = ["line 1", "line 2", "line 3"].map(|line| name(line, false));

@@ -1,0 +1,116 @@
+//! What a painted path is taken as: by its layer, its paint and its shape.
+
+use std::collections::BTreeMap;
+
+use super::areas::{self, DrawnArea};
+use super::marks::{PaintedShape, PaintedStroke};
+use super::shapes::disc;
+use super::subpath::Subpath;
+use super::tally::What;
+use crate::geom::polyline;
+use crate::output::layer::{self, Layer};
+use crate::page::{Class, Height, Pen, Run};
+use crate::units::MmPoint;
+
+/// Width of a line where none is given and there are no others, mm.
+const COMMON_WIDTH: f32 = 1.0;
+
+/// What a path is taken as.
+pub(super) enum Kind {
+    /// It is not on the page, for this reason.
+    LeftOut(What),
+    /// It prints nothing, or no more than its area.
+    Blank,
+    /// Strokes.
+    Strokes(Vec<Run>),
+    /// Signs of a texture.
+    Signs(Class),
+    /// Dots, with their middles and diameters.
+    Discs(Vec<(MmPoint, f32)>, Height),
+    /// A filled shape: lines around it, in this layer.
+    Around(Vec<Run>, Layer),
+}
+
+/// A path that was looked at.
+pub(super) struct Sorted {
+    pub(super) kind: Kind,
+    /// The area that it is.
+    pub(super) area: Option<DrawnArea>,
+    /// In what it is taken otherwise than it looks.
+    pub(super) told: Vec<What>,
+}
+
+/// What is known of the page to which paths belong.
+pub(super) struct Sorter {
+    /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
+    pub(super) is_foreign: bool,
+    pub(super) sheet: [f32; 2],
+    /// Whether greys are heights.
+    pub(super) has_heights: bool,
+    /// Width of a line that is drawn where none is given, mm.
+    pub(super) common_width: f32,
+}
+
+impl Sorter {
+    pub(super) fn sort(&self, mark: &PaintedShape<'_>) -> Sorted {
+        let left_out = |what: What| Sorted { kind: Kind::LeftOut(what), area: None, told: Vec::new() };
+        if self.is_foreign && mark.layer.is_none() {
+            return left_out(What::Foreign);
+        }
+        if mark.layer == Some(Layer::PrintWords) {
+            return left_out(What::InPrint);
+        }
+        if mark.is_white() && !mark.covers(self.sheet) {
+            return left_out(What::White);
+        }
+        let area = if self.is_foreign { None } else { areas::of(mark) };
+        let (kind, told) = match mark.stroke.as_ref().filter(|stroke| stroke.is_seen()) {
+            Some(stroke) => self.stroke(mark, stroke),
+            None if area.is_some() => (Kind::Blank, Vec::new()),
+            None => self.filled(mark),
+        };
+        Sorted { kind, area, told }
+    }
+
+    fn stroke(&self, mark: &PaintedShape<'_>, stroke: &PaintedStroke) -> (Kind, Vec<What>) {
+        let shaded = (stroke.tone.is_shaded() && !self.has_heights).then_some(What::Shaded);
+        let dashed = stroke.is_dashed.then_some(What::Dashed);
+        let runs = mark.subpaths.iter().map(|subpath| run(subpath, stroke.width)).collect();
+        (Kind::Strokes(runs), shaded.into_iter().chain(dashed).collect())
+    }
+
+    fn filled(&self, mark: &PaintedShape<'_>) -> (Kind, Vec<What>) {
+        let Some(tone) = mark.fill.filter(|tone| !tone.is_white) else { return (Kind::Blank, Vec::new()) };
+        let mut told: Vec<What> = (tone.is_shaded() && !self.has_heights).then_some(What::Shaded).into_iter().collect();
+        if let Some(Layer::Texture(class)) = mark.layer {
+            return (Kind::Signs(class), told);
+        }
+        if let Some(discs) = mark.subpaths.iter().map(disc).collect() {
+            return (Kind::Discs(discs, layer::height(tone.grey)), told);
+        }
+        told.push(What::Outlined);
+        // what has but two points is a line there and back
+        let closed = |subpath: &Subpath| Subpath { closed: subpath.points.len() > 2, ..subpath.clone() };
+        let around = mark.subpaths.iter().map(|subpath| run(&closed(subpath), self.common_width)).collect();
+        let layer = if mark.layer == Some(Layer::Overview) { Layer::Overview } else { Layer::Lines };
+        (Kind::Around(around, layer), told)
+    }
+}
+
+fn run(subpath: &Subpath, width: f32) -> Run {
+    Run { width, points: subpath.points.clone(), closed: subpath.closed, pen: Pen::Stroke }
+}
+
+/// The width of most strokes of lines, by their lengths, mm.
+pub(super) fn common_width(marks: &[PaintedShape<'_>]) -> f32 {
+    let mut lengths: BTreeMap<u32, f32> = BTreeMap::new();
+    let is_line = |mark: &&PaintedShape<'_>| matches!(mark.layer, Some(Layer::Lines | Layer::Overview));
+    for mark in marks.iter().filter(is_line) {
+        if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.is_seen()) {
+            let length: f32 = mark.subpaths.iter().map(|subpath| polyline::length(&subpath.points)).sum();
+            *lengths.entry((100.0 * stroke.width).round() as u32).or_default() += length;
+        }
+    }
+    let most = lengths.into_iter().reduce(|most, of| if of.1 > most.1 { of } else { most });
+    most.map_or(COMMON_WIDTH, |(hundredths, _)| hundredths as f32 / 100.0)
+}
