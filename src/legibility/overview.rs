@@ -10,7 +10,7 @@ use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::ninths;
 use crate::listing::first_few;
-use crate::page::{LeftOut, Names, Overview, Page, which_are_weak};
+use crate::page::{InSet, LeftOut, Names, Overview, Page, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines are looked at this often, mm of the overview.
@@ -60,7 +60,9 @@ pub(super) fn findings(
     index: &Nearby,
     limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
-    let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
+    // one on a sheet of its own has its figure on another
+    let is_alone = page.figure.lines.is_empty() && InSet::of(page).is_some();
+    let Some(overview) = page.overview.as_ref().filter(|_| !is_alone) else { return Vec::new() };
     let pair = Pair::of(page, overview);
     let of_overview = Paths::whole(&overview.lines);
     let mut found = added(overview, (&of_overview, &names.overview_lines), (index, pair), limits);

@@ -347,6 +347,19 @@ fn a_large_shape_that_the_overview_lacks_is_told() {
 }
 
 #[test]
+fn an_overview_whose_figure_has_no_lines_any_more_is_told() {
+    let svg = page::of_sample("landscape.svg", "swell-a4").page.to_svg();
+    let hidden = svg.replacen("<g fill=\"none\" id=\"lines\"", "<g display=\"none\" fill=\"none\" id=\"lines\"", 1);
+    assert_ne!(svg, hidden);
+    let rules = |svg: String| {
+        let checked = check(svg, &PageOptions::new()).expect("it can be read");
+        checked.findings.iter().filter(|finding| finding.rule.id == "overview").count()
+    };
+    assert_eq!(rules(svg), 0);
+    assert!(rules(hidden) > 2);
+}
+
+#[test]
 fn an_overview_that_lacks_much_of_a_drawing_is_told() {
     let lacks = |svg: String| {
         let bare = |svg: &str| {
