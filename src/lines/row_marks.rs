@@ -37,7 +37,7 @@ impl Line {
         let heads: Vec<[MmPoint; 2]> = self.row_heads().map(|(_, _, wings)| wings).collect();
         let is_head = move |run: &&Run| {
             let ends = run.points.first().zip(run.points.last());
-            ends.is_some_and(|(first, last)| heads.iter().any(|wings| [*first, *last] == *wings))
+            ends.is_some_and(|(first, last)| heads.contains(&[*first, *last]))
         };
         let tick = move |run| {
             let (first, step) = first?;

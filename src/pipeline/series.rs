@@ -179,8 +179,8 @@ fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
     let key = match (has_legend, blanked.len() > 1) {
         (true, false) => "the key names them as blank",
         (true, true) => {
-            "the key names them as blank, and fingers cannot tell these series apart: write labels at the bars, or make \
-             the figure larger"
+            "the key names them as blank, and fingers cannot tell these series apart: write labels at the bars, or \
+             make the figure larger"
         }
         (false, _) => "say in a label which are which",
     };

@@ -43,8 +43,8 @@ pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> V
     kept
 }
 
-/// All contours, those of faint strokes marked. How a stroke is painted is told from all of it that is seen: a line of a
-/// grid that is the top of a bar and goes on to the next bar is no border of an area.
+/// All contours, those of faint strokes marked. How a stroke is painted is told from all of it that is seen: a line of
+/// a grid that is the top of a bar and goes on to the next bar is no border of an area.
 fn with_faint_strokes(confirmed: Vec<Vec<Confirmed>>) -> Vec<Confirmed> {
     let whole = |of: &Vec<Confirmed>| {
         let first = of.first()?;
