@@ -1,5 +1,7 @@
 //! What a device is, and what follows from its family alone.
 
+use std::f32::consts::SQRT_2;
+
 use crate::units::{MmPoint, MmRect};
 
 /// From dot to dot at 20 dots per inch, mm.
@@ -116,6 +118,18 @@ impl Device {
             Family::ViewPlus => Pitches::Listed(&[DOT_20_DPI]),
             Family::Pins { .. } => Pitches::Listed(&[PIN]),
             Family::Cells => Pitches::Listed(&[CELL_DOT]),
+        }
+    }
+
+    /// Farthest that the next dot of a line lies from one, mm: the diagonal of its widest steps.
+    pub fn farthest_next(&self, pitch: f32) -> f32 {
+        match self.family {
+            Family::Cells => (CELL - CELL_DOT).hypot(LINE - 2.0 * CELL_DOT),
+            Family::IndexV3 { .. }
+            | Family::IndexV4
+            | Family::BrailleRap { .. }
+            | Family::ViewPlus
+            | Family::Pins { .. } => pitch * SQRT_2,
         }
     }
 

@@ -50,8 +50,8 @@ pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: 
             let other = &tips[id];
             let blank = (other.at - tip.at).length() - tip.radius - other.radius;
             // dots that are next to one another are no gap
-            let is_step =
-                || tip.is_dot && other.is_dot && (other.at - tip.at).length() < STEP * limits.spacing_of_dots();
+            let step = limits.next_dot().max(STEP * limits.spacing_of_dots());
+            let is_step = || tip.is_dot && other.is_dot && (other.at - tip.at).length() < step;
             let long = tip.path != other.path || paths.paths[tip.path as usize].length > LEAST_LENGTH * blank;
             if id < number && blank > 0.0 && blank <= most && long && facing(tip, other) && !is_step() {
                 let between = (tip.at, other.at);

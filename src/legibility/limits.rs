@@ -42,6 +42,8 @@ pub enum MediumLimits {
     Dots {
         /// Distance of dots, mm.
         pitch: f32,
+        /// Farthest that a dot and the next one of its line lie apart, also diagonally, mm.
+        next: f32,
         /// Empty dots between two lines, at least.
         line_gap: u32,
         /// Empty dots between a line and a texture, at least.
@@ -51,8 +53,8 @@ pub enum MediumLimits {
 
 /// The last digit of the numbers of a page, which have two after the point, mm: each of them is off by up to a half.
 pub(super) const LAST_DIGIT: f32 = 0.01;
-/// Dots no farther apart than so many pitches are beside one another, also diagonally; a longer step is a hole in a
-/// line, as where another crosses it.
+/// Dots no farther apart than so many pitches are beside one another on an even grid or on none, also diagonally; a
+/// longer step is a hole in a line, as where another crosses it.
 pub(super) const NEXT_DOT: f32 = 1.5;
 /// A blank is that much less or more by rounding, mm: of two marks three numbers are added up.
 pub(super) const ROUNDING: f32 = 1.5 * LAST_DIGIT;
@@ -90,6 +92,14 @@ impl RuleLimits {
         match self.medium {
             MediumLimits::Print { .. } => 0.0,
             MediumLimits::Dots { pitch, .. } => pitch,
+        }
+    }
+
+    /// How far apart dots lie at most that follow one another, mm; 0 on a printed page.
+    pub(super) fn next_dot(&self) -> f32 {
+        match self.medium {
+            MediumLimits::Print { .. } => 0.0,
+            MediumLimits::Dots { pitch, next, .. } => (NEXT_DOT * pitch).max(next + 2.0 * LAST_DIGIT),
         }
     }
 

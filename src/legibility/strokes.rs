@@ -7,7 +7,7 @@ use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
 use super::joins::APPROACH;
-use super::limits::{CELL, LAST_DIGIT, MediumLimits, NEXT_DOT, RuleLimits};
+use super::limits::{CELL, LAST_DIGIT, MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
@@ -199,8 +199,8 @@ fn is_link(number: usize, lines: &[Line], near: &Surroundings, limits: &RuleLimi
     };
     let is_on = |(width, end): (f32, MmPoint)| match limits.medium {
         MediumLimits::Print { .. } => near.is_on_stroke(number, end, width),
-        MediumLimits::Dots { pitch, .. } => {
-            let reach = NEXT_DOT * pitch;
+        MediumLimits::Dots { .. } => {
+            let reach = limits.next_dot();
             near.has_dot([number; 2], (end, end), reach, |dot| (dot - end).length() <= reach)
         }
     };

@@ -85,5 +85,21 @@ fn pages_of_drawings_pass() {
     assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// Between the cells steps from dot to dot are wider: a line that leads over one to another line ends on that.
+#[test]
+fn short_lines_between_shapes_pass_on_braille_cells() {
+    let drawing = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 400 300'><rect width='400' height='300' \
+                   fill='#fff'/><ellipse cx='268' cy='53' rx='96' ry='27' fill='#b66c4f'/><g stroke='#000'><rect x='288' \
+                   y='35' width='156' height='106' fill='#41109e'/><rect x='297' y='113' width='133' height='135' \
+                   fill='#e4d123'/><rect x='226' y='29' width='151' height='61' fill='#56a76b'/></g></svg>";
+    let profile = Profile::named("braille-cells").expect("it is built in");
+    let drawing = tactograph::convert(drawing.as_bytes(), &tactograph::Options::new(profile.clone())).expect("a page");
+    let pages: Vec<&Page> = std::iter::once(&drawing.page).chain(&drawing.overview).collect();
+    let faults: Vec<String> = pages.iter().flat_map(|page| errors(page, &profile)).collect();
+    assert!(faults.is_empty(), "{faults:?}");
+    let length = |line: &tactograph::marks::Line| line.runs.iter().map(|run| run.points.len()).sum::<usize>();
+    assert!(drawing.page.figure.lines.iter().any(|line| length(line) == 3), "one is so short");
+}
+
 /// How many of them: a few seconds' work. `tools/src/bin/checking.rs` looks at 200.
 const SCENES: u64 = 40;
