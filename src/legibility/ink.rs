@@ -125,9 +125,10 @@ fn is_dark(pixel: &[u8]) -> bool {
     pixel[..3].iter().map(|&channel| u32::from(channel)).sum::<u32>() < 3 * 128
 }
 
-/// A pixel that is black: areas that a person filled with a colour are to have its texture.
+/// A pixel that is black, also on the antialiased rim of an area: what a person filled with a colour is to have its
+/// texture.
 fn is_black_pixel(pixel: &[u8]) -> bool {
-    is_black([pixel[0], pixel[1], pixel[2]])
+    pixel[..3].iter().all(|&channel| channel < 64)
 }
 
 impl DrawnInk {

@@ -43,7 +43,7 @@ pub enum MediumLimits {
         /// Distance of dots, mm.
         pitch: f32,
         /// Farthest that a dot and the next one of its line lie apart, also diagonally, mm.
-        next: f32,
+        farthest_next: f32,
         /// Empty dots between two lines, at least.
         line_gap: u32,
         /// Empty dots between a line and a texture, at least.
@@ -99,7 +99,7 @@ impl RuleLimits {
     pub(super) fn next_dot(&self) -> f32 {
         match self.medium {
             MediumLimits::Print { .. } => 0.0,
-            MediumLimits::Dots { pitch, next, .. } => (NEXT_DOT * pitch).max(next + 2.0 * LAST_DIGIT),
+            MediumLimits::Dots { pitch, farthest_next, .. } => (NEXT_DOT * pitch).max(farthest_next + 2.0 * LAST_DIGIT),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Ticks and marks of angles that are too short for a line and not on the page. A reader who expects them is misled,
 //! and only a larger figure has them, so they are told by what they are.
 
+use std::cell::LazyCell;
 use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::areas::index_of_lines;
@@ -84,12 +85,9 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
-    let of_chains: Vec<Vec<MmPoint>> = edges.chains.iter().map(points).collect();
-    let are_pieces = are_pieces_of_gridlines(edges, &of_chains, least);
-    for ((chain, points), is_piece) in edges.chains.iter().zip(of_chains).zip(are_pieces) {
-        if chain.closed || chain.kind.added || is_piece {
-            continue;
-        }
+    let gridlines = LazyCell::new(|| gridlines_of(edges, transform));
+    for chain in edges.chains.iter().filter(|chain| !chain.closed && !chain.kind.added) {
+        let points = points(chain);
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let middle = first.lerp(last, 0.5);
@@ -105,6 +103,7 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         let crossed = line_at(points[points.len() / 2], DRAWN);
         let Some(kind) = kind(&points, length, (ends, crossed)) else { continue };
         match kind {
+            MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
             MarkKind::Tick => marks.ticks += 1,
             MarkKind::Arc => marks.arcs += 1,
             MarkKind::Corner => marks.corners += 1,
@@ -118,25 +117,22 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
 /// A gridline has at least so many pieces, or a long one: ticks at two axes are two.
 const PIECES: usize = 3;
 
-/// Which chains are pieces shorter than `least`, mm, of gridlines: what is left of one between two bars is no tick.
-fn are_pieces_of_gridlines(edges: &Edges, points: &[Vec<MmPoint>], least: f32) -> Vec<bool> {
-    let ends = edges.chains.iter().zip(points).map(|(chain, points)| {
-        let line = PolylineRef { vertices: &points[..], closed: chain.closed };
-        straight_ends(line).filter(|_| chain.kind.faint)
-    });
+/// The ends of the faint lines of a drawing that are a grid, and of their pieces.
+fn gridlines_of(edges: &Edges, transform: &PageTransform) -> Vec<[MmPoint; 2]> {
+    let faint = edges.chains.iter().filter(|chain| chain.kind.faint);
+    let ends = faint.map(|chain| Some(straight_ends(edges.chain(chain))?.map(|end| transform.to_mm(end))));
     let ends: Vec<Option<[MmPoint; 2]>> = ends.collect();
-    let is_of_grid = which_are_gridlines(&ends);
-    let of_grid: Vec<[MmPoint; 2]> =
-        ends.iter().zip(&is_of_grid).filter(|(_, is)| **is).filter_map(|(ends, _)| *ends).collect();
-    let length = |[a, b]: [MmPoint; 2]| (b - a).length();
-    let is_piece = |line: [MmPoint; 2]| {
-        let along = (line[1] - line[0]).normalize();
-        let on_line = |at: MmPoint| along.cross(at - line[0]).abs() <= DRAWN;
-        let of_it: Vec<[MmPoint; 2]> =
-            of_grid.iter().copied().filter(|other| other.iter().all(|at| on_line(*at))).collect();
-        length(line) < least && (of_it.len() >= PIECES || of_it.iter().any(|other| length(*other) >= least))
-    };
-    ends.iter().zip(is_of_grid).map(|(ends, is)| is && ends.is_some_and(is_piece)).collect()
+    which_are_gridlines(&ends).into_iter().zip(ends).filter_map(|(is, ends)| ends.filter(|_| is)).collect()
+}
+
+/// Whether a line between these ends is a piece of a gridline, shorter than `least`, mm: what is left of one between
+/// two bars is no tick.
+fn is_piece(line: [MmPoint; 2], gridlines: &[[MmPoint; 2]], least: f32) -> bool {
+    let Some(along) = (line[1] - line[0]).try_normalize() else { return false };
+    let on_line = |at: MmPoint| along.cross(at - line[0]).abs() <= DRAWN;
+    let of_it = || gridlines.iter().filter(|other| other.iter().all(|at| on_line(*at)));
+    let is_long = |[a, b]: &[MmPoint; 2]| (*b - *a).length() >= least;
+    gridlines.contains(&line) && (of_it().count() >= PIECES || of_it().any(is_long))
 }
 
 /// The direction of a mark at one of its points.

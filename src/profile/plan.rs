@@ -317,7 +317,7 @@ impl Plan {
                 let line_gap = self.dots_of(device, pitch).line_gap;
                 // areas without room for the profile's gap keep one
                 let texture_gap = self.profile().dots.texture_gap.round().min(1.0) as u32;
-                MediumLimits::Dots { pitch, next: device.farthest_next(pitch), line_gap, texture_gap }
+                MediumLimits::Dots { pitch, farthest_next: device.farthest_next(pitch), line_gap, texture_gap }
             }
         };
         RuleLimits {

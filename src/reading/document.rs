@@ -147,8 +147,8 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
             }
         };
         let start = node.range().start;
-        let ways = texts::shown_by(node, &by_id);
-        let marks = (0..).zip(&ways).map(|(nth, way)| texts::mark(way, &texts::key(&id, nth)));
+        let paths = texts::shown_by(node, &by_id);
+        let marks = (0..).zip(&paths).map(|(nth, path)| texts::mark(path, &texts::key(&id, nth)));
         edits.push((start..start, marks.collect()));
         let cuts = cuts::of_element(node, text);
         cut += usize::from(!cuts.is_empty() && is_cut(node));
@@ -289,8 +289,8 @@ impl<'a> Elements<'a> {
     pub(super) fn texts(&self, document: &'a Document<'a>) -> Vec<TypedElement<'a>> {
         let mut found = Vec::new();
         for shown_by in document.descendants().filter(Node::is_element) {
-            for (nth, way) in texts::shown_by(shown_by, &self.by_id).into_iter().enumerate() {
-                let Some(&node) = way.last() else { continue };
+            for (nth, path) in texts::shown_by(shown_by, &self.by_id).into_iter().enumerate() {
+                let Some(&node) = path.last() else { continue };
                 let (string, is_label) = (string_of(node), is_in_labels(shown_by));
                 let key = texts::key(shown_by.attribute("id").unwrap_or_default(), nth);
                 if !string.is_empty() {

@@ -25,10 +25,10 @@ const MOST_TEXTS: usize = 1000;
 const MOST_DEEP: usize = 100;
 
 /// The elements by which a text is shown, from the outermost to the text: of one that is no clone only itself.
-pub(super) type Way<'a> = Vec<Node<'a, 'a>>;
+pub(super) type NodePath<'a> = Vec<Node<'a, 'a>>;
 
 /// The texts that an element shows: a text shows itself, and a clone those of what it is a clone of.
-pub(super) fn shown_by<'a>(element: Node<'a, 'a>, by_id: &HashMap<&'a str, Node<'a, 'a>>) -> Vec<Way<'a>> {
+pub(super) fn shown_by<'a>(element: Node<'a, 'a>, by_id: &HashMap<&'a str, Node<'a, 'a>>) -> Vec<NodePath<'a>> {
     if !["text", "use"].contains(&element.tag_name().name()) || is_definition(element) {
         return Vec::new();
     }
@@ -39,26 +39,26 @@ pub(super) fn shown_by<'a>(element: Node<'a, 'a>, by_id: &HashMap<&'a str, Node<
 
 struct Walk<'a, 'm> {
     by_id: &'m HashMap<&'a str, Node<'a, 'a>>,
-    found: Vec<Way<'a>>,
+    found: Vec<NodePath<'a>>,
     looked_at: usize,
 }
 
 impl<'a> Walk<'a, '_> {
-    fn go_through(&mut self, element: Node<'a, 'a>, way: &mut Way<'a>) {
+    fn go_through(&mut self, element: Node<'a, 'a>, path: &mut NodePath<'a>) {
         self.looked_at += 1;
-        let is_too_much = self.looked_at > MOST_LOOKED_AT || self.found.len() >= MOST_TEXTS || way.len() > MOST_DEEP;
-        if is_too_much || way.contains(&element) {
+        let is_too_much = self.looked_at > MOST_LOOKED_AT || self.found.len() >= MOST_TEXTS || path.len() > MOST_DEEP;
+        if is_too_much || path.contains(&element) {
             return;
         }
-        way.push(element);
+        path.push(element);
         match element.tag_name().name() {
-            "text" => self.found.push(way.clone()),
-            "use" => target(element, self.by_id).into_iter().for_each(|of| self.go_through(of, way)),
+            "text" => self.found.push(path.clone()),
+            "use" => target(element, self.by_id).into_iter().for_each(|of| self.go_through(of, path)),
             // a symbol is shown by its clones, other definitions are not
             name if name != "symbol" && NOT_DRAWN.contains(&name) => {}
-            _ => element.children().filter(Node::is_element).for_each(|child| self.go_through(child, way)),
+            _ => element.children().filter(Node::is_element).for_each(|child| self.go_through(child, path)),
         }
-        way.pop();
+        path.pop();
     }
 }
 
@@ -74,9 +74,9 @@ pub(super) fn key(id: &str, nth: usize) -> String {
 }
 
 /// The mark of the place of a text, by its key.
-pub(super) fn mark(way: &[Node<'_, '_>], key: &str) -> String {
+pub(super) fn mark(path: &[Node<'_, '_>], key: &str) -> String {
     let mut out = String::new();
-    let Some((text, around)) = way.split_last() else { return out };
+    let Some((text, around)) = path.split_last() else { return out };
     // Writing to a String cannot fail.
     for node in around {
         let _ = write!(out, "<g{}>", looks(*node));
