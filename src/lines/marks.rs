@@ -41,6 +41,10 @@ pub struct HeadMark {
     pub toward: MmVector,
     /// What it covers in the drawing.
     pub extent: MmRect,
+    /// Strength of its line.
+    pub strength: f32,
+    /// Whether its line is among those that are drawn.
+    pub has_shaft: bool,
     /// Whether it is among the lines already.
     pub is_drawn: bool,
 }

@@ -118,6 +118,8 @@ pub fn draw_with(
         LineMarks { points: Vec::new(), scales: candidates.scales.clone(), heads: candidates.heads.clone() };
     let (points, heads) = if params.on_dots() {
         marks.points = points.iter().map(Point::mark).collect();
+        let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
+        arrowheads::find_shafts(&mut marks.heads, &polylines);
         (DrawnPoints::default(), DrawnHeads::default())
     } else {
         let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();

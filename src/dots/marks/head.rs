@@ -34,7 +34,8 @@ impl Places<'_> {
             !row.closed && (number == 0 || number == row.dots.len() - 1)
         };
         let leads = |dot: RowDot| self.heading(dot).is_some_and(|way| way.dot(mark.toward) >= ALONG);
-        let Some(tip) = self.nearest(mark.at, |dot| is_end(dot) && leads(dot)) else { return false };
+        let nearest = mark.has_shaft.then(|| self.nearest(mark.at, |dot| is_end(dot) && leads(dot)));
+        let Some(tip) = nearest.flatten() else { return false };
         let Some(toward) = self.heading(tip).map(|way| self.on_lattice(way)) else { return false };
         let legs = self.legs(tip.at, toward);
         let count = legs.iter().map(Vec::len).sum();

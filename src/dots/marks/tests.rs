@@ -128,6 +128,8 @@ fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
         at: MmPoint::new(x, 40.3),
         toward: MmVector::new(way, 0.0),
         extent: MmRect::zero(),
+        strength: 100.0,
+        has_shaft: true,
         is_drawn: false,
     };
     let grid = grid();

@@ -21,6 +21,8 @@ const OFF_LINE: f32 = 0.2;
 const SHAFT: f32 = 1.5;
 /// The ends of strokes of a head are free: no other line is so near, mm.
 const FREE: f32 = 0.5;
+/// Strokes of a head lean back along the shaft: the cosine, 65 degrees.
+const LEANS: f32 = 0.42;
 /// Side of the cells in which parts are looked for, mm.
 const CELL: f32 = 5.0;
 
@@ -84,41 +86,54 @@ impl<'a> Contours<'a> {
             return heads;
         }
         let mut taken = vec![false; self.polylines.len()];
-        for (line, polyline) in self.polylines.iter().enumerate().filter(|(_, line)| !line.closed) {
-            for which in Tip::BOTH {
-                let ends = end(polyline, which).zip(heading(polyline, which, HEADING));
-                let Some((at, heading)) = ends else { continue };
-                let shaft = LineEnd { line, which, at, heading };
-                let Some((tip, lines)) = self.whole(&shaft, &taken).or_else(|| self.of_legs(&shaft, &taken)) else {
-                    continue;
-                };
-                let is_long = polyline.length() >= SHAFT * tip.axis().length();
-                if is_long && !taken[line] && !self.goes_on(&tip, line) {
-                    lines.iter().for_each(|line| taken[*line] = true);
-                    heads.push(FoundHead { tip, shaft, lines });
-                }
+        let mut whole: Vec<(f32, FoundHead)> = self.shafts().flat_map(|shaft| self.whole(&shaft)).collect();
+        // where arrows meet, each head is that of the shaft which it points along best
+        whole.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let mut keep = |head: FoundHead, taken: &mut [bool]| {
+            let FoundHead { tip, shaft, lines } = &head;
+            let is_long = self.polylines[shaft.line].length() >= SHAFT * tip.axis().length();
+            let is_other = !heads.iter().any(|of| (of.shaft.line, of.shaft.which) == (shaft.line, shaft.which));
+            let are_free = lines.iter().chain([&shaft.line]).all(|line| !taken[*line]);
+            if is_long && is_other && are_free && !self.goes_on(tip, shaft.line) {
+                lines.iter().for_each(|line| taken[*line] = true);
+                heads.push(head);
+            }
+        };
+        whole.into_iter().for_each(|(_, head)| keep(head, &mut taken));
+        for shaft in self.shafts() {
+            if let Some(head) = self.of_legs(&shaft, &taken) {
+                keep(head, &mut taken);
             }
         }
         heads
     }
 
-    /// A head of one contour at the end of a shaft.
-    fn whole(&self, shaft: &LineEnd, taken: &[bool]) -> Option<(HeadTip, Vec<usize>)> {
-        let mut best: Option<(f32, usize, HeadTip)> = None;
+    /// The ends of lines at which heads may be.
+    fn shafts(&self) -> impl Iterator<Item = LineEnd> + '_ {
+        let open = self.polylines.iter().enumerate().filter(|(_, line)| !line.closed);
+        let ends = open.flat_map(|(line, polyline)| Tip::BOTH.map(|which| (line, polyline, which)));
+        ends.filter_map(|(line, polyline, which)| {
+            let (at, heading) = end(polyline, which).zip(heading(polyline, which, HEADING))?;
+            Some(LineEnd { line, which, at, heading })
+        })
+    }
+
+    /// The heads of one contour that may be that of a shaft, each with the cosine between the two.
+    fn whole(&self, shaft: &LineEnd) -> Vec<(f32, FoundHead)> {
+        let mut found: Vec<(f32, FoundHead)> = Vec::new();
         self.tips.around(shaft.at, shaft.at, NEAR_HEAD, |&(line, tip)| {
-            if line == shaft.line || taken[line] || !fits(&tip, shaft) || !self.is_free(&tip, line) {
-                return;
-            }
-            let along = tip.axis().normalize().dot(shaft.heading);
-            if best.is_none_or(|(most, of, _)| most.total_cmp(&along).then(line.cmp(&of)).is_lt()) {
-                best = Some((along, line, tip));
+            if line != shaft.line && fits(&tip, shaft) && self.is_free(&tip, line) {
+                let along = tip.axis().normalize().dot(shaft.heading);
+                found.push((along, FoundHead { tip, shaft: *shaft, lines: vec![line] }));
             }
         });
-        best.map(|(_, line, tip)| (tip, vec![line]))
+        // a tip lies in several cells
+        found.sort_by(|(a, head), (b, other)| b.total_cmp(a).then(head.lines.cmp(&other.lines)));
+        found
     }
 
     /// A head of two strokes that begin at the end of a shaft.
-    fn of_legs(&self, shaft: &LineEnd, taken: &[bool]) -> Option<(HeadTip, Vec<usize>)> {
+    fn of_legs(&self, shaft: &LineEnd, taken: &[bool]) -> Option<FoundHead> {
         let mut sides: [Option<(f32, usize, MmPoint)>; 2] = [None; 2];
         self.ends.around(shaft.at, shaft.at, NEAR_HEAD, |leg| {
             let far = (leg.at - shaft.at).length();
@@ -126,6 +141,10 @@ impl<'a> Contours<'a> {
                 return;
             }
             let Some(wing) = end(&self.polylines[leg.line], leg.which.other()) else { return };
+            // a tick beside the end of an axis stands across it
+            if (leg.at - wing).dot(shaft.heading) < LEANS * (leg.at - wing).length() {
+                return;
+            }
             let side = &mut sides[usize::from(shaft.heading.cross(wing - shaft.at) > 0.0)];
             if side.is_none_or(|(least, line, _)| far.total_cmp(&least).then(leg.line.cmp(&line)).is_lt()) {
                 *side = Some((far, leg.line, wing));
@@ -134,7 +153,7 @@ impl<'a> Contours<'a> {
         let [Some((_, left, one)), Some((_, right, other))] = sides else { return None };
         let tip = HeadTip::of(shaft.at, [one, other])?;
         let are_free = [(one, left), (other, right)].iter().all(|&(wing, of)| self.is_free_end(wing, of));
-        (fits(&tip, shaft) && are_free).then(|| (tip, vec![left, right]))
+        (fits(&tip, shaft) && are_free).then(|| FoundHead { tip, shaft: *shaft, lines: vec![left, right] })
     }
 
     /// Whether the ends of an open contour touch nothing: those of a roof stand on walls.

@@ -24,7 +24,7 @@ use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 pub use finished::{Arrow, arrows};
-pub(super) use place::{DrawnHeads, draw};
+pub(super) use place::{DrawnHeads, draw, find_shafts};
 pub use shapes::is_triangle;
 pub(super) use shorten::shortened;
 
@@ -62,7 +62,8 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
         if (tip.apex - shaft.at).dot(toward) > AT_TIP {
             extend_to(&mut polylines[shaft.line], shaft.which, tip.apex);
         }
-        marks.push(HeadMark { at: tip.apex, toward, extent, is_drawn: false });
+        let strength = polylines[shaft.line].mean_strength();
+        marks.push(HeadMark { at: tip.apex, toward, extent, strength, has_shaft: true, is_drawn: false });
     }
     let shafts: Vec<usize> = heads.iter().map(|head| head.shaft.line).collect();
     let parts: Vec<MmRect> = marks.iter().map(|mark| mark.extent.inflate(CRUMB, CRUMB)).collect();

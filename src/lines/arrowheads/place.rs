@@ -14,6 +14,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The end of a shaft as drawn leads as it did, but for 45 degrees: the cosine.
 const ALONG: f32 = 0.7;
+/// The line of a shaft is as strong as its contour was, but for this share: lines of it may have been joined.
+const ALIKE: f32 = 0.25;
 /// A shaft is shortened by at most this for its head to have room, mm, in steps.
 const MOST: f32 = 8.0;
 const STEP: f32 = 0.5;
@@ -89,6 +91,16 @@ pub(in crate::lines) fn draw(
     drawn
 }
 
+/// Finds the ends of `lines` at which heads are drawn later, as dots; says of which heads there is none.
+pub(in crate::lines) fn find_shafts(marks: &mut [HeadMark], lines: &[&Polyline<Vertex>]) {
+    for mark in marks {
+        match shaft_of(mark, lines).and_then(|(line, which)| end(lines[line], which)) {
+            Some(at) => mark.at = at,
+            None => mark.has_shaft = false,
+        }
+    }
+}
+
 /// The end of a line that is the shaft of a head, as it is drawn: the line's number, and which tip it is.
 fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, Tip)> {
     let ends = lines.iter().enumerate().filter(|(_, line)| !line.closed);
@@ -96,7 +108,9 @@ fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, Tip)
     let near = ends.filter_map(|(number, which, line)| {
         let far = (end(line, which)? - mark.at).length();
         let leads = far <= 2.0 * RING_FARTHEST && heading(line, which, HEADING)?.dot(mark.toward) >= ALONG;
-        leads.then_some((far, number, which))
+        // not a curve that ends beside an axis which is not drawn up to there
+        let is_it = (line.mean_strength() - mark.strength).abs() <= ALIKE * mark.strength;
+        (leads && is_it).then_some((far, number, which))
     });
     near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, number, which)| (number, which))
 }

@@ -184,3 +184,32 @@ fn an_axis_that_ends_shortly_after_its_grid_goes_on_until_its_head_has_room() {
     let wall = contour(&[(66.0, 20.0), (66.0, 80.0)], false);
     assert!(!drawn(&[&grid, &wall]).0, "there is something before it");
 }
+
+#[test]
+fn where_arrows_meet_each_head_is_that_of_its_own_shaft() {
+    // a second arrow begins at the tip of the first
+    let next = contour(&[(60.0, 50.0), (75.0, 20.0)], false);
+    let head = contour(&[(60.0, 50.0), (56.8, 52.9), (56.0, 48.0)], true);
+    for contours in [vec![next.clone(), shaft(), head.clone()], vec![shaft(), next, head]] {
+        let (heads, _) = taken(contours);
+        assert!(matches!(heads[..], [head] if head.toward.x > 0.9), "{heads:?}");
+    }
+}
+
+#[test]
+fn a_tick_beside_the_end_of_an_axis_is_no_head() {
+    let halves = [contour(&[(59.3, 49.0), (59.3, 50.0)], false), contour(&[(59.3, 50.0), (59.3, 51.0)], false)];
+    let (heads, _) = taken(std::iter::once(shaft()).chain(halves).collect());
+    assert!(heads.is_empty(), "{heads:?}");
+}
+
+#[test]
+fn a_head_is_drawn_at_its_own_line_and_not_at_one_that_ends_beside_it() {
+    let mut marks = taken(vec![shaft(), heads()[0].1[0].clone()]).0;
+    let mut curve = contour(&[(20.0, 20.0), (45.0, 47.0), (61.5, 49.0)], false);
+    curve.vertices.iter_mut().for_each(|vertex| vertex.strength *= 2.0);
+    let drawn = draw(&mut marks, &[&curve], &[], area(), &PARAMS);
+    assert!(drawn.heads.is_empty() && !marks[0].is_drawn);
+    find_shafts(&mut marks, &[&curve]);
+    assert!(!marks[0].has_shaft);
+}
