@@ -1,5 +1,5 @@
 //! Forms that only whole rows of labels have. Single letters for a row that has no room for abbreviations: the initials
-//! of the months, which are known by their order, else the alphabet. Numbers of an axis whose unit stands with one of
+//! of the months, which are known by their order, else those of the texts, or the alphabet. Numbers of an axis whose unit stands with one of
 //! them.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -42,7 +42,11 @@ pub(super) fn add(
         let letters = match (known, months) {
             (Some(known), _) => known,
             (None, Some(months)) => months,
-            (None, None) => ('a'..='z').filter_map(spelled).take(texts.len()).collect(),
+            (None, None) => {
+                let all = |letters: &Vec<char>| letters.iter().map(|letter| spelled(*letter)).collect::<Option<_>>();
+                let own = own_letters(&texts).iter().find_map(all);
+                own.unwrap_or_else(|| ('a'..='z').filter_map(spelled).take(texts.len()).collect())
+            }
         };
         if letters.len() < texts.len() {
             continue;
@@ -55,6 +59,19 @@ pub(super) fn add(
             }
         }
     }
+}
+
+/// Letters for the texts of a row that are no two the same, the best first: their initials; else those that are a letter
+/// keep it, and the others have letters of the alphabet.
+fn own_letters(texts: &[&str]) -> Vec<Vec<char>> {
+    let initial = |text: &&str| text.chars().next()?.to_lowercase().next().filter(char::is_ascii_lowercase);
+    let initials: Option<Vec<char>> = texts.iter().map(initial).collect();
+    let own: Vec<Option<char>> =
+        texts.iter().map(|text| initial(text).filter(|_| text.chars().nth(1).is_none())).collect();
+    let mut others = ('a'..='z').filter(|letter| !own.contains(&Some(*letter)));
+    let mixed: Option<Vec<char>> = own.iter().map(|own| own.or_else(|| others.next())).collect();
+    let differ = |letters: &Vec<char>| letters.iter().collect::<BTreeSet<_>>().len() == letters.len();
+    initials.into_iter().chain(mixed).filter(differ).collect()
 }
 
 /// Gives each number of an axis its digits alone as its last form, if they have a unit.

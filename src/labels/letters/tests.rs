@@ -31,3 +31,12 @@ fn months_are_known_by_their_order() {
         Some("slmkmclswplg")
     );
 }
+
+#[test]
+fn letters_of_a_row_are_those_of_its_texts_where_they_can_be() {
+    let of = |texts: &[&str]| own_letters(texts).first().map(String::from_iter);
+    assert_eq!(of(&["Apples", "Pears", "Kiwis"]).as_deref(), Some("apk"));
+    assert_eq!(of(&["R1", "R2", "A"]).as_deref(), Some("bca"), "what is a letter is no other text's");
+    assert_eq!(of(&["Mon", "Tue", "Wed", "Thu"]).as_deref(), Some("abcd"));
+    assert_eq!(of(&["A", "a"]), None);
+}
