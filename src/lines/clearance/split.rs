@@ -19,6 +19,8 @@ const TIP: f32 = 0.01;
 const WHOLE: f32 = 0.5;
 /// The same of a line of a vector drawing: every one is meant, and what is left of a petal is still a petal.
 const WHOLE_EXACT: f32 = 0.25;
+/// A piece of so many least lengths is no stub.
+const LONG: f32 = 3.0;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
 /// blot. None if it has no stubs.
@@ -116,7 +118,7 @@ pub(super) fn split(
     } else if polyline.closed {
         Vec::new()
     } else {
-        most_salient(coarse, params).into_iter().collect()
+        telling(coarse, is_exact, params)
     }
 }
 
@@ -179,11 +181,17 @@ fn clear_stretches(states: &[LineState]) -> Vec<Range<usize>> {
     stretches
 }
 
-/// The most salient of some lines, of equal ones the first.
-fn most_salient(mut lines: Vec<Polyline<Vertex>>, params: &Params) -> Option<Polyline<Vertex>> {
-    let first = (0..lines.len())
-        .max_by(|&a, &b| saliency(&lines[a], params).total_cmp(&saliency(&lines[b], params)).then(b.cmp(&a)))?;
-    Some(lines.swap_remove(first))
+/// Of pieces of a line of which little is left, the most salient, of equal ones the first; of an exact line also those
+/// that are long by themselves, as the walls of a glass above what is in it.
+fn telling(mut pieces: Vec<Polyline<Vertex>>, is_exact: bool, params: &Params) -> Vec<Polyline<Vertex>> {
+    let of = |piece: usize| saliency(&pieces[piece], params);
+    let first = (0..pieces.len()).max_by(|&a, &b| of(a).total_cmp(&of(b)).then(b.cmp(&a)));
+    let mut number = 0;
+    pieces.retain(|piece| {
+        number += 1;
+        Some(number - 1) == first || is_exact && piece.length() >= LONG * params.min_length
+    });
+    pieces
 }
 
 #[cfg(test)]

@@ -71,9 +71,14 @@ fn of_a_ring_that_is_mostly_too_near_nothing_is_left() {
 #[test]
 fn of_a_line_that_is_near_everywhere_the_part_that_tells_most_stays() {
     let lines = [10.0, 40.0, 25.0].map(|length| polyline(&[(5.0, 5.0), (5.0 + length, 5.0)], false));
-    assert_eq!(most_salient(lines.to_vec(), &Params::TEST), Some(lines[1].clone()));
-    assert_eq!(most_salient(vec![lines[0].clone(); 2], &Params::TEST), Some(lines[0].clone()));
-    assert_eq!(most_salient(Vec::new(), &Params::TEST), None);
+    let telling = |lines: &[Polyline<Vertex>], is_exact: bool| super::telling(lines.to_vec(), is_exact, &Params::TEST);
+    assert_eq!(telling(&lines, false), [lines[1].clone()]);
+    assert_eq!(telling(&[lines[0].clone(), lines[0].clone()], false).len(), 1);
+    assert!(telling(&[], true).is_empty());
+    let least = LONG * Params::TEST.min_length;
+    let straight = |length: f32| polyline(&[(5.0, 5.0), (5.0 + length, 5.0)], false);
+    let walls = [least + 1.0, least + 2.0, least - 1.0].map(straight);
+    assert_eq!(telling(&walls, true), walls[..2], "both walls of a glass, and no stub");
 }
 
 #[test]
