@@ -44,6 +44,7 @@ mod texts;
 mod textures;
 mod told_labels;
 mod told_lines;
+mod too_near;
 pub mod trace;
 mod typed;
 mod unwritten;

@@ -118,6 +118,15 @@ fn joins_of(number: usize, paths: &Paths, index: &Nearby, (widest, touch): (f32,
             }
         });
     }
+    // rows of dots also join where corners of theirs do, which have lost the dot that both would have
+    for segment in paths.segments_of(number).iter().filter(|_| touch > 0.0) {
+        index.around(segment.a, segment.a, segment.half_width + widest + touch, |other| {
+            let (distance, _, there) = nearest(other, segment.a);
+            if other.line as usize != number && distance <= segment.half_width + other.half_width + touch {
+                add(segment.arc, other.line, there);
+            }
+        });
+    }
     for segment in paths.segments_of(number) {
         index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
             if !may_be_near(segment, other, 0.0) {

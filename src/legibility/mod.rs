@@ -47,6 +47,7 @@ pub use report::{Checked, rules_as_json, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
 pub(crate) use strokes::{GOES_ON, STEPS, longest_cut};
+pub use strokes::{near_lines, short_lines};
 pub use verdict::{Fingertip, Textures, Verdict};
 
 use std::collections::BTreeMap;

@@ -31,19 +31,12 @@ pub(super) fn findings(
     for (number, line) in lines.iter().enumerate() {
         found.extend(too_thin(line, name_in(names, number), limits));
         if !window.is_some_and(|window| goes_on(line, window, limits)) {
-            let short = too_short(line, name_in(names, number), limits);
             found.extend(
-                short.filter(|_| !is_link(number, lines, &near, limits) && !is_arm(number, lines, &near, limits)),
+                too_short_alone(number, lines, &near, limits).map(|short| short.breach(name_in(names, number), limits)),
             );
         }
     }
-    let (near, are_all) = match (limits.medium, medium) {
-        (MediumLimits::Print { line_gap, .. }, _) => gaps::all_too_near(lines, line_gap),
-        (MediumLimits::Dots { line_gap, .. }, Medium::Dots(dots)) => dotted::too_near(lines, line_gap, dots),
-        (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
-            gaps::all_too_near(lines, line_gap as f32 * pitch)
-        }
-    };
+    let (near, are_all) = near_lines(lines, medium, limits);
     // two lines that are cut there may join on the next sheet
     let meet_beyond = |near: &&Near| window.is_some_and(|window| meet_beyond(near, lines, window, limits));
     let near = near.iter().filter(|near| !meet_beyond(near));
@@ -53,6 +46,23 @@ pub(super) fn findings(
         found.push(FoundBreach::of_page(LINE_GAP, None, what.to_owned()));
     }
     found
+}
+
+/// All places where lines of a page of this medium are nearer than they may be, and whether these are all.
+pub fn near_lines(lines: &[Line], medium: &Medium, limits: &RuleLimits) -> (Vec<Near>, bool) {
+    match (limits.medium, medium) {
+        (MediumLimits::Print { line_gap, .. }, _) => gaps::all_too_near(lines, line_gap),
+        (MediumLimits::Dots { line_gap, .. }, Medium::Dots(dots)) => dotted::too_near(lines, line_gap, dots),
+        (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
+            gaps::all_too_near(lines, line_gap as f32 * pitch)
+        }
+    }
+}
+
+/// The numbers of the lines that are too short.
+pub fn short_lines(lines: &[Line], limits: &RuleLimits) -> Vec<usize> {
+    let near = Surroundings::of(lines, limits);
+    (0..lines.len()).filter(|number| too_short_alone(*number, lines, &near, limits).is_some()).collect()
 }
 
 fn too_near(near: &Near, names: &[String], medium: &Medium, limits: &RuleLimits) -> FoundBreach {
@@ -263,7 +273,34 @@ fn is_arm(number: usize, lines: &[Line], near: &Surroundings, limits: &RuleLimit
     })
 }
 
-fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {
+/// A line that is too short.
+struct Short<'a> {
+    line: &'a Line,
+    /// From tip to tip, mm.
+    length: f32,
+}
+
+impl Short<'_> {
+    fn breach(&self, name: &str, limits: &RuleLimits) -> FoundBreach {
+        let extent = around(points(self.line)).unwrap_or_else(MmRect::zero);
+        let what = format!("{name} is {:.1} mm long; {} mm is the least", self.length, limits.line_length);
+        let at = points(self.line).next().unwrap_or_else(MmPoint::zero);
+        FoundBreach::at(LINE_LENGTH, at, extent, self.length, what).of(name)
+    }
+}
+
+/// A line if it is too short and neither a link nor an arm of a cross.
+fn too_short_alone<'a>(
+    number: usize,
+    lines: &'a [Line],
+    near: &Surroundings,
+    limits: &RuleLimits,
+) -> Option<Short<'a>> {
+    let short = too_short(&lines[number], limits);
+    short.filter(|_| !is_link(number, lines, near, limits) && !is_arm(number, lines, near, limits))
+}
+
+fn too_short<'a>(line: &'a Line, limits: &RuleLimits) -> Option<Short<'a>> {
     // a dot stands for half a pitch to both sides
     let tips = match limits.medium {
         MediumLimits::Print { .. } => line.runs.first().map_or(0.0, |run| run.width),
@@ -273,10 +310,6 @@ fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach
     // of dots, the second row of a broad line is no length of its own
     let dots = line.runs.iter().filter(|run| run.pen != Pen::Stroke).map(Run::length).fold(0.0, f32::max);
     let length = strokes.max(dots) + tips;
-    if length >= limits.line_length - LAST_DIGIT {
-        return None;
-    }
-    let extent = around(points(line)).unwrap_or_else(MmRect::zero);
-    let what = format!("{name} is {length:.1} mm long; {} mm is the least", limits.line_length);
-    Some(FoundBreach::at(LINE_LENGTH, points(line).next()?, extent, length, what).of(name))
+    let is_short = length < limits.line_length - LAST_DIGIT && points(line).next().is_some();
+    is_short.then_some(Short { line, length })
 }

@@ -26,6 +26,7 @@ use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::told_lines::{left_out, told_beside_added, told_dashed, told_left_out, told_simplified, told_whole};
+use super::too_near;
 use super::words::{Words, become_labels};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
@@ -426,6 +427,9 @@ fn draw_whole(
             drawn.lines = by_hand_first(drawn.lines, edges, transform);
         }
         let mut drawn = dots::pressed(drawn, is_of_paths(edges), layout.figure, layout, plan);
+        if edges.of_drawing() {
+            too_near::cut(&mut drawn, (layout.figure, &layout.medium), &plan.limits(), false);
+        }
         if is_all {
             drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
         }

@@ -11,6 +11,7 @@ use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run_stage};
 use super::request::{OverviewSize, scale_of_photograph};
+use super::too_near;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost, PagePart};
 use crate::listing::first_few;
@@ -182,10 +183,17 @@ impl OverviewSource<'_> {
             (true, Rings::Whole) => all.of_overview(),
             (true, Rings::InParts) => lines::Params { whole_rings: false, ..all.of_overview() },
         };
+        // what is apart in the drawing is apart here: a gap is bridged that would be in the figure
+        let scale = if edges.of_drawing() { (place.width() / layout.figure.width()).min(1.0) } else { 1.0 };
+        let params = lines::Params { join_gap: scale * params.join_gap, ..params };
         let outlines = outlines_of_overview(edges, regions, &transform, plan);
         let draw = |params: lines::Params| {
             let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
-            dots::of_overview(drawn, place, layout, plan)
+            let mut drawn = dots::of_overview(drawn, place, layout, plan);
+            if edges.of_drawing() {
+                too_near::cut(&mut drawn, (place, &layout.medium), &plan.limits(), params.whole_rings);
+            }
+            drawn
         };
         let mut drawn = draw(params);
         if !drawn.marks.points.is_empty() && drawn.lost.rings > 0 {

@@ -1,0 +1,57 @@
+use super::*;
+use crate::profile::{Plan, Profile};
+
+fn area() -> MmRect {
+    MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 100.0))
+}
+
+fn stroke(points: &[(f32, f32)]) -> Line {
+    let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+    Line { strength: 100.0, runs: vec![Run::stroke(1.5, points)] }
+}
+
+/// What is left of lines on swell paper.
+fn left(lines: Vec<Line>, whole_rings: bool) -> Lines {
+    let plan = Plan::new(&Profile::named("swell-a4").expect("built in")).expect("it makes sense");
+    let mut drawn = Lines { lines, ..Lines::default() };
+    let print = Medium::Print(crate::page::Print::default());
+    cut(&mut drawn, (area(), &print), &plan.limits(), whole_rings);
+    assert!(near_lines(&drawn.lines, &print, &plan.limits()).0.is_empty(), "{:?}", drawn.lines);
+    drawn
+}
+
+#[test]
+fn lines_that_are_apart_stay_as_they_are() {
+    let lines = vec![stroke(&[(0.0, 10.0), (100.0, 10.0)]), stroke(&[(0.0, 20.0), (100.0, 20.0)])];
+    let drawn = left(lines.clone(), false);
+    assert_eq!((drawn.lines, drawn.lost.lost), (lines, 0.0));
+}
+
+#[test]
+fn of_two_that_cross_at_a_flat_angle_the_shorter_ends_before_the_other() {
+    let long = stroke(&[(0.0, 50.0), (150.0, 50.0)]);
+    let drawn = left(vec![long.clone(), stroke(&[(20.0, 42.0), (130.0, 58.0)])], false);
+    assert_eq!(drawn.lines[0], long);
+    let lengths: Vec<f32> = drawn.lines[1..].iter().map(Line::length).collect();
+    assert!(lengths.len() == 2 && lengths.iter().all(|length| (15.0..40.0).contains(length)), "{lengths:?}");
+    let lost = drawn.lost.lost;
+    assert!((lost + lengths.iter().sum::<f32>() - 110.0_f32.hypot(16.0)).abs() < 0.1, "{lost} mm are told");
+    assert!((drawn.lost.by_place.iter().sum::<f32>() - lost).abs() < 0.01);
+}
+
+#[test]
+fn what_is_too_short_after_a_cut_is_left_out_and_told() {
+    let drawn = left(vec![stroke(&[(0.0, 50.0), (150.0, 50.0)]), stroke(&[(40.0, 52.0), (60.0, 53.0)])], false);
+    assert_eq!((drawn.lines.len(), drawn.lost.gone.len()), (1, 1));
+}
+
+#[test]
+fn a_ring_is_cut_once_and_in_an_overview_left_out() {
+    let ring = stroke(&[(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0), (20.0, 20.0)]);
+    let lines = vec![stroke(&[(10.0, 62.0), (75.0, 62.0), (75.0, 10.0), (10.0, 10.0), (10.0, 62.0)]), ring];
+    let drawn = left(lines.clone(), false);
+    assert_eq!(drawn.lines.len(), 2, "the piece that is left goes on over its first point");
+    assert!((drawn.lines[1].length() - 115.0).abs() < 10.0, "{}", drawn.lines[1].length());
+    let drawn = left(lines, true);
+    assert_eq!((drawn.lines.len(), drawn.lost.rings), (1, 1));
+}
