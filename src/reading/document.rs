@@ -77,14 +77,17 @@ fn without_findings(text: &str) -> Cow<'_, str> {
 }
 
 /// What the format is called in errors.
-pub(super) const FORMAT: &str = "SVG";
+pub(super) const FORMAT: &str = "page";
 
 /// The elements, no deeper and no more than usvg can take.
 ///
 /// # Errors
 /// What is wrong, and where.
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
-    let document = checked_document(text)?;
+    let document = checked_document(text).map_err(|why| match why {
+        Error::TooComplex { why, .. } => Error::too_complex(FORMAT, why),
+        other => other,
+    })?;
     no_longer_than(&document, MOST_DIGITS).map_err(|why| Error::too_complex(FORMAT, why))?;
     Ok(document)
 }
