@@ -20,14 +20,14 @@ use super::overview::{
     DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
 };
 use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
-use super::read::{Content, Read, read};
+use super::read::{Content, Read, read, read_lines};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::told_lines::{left_out, told_beside_added, told_dashed, told_left_out, told_simplified, told_whole};
 use super::words::{Words, become_labels};
-use crate::edges::Edges;
+use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, Medium};
@@ -301,8 +301,11 @@ pub(super) fn lines_of<'a>(given: &Given, regions: Option<&'a Chosen>, decisions
     }
 }
 
-/// The lines of a picture of lines, as contours of a picture of this size, and what is told of letters in it, which are
-/// left out as those of any picture.
+/// Strokes in a picture of lines are one line up to this width, mm: what is broader is an area.
+const WIDEST_STROKE: f32 = 12.0;
+
+/// The lines of a picture of lines, as contours of a picture of this size, and what is told of texts of a document,
+/// which are left out as those of any picture.
 fn edges_of_drawn(
     bytes: &[u8],
     size: Size,
@@ -319,12 +322,13 @@ fn edges_of_drawn(
         Ok(size)
     };
     let options = decode::DecodeOptions { crop: None, page: None, ..request.decoding(&working_size) };
-    let Read { picture, content } = read(bytes.into(), &options, None, &mut |_| ())?;
+    let Read { picture, content } = read_lines(bytes.into(), &options)?;
     let texts = picture.texts.iter().filter(|text| !text.hidden).count();
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
-    let mut edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
+    let params = edges::Params { dark_lines: Some(WIDEST_STROKE * px_per_mm), ..request.plan.edges(px_per_mm) };
+    let mut edges = edges_of(&picture, &content, &params, None, &mut |_| ());
     weaken_thin_strokes(&mut edges, request.plan.lines().max_spacing() * px_per_mm, request.plan);
     Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told))))
 }
