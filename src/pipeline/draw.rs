@@ -35,7 +35,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
-use crate::units::{MmRect, PageTransform, Size};
+use crate::units::{MmRect, MmVector, PageTransform, Size};
 use crate::{About, Error, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
@@ -241,12 +241,19 @@ fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
 /// What the maker is told of lines that were given and are too short for this figure.
 fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
     let least = plan.profile().lines.min_length;
-    let short = given.hand_lines().map(|lines| lines.shorter_than(least / layout.figure.width()));
-    let short: usize = short.sum();
-    let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
+    let figure = layout.figure;
+    let mut short = given.hand_lines().flat_map(|lines| lines.shorter_than(least / figure.width()));
+    let (name, [x, y]) = short.next()?;
+    let count = 1 + short.count();
+    let (lines, the_first, them) = match count {
+        1 => ("1 line".to_owned(), "", "it is"),
+        _ => (format!("{count} lines"), "the first, ", "they are"),
+    };
+    let name = name.map_or_else(String::new, |name| format!("{name}, "));
+    let at = figure.min + figure.size().to_vector().component_mul(MmVector::new(x, y));
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-    (short > 0)
-        .then(|| Note::NotOnPage(About::Lines, Reason::TooShort, format!("{short} {noun} of those given, as {why}")))
+    let told = format!("{lines} of those given ({the_first}{name}at {:.0}, {:.0} mm), as {why}", at.x, at.y);
+    Some(Note::NotOnPage(About::Lines, Reason::TooShort, told))
 }
 
 /// The contours of a picture, and what is decided about the lines that are drawn of them.
