@@ -184,7 +184,7 @@ fn found<E>(
     let paths = paths::Paths::whole(&felt.figure.lines);
     let index = paths.index(CELL);
     go_on()?;
-    found.extend(ends::findings(&paths, &names.lines, &index, limits));
+    found.extend(ends::findings(&paths, names, &index, limits));
     go_on()?;
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(overview::lacks_much(&felt, names, &paths, limits));
