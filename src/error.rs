@@ -12,7 +12,7 @@ use crate::listing::list;
 use crate::profile::{Fault, quoted};
 use crate::touch::FINGERS;
 use crate::units::Size;
-use phrases::{has_pages, hint, or_without, take_one};
+use phrases::{has_pages, hint, or_without, simpler, take_one};
 
 /// Why no page could be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -42,10 +42,7 @@ pub enum Error {
         why: String,
     },
     /// The file is sound, and has more of something than can be drawn: elements in elements, letters, digits, paths.
-    #[error(
-        "this {format} is beyond what can be drawn: {why}; simplify it or make it smaller in a drawing program, or \
-         convert a picture of it (PNG)"
-    )]
+    #[error("this {format} is beyond what can be drawn: {why}; {}", simpler(format))]
     TooComplex {
         /// Name of the format, such as "SVG".
         format: &'static str,

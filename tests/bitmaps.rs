@@ -137,3 +137,30 @@ fn clean_drawings_and_meant_grounds_are_not_taken_for_paper() {
         assert!(!drawing.notes.iter().any(|note| matches!(note, Note::GroundAsPaper { .. })), "a painted ground");
     }
 }
+
+#[test]
+fn strokes_of_any_thickness_in_a_picture_of_lines_are_one_line() {
+    // 1 to 12 mm on the page, with a gap narrower than the strokes beside it, and a branch on a thick one
+    let px_per_mm = 900.0 / 174.0;
+    let at = [40.0, 110.0, 180.0, 250.0, 340.0, 440.0];
+    let strokes = at.iter().zip([1.0, 2.0, 4.0, 6.0, 8.0, 12.0]);
+    let strokes: String =
+        strokes.map(|(y, mm)| format!("<path d='M60 {y}H840' stroke-width='{}'/>", mm * px_per_mm)).collect();
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='600'><rect width='900' height='600' fill='#fff'/>\
+         <g fill='none' stroke='#000' stroke-linecap='round'>{strokes}<path d='M450 440V580' stroke-width='8'/></g></svg>"
+    );
+    let picture = bitmap::png(&svg, 900).expect("a picture");
+    let profile = Profile::named("swell-a4").expect("it is built in");
+    let options = Options::new(profile).lines(&picture).expect("a picture of lines");
+    let page = tactograph::convert(WORKSHEET.as_bytes(), &options).expect("a page").page;
+    let lines = &page.figure.lines;
+    assert_eq!(lines.len(), at.len() + 1, "{lines:?}");
+    assert!(lines.iter().all(|line| line.runs.iter().all(|run| !run.closed)), "{lines:?}");
+    for y in at {
+        let wanted = page.figure.place.min.y + y / px_per_mm;
+        let lies = |at: &tactograph::MmPoint| (at.y - wanted).abs() < 0.3;
+        let is_there = lines.iter().any(|line| line.runs.iter().flat_map(|run| &run.points).all(lies));
+        assert!(is_there, "a line at {wanted} mm: {lines:?}");
+    }
+}

@@ -222,3 +222,34 @@ fn places_in_a_file_of_added_lines_are_told_as_those_of_that_file() {
     let of_file = "(said of the file of added lines, in its own mm)";
     assert!(told.iter().any(|note| note.contains("beyond the sheet") && note.contains(of_file)), "{told:?}");
 }
+
+#[test]
+fn areas_of_a_page_that_nobody_changed_are_as_large_as_before() {
+    // two areas with pockets behind lines, in which there is no sign
+    let picture = std::fs::read("samples/coffee.png").expect("a sample");
+    let convert = |options: &Options| tactograph::convert(&picture, options).expect("a page").page;
+    let before = convert(&options());
+    let after = convert(&options().areas(before.to_svg()).expect("a page"));
+    let areas = |page: &Page| -> Vec<(&str, f32)> {
+        page.figure.textures.iter().map(|texture| (texture.class.name(), texture.area)).collect()
+    };
+    let (before, after) = (areas(&before), areas(&after));
+    assert_eq!(before.len(), after.len(), "{before:?} {after:?}");
+    for ((class, area), (class_after, area_after)) in before.iter().zip(&after) {
+        assert_eq!(class, class_after);
+        assert!((area_after / area - 1.0).abs() < 0.03, "{class}: {area} and {area_after} square mm");
+    }
+}
+
+#[test]
+fn lines_that_are_too_short_are_told_with_name_and_place() {
+    let own = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><g fill='none' stroke='#000'>\
+               <path d='M20 20H280'/><path id='hair' d='M150 100h5'/><path d='M150 120h5'/></g></svg>";
+    for options in [options().lines(own), options().add_lines(own)] {
+        let drawing = tactograph::convert(PICTURE.as_bytes(), &options.expect("a drawing")).expect("a page");
+        let at = drawing.page.figure.place.center();
+        let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+        let named = format!("2 lines of those given (the first, line \"hair\", at {:.0}, {:.0} mm)", at.x, at.y);
+        assert!(told.iter().any(|note| note.contains(&named)), "{named}: {told:?}");
+    }
+}

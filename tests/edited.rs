@@ -390,3 +390,65 @@ fn strokes_in_the_overview_of_a_page_of_dots_become_dots() {
     assert_eq!(drawing.page.figure.lines.len(), page.figure.lines.len());
     assert!(told(&drawing.notes).contains("1 line of the overview on a page of dots made dots"));
 }
+
+#[test]
+fn a_dot_drawn_on_a_texture_gets_room() {
+    for page in [page(&options()), page_of_dots()] {
+        let texture = &page.figure.textures[0];
+        let at = texture.glyphs[texture.glyphs.len() / 2].at;
+        let dot = format!("<circle cx='{}' cy='{}' r='0.8'/>", at.x, at.y);
+        let svg = with(&page.to_svg(), &dot);
+        let checked = tactograph::check(&svg, &PageOptions::new()).expect("a page");
+        assert_eq!(checked.errors(), 0, "{checked}");
+        let told = checked.to_string();
+        assert!(told.contains("warning texture-gap") && told.contains("a dot that was drawn"), "{told}");
+        let drawing = render(&svg);
+        assert!(self::told(&drawing.notes).contains("too near to a line or dot that was drawn"), "{:?}", drawing.notes);
+        assert_eq!(found(&drawing.page.to_svg()), []);
+        let dots = drawing.page.labels.iter().flat_map(|dots| &dots.at);
+        assert!(dots.into_iter().any(|dot| (*dot - at).length() < 0.02), "the dot is there");
+    }
+}
+
+#[test]
+fn a_stroke_too_broad_for_the_sheet_is_told_with_its_place() {
+    let svg = |width: &str| {
+        let page = page(&options()).to_svg();
+        with_line(&page, &format!("<path id='broad' d='M60 90H120' stroke='#000' stroke-width='{width}'/>"))
+    };
+    for width in ["400", "5000", "1e6"] {
+        let svg = svg(width);
+        let told = self::told(&reading(&svg).notes);
+        assert!(told.contains("1 line (the first at 60, 90 mm) whose stroke is too broad for the sheet"), "{told}");
+        let checked = tactograph::check(&svg, &PageOptions::new()).expect("a page").to_string();
+        assert!(checked.contains("\"broad\"") && checked.contains("render leaves it out"), "{checked}");
+    }
+    let refused = read(svg("1e9").as_bytes()).expect_err("it cannot be computed with").to_string();
+    assert!(refused.contains("stroke-width of \"broad\" has a place or size too large to compute with"), "{refused}");
+    assert!(refused.contains("delete it there") && !refused.contains("PNG"), "{refused}");
+}
+
+#[test]
+fn texts_that_flow_are_read() {
+    let page = page(&options());
+    let place = page.figure.place.min;
+    let [x, y] = [place.x + 20.0, place.y + 30.0];
+    let region = format!("<rect id='region' x='{x}' y='{y}' width='60' height='30'/>");
+    let path = format!("<path d='m{x},{y} h60 v30 h-60 z'/>");
+    let para = "<flowPara>hello</flowPara><flowPara>world</flowPara>";
+    let flowing = [
+        format!("<flowRoot><flowRegion>{region}</flowRegion>{para}</flowRoot>"),
+        format!("<flowRoot><flowRegion>{path}</flowRegion>{para}</flowRoot>"),
+        format!("<defs>{region}</defs><text style='shape-inside:url(#region)'>hello world</text>"),
+    ];
+    for text in flowing {
+        let labels = with(&page.to_svg(), &format!("<g id='labels-text'>{text}</g>"));
+        let read = reading(&labels);
+        let typed: Vec<(&str, MmPoint)> = read.texts.iter().map(|text| (text.string.as_str(), text.at)).collect();
+        let [(string, at)] = typed[..] else { panic!("{text}: {typed:?}") };
+        assert_eq!(string, "hello world");
+        assert!((at - MmPoint::new(x, y)).length() < 0.1, "{text}: {at:?}");
+        let outside = told(&reading(&with(&page.to_svg(), &text)).notes);
+        assert!(outside.contains("text \"hello world\" at"), "{outside}");
+    }
+}

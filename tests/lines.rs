@@ -24,6 +24,7 @@ const EDGES: edges::Params = edges::Params {
     side_cell: 2.5,
     side_offset: 5.5,
     widest_stroke: 11.75, // two lines of 1.5 mm and a gap of 3.2 mm, at SCALE
+    dark_lines: None,
 };
 
 const LINES: lines::Params = lines::Params { detail: 1.0, ..drawn::LINES };

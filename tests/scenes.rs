@@ -30,6 +30,7 @@ fn edge_params(sigma: f32) -> edges::Params {
         side_cell: 3.0,
         side_offset: 6.6,
         widest_stroke: 19.0,
+        dark_lines: None,
     }
 }
 

@@ -88,6 +88,7 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     let as_dots = pipeline::with_strokes_as_dots(read, &Plan::new(&own)?)?;
     let read = as_dots.as_ref().map_or(read, |(read, _)| read);
     let checked = drawn.check(read, &limits, fingertip, &go_on)?;
+    notes.extend(legibility::told_left_out(&read.page));
     notes.extend(as_dots.iter().flat_map(|(_, told)| told).cloned());
     Ok(Checked { notes, ..checked })
 }

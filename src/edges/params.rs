@@ -4,6 +4,9 @@
 /// on a skeleton, turns it by less than 4 degrees.
 pub(super) const HEADING: f32 = 8.0;
 
+/// A stroke of a bitmap is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
+const WIDEST: f32 = 0.55;
+
 /// Parameters of the edge detector. Lengths are in pixels of the working picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
@@ -27,12 +30,20 @@ pub struct Params {
     /// Distance from the edge at which the two sides are compared, px.
     pub side_offset: f32,
     /// The widest stroke of a vector drawing that has one contour, along its middle, px; a wider one has two. Of a
-    /// bitmap only strokes of up to 0.55 of it are looked for (`stroke::centre`): the sides of wider ones are found
+    /// bitmap only strokes of up to 0.55 of it are looked for ([`WIDEST`]): the sides of wider ones are found
     /// well by themselves, and become one line later where they have no room (`lines::centreline`).
     pub widest_stroke: f32,
+    /// Of a picture of dark lines on light ground the width up to which strokes have one contour, px; between them
+    /// nothing is a stroke. None of any other picture.
+    pub dark_lines: Option<f32>,
 }
 
 impl Params {
+    /// The widest stroke of a bitmap that has one contour, px.
+    pub(super) fn widest_of_bitmap(&self) -> f32 {
+        self.dark_lines.unwrap_or(WIDEST * self.widest_stroke)
+    }
+
     /// The same for a drawing.
     pub(super) fn of_drawing(self) -> Self {
         Self { min_length: self.min_length_of_drawing, ..self }
@@ -54,6 +65,7 @@ impl Default for Params {
             side_cell: 5.0,
             side_offset: 8.0,
             widest_stroke: 6.0,
+            dark_lines: None,
         }
     }
 }

@@ -20,6 +20,14 @@ pub(super) fn has_pages(pages: &usize) -> String {
     }
 }
 
+/// What to do about a file of too much: an object of a page is put right in it.
+pub(super) fn simpler(format: &str) -> &'static str {
+    match format {
+        "page" => "put that right in the program in which it was drawn, or delete it there",
+        _ => "simplify it or make it smaller in a drawing program, or convert a picture of it (PNG)",
+    }
+}
+
 pub(super) fn hint(looks_like: &Option<&'static str>) -> String {
     looks_like.map_or_else(String::new, |what| format!("; it looks like {what}"))
 }

@@ -1,5 +1,6 @@
 //! Closed polygons: what they enclose; boxes, and circles as such.
 
+use lyon::geom::LineSegment;
 use lyon::geom::euclid::{Box2D, Point2D, Vector2D};
 use std::f32::consts::{PI, TAU};
 
@@ -40,6 +41,17 @@ pub fn holds_box<U>(outer: Box2D<f32, U>, inner: Box2D<f32, U>) -> bool {
 /// Distance of a point from a box; 0 inside.
 pub fn distance_to_box<U>(at: Point2D<f32, U>, place: Box2D<f32, U>) -> f32 {
     (at - at.clamp(place.min, place.max)).length()
+}
+
+/// Where a segment crosses the border of a box, if one of its ends lies inside and the other outside.
+pub fn exit<U>(a: Point2D<f32, U>, b: Point2D<f32, U>, place: Box2D<f32, U>) -> Option<Point2D<f32, U>> {
+    let (from, to) = match [a, b].map(|end| place.contains_inclusive(end)) {
+        [true, false] => (a, b),
+        [false, true] => (b, a),
+        _ => return None,
+    };
+    let segment = LineSegment { from: from.to_untyped(), to: to.to_untyped() };
+    segment.clipped(&place.to_untyped()).map(|inside| Point2D::from_untyped(inside.to))
 }
 
 /// Whether a point lies in a convex polygon, or on its side.

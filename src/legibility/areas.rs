@@ -73,15 +73,20 @@ struct AreaGroup {
     extent: MmRect,
 }
 
-/// The marks that are worse than `least`, by part.
-fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeMap<PageObject, AreaGroup> {
+/// The marks that are worse than `least`, by part; `place` says where one is, and the box around that.
+fn grouped(
+    marks: &[Mark],
+    least: f32,
+    measure: impl Fn(&Mark) -> f32,
+    place: impl Fn(&Mark) -> (MmPoint, MmRect),
+) -> BTreeMap<PageObject, AreaGroup> {
     let mut groups: BTreeMap<PageObject, AreaGroup> = BTreeMap::new();
     for mark in marks {
         let worst = measure(mark);
         if worst >= least {
             continue;
         }
-        let (at, extent) = (mark.middle, mark.extent());
+        let (at, extent) = place(mark);
         let group = groups.entry(mark.part).or_insert(AreaGroup { count: 0, worst, at, extent });
         group.count += 1;
         group.extent = group.extent.union(&extent);
@@ -107,7 +112,8 @@ fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> 
         let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page, names));
         FoundBreach::at(GLYPH_SIZE, group.at, group.extent, thinnest, what).of(&part.name(page, names))
     };
-    grouped(marks, glyph - ROUNDING, thickness).into_iter().map(of).collect()
+    let place = |mark: &Mark| (mark.middle, mark.extent());
+    grouped(marks, glyph - ROUNDING, thickness, place).into_iter().map(of).collect()
 }
 
 fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
@@ -134,7 +140,7 @@ fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) 
         // of dots there is no number
         if matches!(page.medium, Medium::Print(_)) { found } else { found.unmeasured() }
     };
-    grouped(marks, -ROUNDING, within).into_iter().map(of).collect()
+    grouped(marks, -ROUNDING, within, |mark| mark.outside(inner)).into_iter().map(of).collect()
 }
 
 fn too_many(page: &Page) -> Option<FoundBreach> {

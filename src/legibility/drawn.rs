@@ -3,12 +3,14 @@
 
 use std::collections::BTreeMap;
 
+use resvg::tiny_skia::PathSegment;
 use usvg::roxmltree::{Document, Node};
-use usvg::{Group, Paint, Tree};
+use usvg::{Group, Paint, Path, Tree};
 
 use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
+use crate::geom::polygon::exit;
 use crate::reading::{SeenText, is_black, is_braille, is_shown, is_white};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
@@ -64,7 +66,7 @@ impl Seen {
                     let extent = in_mm(path.abs_stroke_bounding_box());
                     let paints = fill.into_iter().chain(stroke).map(|(paint, own)| channels(paint, own * opacity));
                     let inks: Vec<[u8; 3]> = paints.filter(|channels| !is_white(*channels)).collect();
-                    let beyond = beyond(extent, self.sheet, (path.id(), fill.is_some()));
+                    let beyond = beyond(extent, self.sheet, path);
                     self.beyond.extend(beyond.filter(|_| !inks.is_empty()));
                     inks.into_iter().for_each(|channels| self.add_ink(channels, extent));
                 }
@@ -94,18 +96,45 @@ fn channels(paint: &Paint, opacity: f32) -> [u8; 3] {
 }
 
 /// How far a mark of this name, which may be filled, reaches beyond the sheet, if it does.
-fn beyond(extent: MmRect, sheet: MmRect, (id, is_filled): (&str, bool)) -> Option<FoundBreach> {
+fn beyond(extent: MmRect, sheet: MmRect, path: &Path) -> Option<FoundBreach> {
+    let (id, is_filled) = (path.id(), path.fill().is_some());
     let MmRect { min, max } = extent;
     let out = (sheet.min.x - min.x).max(sheet.min.y - min.y).max(max.x - sheet.max.x).max(max.y - sheet.max.y);
     let name = if id.is_empty() { "a mark without a name".to_owned() } else { format!("\"{id}\"") };
-    let at = extent.center().clamp(sheet.min, sheet.max);
-    let made = match (sheet.intersects(&extent), is_filled) {
+    // half of a stroke that is broader than this has no room on the sheet
+    let is_broad = is_broader(path, sheet.width().min(sheet.height()));
+    let made = match (sheet.intersects(&extent) && !is_broad, is_filled) {
         (false, _) => "leaves it out",
         (true, false) => "cuts it off at the edge",
         (true, true) => "leaves it out, or cuts off a line around it at the edge",
     };
     let what = || format!("{name} reaches {out:.1} mm beyond the sheet, and render {made}");
-    (out > ON_EDGE).then(|| FoundBreach::at(MARGIN, at, extent, -out, what()).of(id))
+    let at = || leaving(path, sheet).unwrap_or_else(|| extent.center().clamp(sheet.min, sheet.max));
+    (out > ON_EDGE).then(|| FoundBreach::at(MARGIN, at(), extent, -out, what()).of(id))
+}
+
+/// Whether a path has a stroke at least so broad, mm.
+fn is_broader(path: &Path, least: f32) -> bool {
+    let to_mm = path.abs_transform().post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX);
+    let scale = (to_mm.sx * to_mm.sy - to_mm.kx * to_mm.ky).abs().sqrt();
+    path.stroke().is_some_and(|stroke| stroke.width().get() * scale >= least)
+}
+
+/// Where a path first crosses the edge of the sheet; curves count as their chords.
+fn leaving(path: &Path, sheet: MmRect) -> Option<MmPoint> {
+    let to_mm = path.abs_transform().post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX);
+    let geometry = path.data().clone().transform(to_mm)?;
+    let mut last = None;
+    geometry.segments().find_map(|segment| {
+        let (from, to) = match segment {
+            PathSegment::MoveTo(at) => (None, Some(at)),
+            PathSegment::LineTo(at) | PathSegment::QuadTo(_, at) | PathSegment::CubicTo(_, _, at) => (last, Some(at)),
+            PathSegment::Close => (last, None),
+        };
+        last = to;
+        let [from, to] = [from?, to?].map(|at| MmPoint::new(at.x, at.y));
+        exit(from, to, sheet)
+    })
 }
 
 fn in_mm(rect: usvg::Rect) -> MmRect {

@@ -7,13 +7,16 @@ use super::paths::{PathKind, Paths};
 use super::rules::BROKEN_LINE;
 use super::strokes::both;
 use crate::geom::nearby::{Index, Nearby};
-use crate::geom::{crossing, nearby, segment_distance};
+use crate::geom::{crossing, nearby, nearest_on_segment, segment_distance};
+use crate::page::Names;
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// How far back from its end the direction of a line is taken, mm.
 const BACK: f32 = 3.0;
 /// Two ends point at one another if each does so within 25 degrees.
 const STRAIGHT_COSINE: f32 = 0.906;
+/// An end points at a side if it meets it at 45 degrees and more.
+const STEEP_SINE: f32 = 0.7;
 /// Dots nearer than so many pitches are next to one another, also diagonally: on a grid the same as
 /// [`NEXT_DOT`](super::limits::NEXT_DOT), as there are no distances between 1.42 and 2.
 const STEP: f32 = 1.6;
@@ -31,7 +34,8 @@ struct Tip {
     is_dot: bool,
 }
 
-pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &RuleLimits) -> Vec<FoundBreach> {
+pub(super) fn findings(paths: &Paths, all: &Names, index: &Nearby, limits: &RuleLimits) -> Vec<FoundBreach> {
+    let names = &all.lines;
     let most = limits.missed_gap();
     // the second row of a heavy line of dots ends where it does because of the first
     let has_ends = |path: &usize| {
@@ -46,6 +50,10 @@ pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: 
     let largest = tips.iter().map(|tip| tip.radius).fold(0.0, f32::max);
     let mut found = Vec::new();
     for (number, tip) in tips.iter().enumerate() {
+        let name = name_in(names, paths.paths[tip.path as usize].line);
+        if all.by_hand.contains(name) {
+            found.extend(stops_short(paths, names, tip, index, most));
+        }
         near.around(tip.at, tip.at, most + tip.radius + largest, |&id| {
             let other = &tips[id];
             let blank = (other.at - tip.at).length() - tip.radius - other.radius;
@@ -84,6 +92,32 @@ fn broken(paths: &Paths, names: &[String], tip: &Tip, other: &Tip, blank: f32) -
     };
     let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));
     FoundBreach::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what).of(line(tip))
+}
+
+/// An end that a person drew which points at the side of another line over a gap of up to `most` mm and no error: of
+/// what the program draws, where ends are cut to keep clear, half a page of a photograph would be told.
+fn stops_short(paths: &Paths, names: &[String], tip: &Tip, index: &Nearby, most: f32) -> Option<FoundBreach> {
+    let far = tip.at + tip.outwards * (2.0 * most);
+    let (mut nearest, mut is_joined): (Option<(f32, MmPoint, u32)>, bool) = (None, false);
+    index.around(tip.at.min(far), tip.at.max(far), most, |side| {
+        let radii = tip.radius + side.half_width;
+        is_joined |= side.line != tip.path && nearest_on_segment(tip.at, side.a, side.b).0 <= radii + TOUCH;
+        let Some(at) = crossing((tip.at, far), (side.a, side.b)) else { return };
+        let Some(along) = (side.b - side.a).try_normalize() else { return };
+        let blank = (at - tip.at).length() - radii;
+        // it does not pass by
+        let is_steep = tip.outwards.cross(along).abs() >= STEEP_SINE;
+        if is_steep && nearest.is_none_or(|(least, ..)| blank < least) {
+            nearest = Some((blank, at, side.line));
+        }
+    });
+    let (blank, at, other) = nearest.filter(|(blank, ..)| !is_joined && (0.5 * most..=most).contains(blank))?;
+    let name = |path: u32| name_in(names, paths.paths[path as usize].line);
+    let what =
+        format!("{} ends {blank:.1} mm before {}, so that it may be meant to meet it", name(tip.path), name(other));
+    let extent = MmRect::new(tip.at.min(at), tip.at.max(at));
+    (other != tip.path)
+        .then(|| FoundBreach::at(BROKEN_LINE, tip.at.lerp(at, 0.5), extent, blank, what).of(name(tip.path)))
 }
 
 fn facing(a: &Tip, b: &Tip) -> bool {

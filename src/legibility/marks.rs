@@ -2,8 +2,8 @@
 //! between any two.
 
 use crate::geom::nearby::Index;
-use crate::geom::polygon::is_in_convex;
-use crate::geom::{nearest_on_segment, segment_distance};
+use crate::geom::polygon::{exit, is_in_convex};
+use crate::geom::{crossing, nearest_on_segment, segment_distance};
 use crate::page::{Dots, Glyph, Line, Names, Page, Pen, Run, Shape, text_name};
 use crate::units::{Mm, MmPoint, MmRect};
 
@@ -64,6 +64,35 @@ impl Mark {
                 MmRect::new(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
             }
         }
+    }
+
+    /// The middle line; of a rhombus, which is small, its middle.
+    fn middle_line(&self) -> (MmPoint, MmPoint) {
+        match self.outline {
+            MarkOutline::Stroke { a, b, .. } => (a, b),
+            MarkOutline::Rhombus { .. } => (self.middle, self.middle),
+        }
+    }
+
+    /// Where it lies on another mark, and the box around that.
+    pub(super) fn meeting(&self, other: &Self) -> (MmPoint, MmRect) {
+        let ((a, b), (c, d)) = (self.middle_line(), other.middle_line());
+        let ends = [(a, c, d), (b, c, d), (c, a, b), (d, a, b)].map(|(end, from, to)| {
+            let (distance, nearest) = nearest_on_segment(end, from, to);
+            (distance, end.lerp(nearest, 0.5))
+        });
+        let nearest = ends.into_iter().min_by(|one, two| one.0.total_cmp(&two.0)).map_or(a, |(_, at)| at);
+        let at = crossing((a, b), (c, d)).unwrap_or(nearest);
+        (at, self.extent().intersection(&other.extent()).unwrap_or_else(|| MmRect::new(at, at)))
+    }
+
+    /// Where it leaves a box, and the box around what is outside; its middle where no part of it is inside.
+    pub(super) fn outside(&self, place: MmRect) -> (MmPoint, MmRect) {
+        let MarkOutline::Stroke { a, b, radius } = self.outline else { return (self.middle, self.extent()) };
+        let inner = place.inflate(-radius, -radius);
+        let Some(at) = exit(a, b, inner) else { return (self.middle, self.extent()) };
+        let tip = if inner.contains_inclusive(a) { b } else { a };
+        (at, MmRect::new(at.min(tip), at.max(tip)).inflate(radius, radius))
     }
 
     /// The blank between two marks, mm; 0 or less where they touch.

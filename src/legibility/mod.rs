@@ -42,6 +42,7 @@ pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONG
 use limits::CELL;
 pub(crate) use limits::LEADER_END;
 pub use limits::{MediumLimits, RuleLimits};
+pub use overview::told_left_out;
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
 pub use report::{Checked, rules_as_json, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
@@ -184,7 +185,7 @@ fn found<E>(
     let paths = paths::Paths::whole(&felt.figure.lines);
     let index = paths.index(CELL);
     go_on()?;
-    found.extend(ends::findings(&paths, &names.lines, &index, limits));
+    found.extend(ends::findings(&paths, names, &index, limits));
     go_on()?;
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(overview::lacks_much(&felt, names, &paths, limits));

@@ -7,6 +7,7 @@ use super::limits::{CELL, RuleLimits, SHAPE};
 use super::marks::name_in;
 use super::paths::{Paths, point_at};
 use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
+use crate::Note;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::ninths;
 use crate::listing::first_few;
@@ -233,4 +234,13 @@ pub(super) fn left_out(page: &Page) -> Option<FoundBreach> {
     let at = MmPoint::new(0.5 * (extent.min.x + extent.max.x), 0.5 * (extent.min.y + extent.max.y));
     let what = format!("{what}, most of them in the {}", ninths::NAMES[ninth]);
     Some(FoundBreach::at(LEFT_OUT, at, extent, percent, what))
+}
+
+/// What whoever checks a page of a photograph is told of these, where they are no breach.
+pub fn told_left_out(page: &Page) -> Option<Note> {
+    let left = LeftOut::of(page);
+    let is_told = left.of_photograph && (LeftOut::TOLD..LeftOut::CROWDED).contains(&left.share());
+    let (millimetres, percent) = (left.millimetres, (100.0 * left.share()).round() as u32);
+    let place = left.most_in().map(|ninth| ninths::NAMES[ninth]);
+    is_told.then_some(Note::LinesLeftOut { millimetres, percent, place, is_larger_turned: false })
 }

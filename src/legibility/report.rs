@@ -94,8 +94,8 @@ impl Checked {
     }
 
     /// The same as SARIF 2.1.0 (OASIS), for programs that collect what checkers find. `file` is the page's name. Places
-    /// are lines of the file, or its first where it is a matter of no one element, names and, in mm, properties, as
-    /// SARIF has none for drawings.
+    /// are lines of the file, or its first where it is a matter of no one element; those on the sheet are in messages
+    /// and, in mm, in properties, as SARIF has none for drawings. Objects are elements among the logical locations.
     pub fn to_sarif(&self, file: &str) -> String {
         let rule = |rule: &Rule| {
             let (number, unit) = self.number(rule);
@@ -108,17 +108,18 @@ impl Checked {
             })
         };
         let result = |finding: &Finding| {
+            let object = finding.object.as_ref().map(|name| json!({ "name": name, "kind": "element" }));
             json!({
                 "ruleId": finding.rule.id,
                 "level": finding.severity().name(),
-                "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.remedy()) },
+                "message": { "text": format!("{}: {}; {}", place(finding), finding.what, finding.remedy()) },
                 "locations": [{
                     // viewers show nothing without a region
                     "physicalLocation": {
                         "artifactLocation": { "uri": file },
                         "region": { "startLine": finding.line.unwrap_or(1) },
                     },
-                    "logicalLocations": [{ "name": place(finding), "kind": "object" }],
+                    "logicalLocations": object.into_iter().collect::<Vec<_>>(),
                 }],
                 "properties": {
                     "place": finding.place,

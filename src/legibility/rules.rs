@@ -127,10 +127,11 @@ pub(super) const LINE_LENGTH: Rule = Rule {
 };
 pub(super) const BROKEN_LINE: Rule = Rule {
     id: "broken-line",
-    asks: "Two ends of lines that point at one another do not leave a gap so small that it may be missed.",
+    asks: "Two ends of lines that point at one another, or one that a person drew and a line, leave no gap so small \
+           that it may be missed.",
     severity: Severity::Warning,
     source: "chosen by us: twice the least blank between two lines; on dots, twice the least distance of their middles",
-    remedy: "join the two ends, or shorten one so that the gap is clear",
+    remedy: "join the two, or shorten one so that the gap is clear",
     number: |limits| Some((limits.missed_gap(), MM)),
 };
 pub(super) const TEXTURE_GAP: Rule = Rule {

@@ -27,15 +27,19 @@ struct Breach {
 
 type Breaches = BTreeMap<(PageObject, Option<PageObject>), Breach>;
 
-fn note(breaches: &mut Breaches, key: (PageObject, Option<PageObject>), number: u32, mark: &Mark, blank: f32) {
-    let extent = mark.extent();
-    let breach =
-        breaches.entry(key).or_insert(Breach { count: 0, blank: f32::MAX, at: mark.middle, extent, last: u32::MAX });
+fn note(
+    breaches: &mut Breaches,
+    key: (PageObject, Option<PageObject>),
+    number: u32,
+    (at, extent): (MmPoint, MmRect),
+    blank: f32,
+) {
+    let breach = breaches.entry(key).or_insert(Breach { count: 0, blank: f32::MAX, at, extent, last: u32::MAX });
     breach.count += usize::from(breach.last != number);
     breach.last = number;
     breach.extent = breach.extent.union(&extent);
     if blank < breach.blank {
-        (breach.blank, breach.at) = (blank, mark.middle);
+        (breach.blank, breach.at) = (blank, at);
     }
 }
 
@@ -44,9 +48,10 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Rule
     let All { textures, braille, overlaps } = breaches(page, marks, limits);
     let name = |part: &PageObject| part.name(page, names);
     let mut found: Vec<FoundBreach> = Vec::new();
-    found.extend(textures.into_iter().map(|((part, _), breach)| {
+    found.extend(textures.into_iter().map(|((part, dot), breach)| {
+        let other = dot.as_ref().map_or_else(|| "a line".to_owned(), name);
         let name = name(&part);
-        of_texture(&name, breach, limits).of(&name)
+        of_texture(&name, &other, breach, limits).of(&name)
     }));
     found.extend(braille.into_iter().map(|((part, other), breach)| {
         let least = other.map_or(BRAILLE_GAP, |other| braille_gap(part, other));
@@ -122,9 +127,10 @@ impl All {
     /// Notes what a mark is too near to, or lies on. Each pair comes in both orders.
     fn judge(&mut self, (number, mark): (u32, &Mark), (id, other): (u32, &Mark), page: &Page, limits: &RuleLimits) {
         match (mark.part, other.part) {
-            (PageObject::Texture(_), PageObject::Line(_)) => {
+            (PageObject::Texture(_), of) if gets_room(of) => {
                 if let Some(blank) = too_near(mark, other, page, limits) {
-                    note(&mut self.textures, (mark.part, None), number, mark, blank);
+                    let dot = matches!(of, PageObject::Numbers(_)).then_some(PageObject::Numbers(0));
+                    note(&mut self.textures, (mark.part, dot), number, (mark.middle, mark.extent()), blank);
                 }
             }
             // the other order of this pair tells it
@@ -134,7 +140,13 @@ impl All {
                 if mark.may_be_within(other, least) {
                     let blank = mark.blank(other);
                     if blank < least - ROUNDING {
-                        note(&mut self.braille, (mark.part, Some(other.part)), number, mark, blank);
+                        note(
+                            &mut self.braille,
+                            (mark.part, Some(other.part)),
+                            number,
+                            (mark.middle, mark.extent()),
+                            blank,
+                        );
                     }
                 }
             }
@@ -144,7 +156,7 @@ impl All {
                     let blank = mark.blank(other);
                     if blank < -ROUNDING || (blank <= 0.0 && is_rhombus(mark, other)) {
                         let key = (mark.part.min(other.part), Some(mark.part.max(other.part)));
-                        note(&mut self.overlaps, key, number, mark, blank);
+                        note(&mut self.overlaps, key, number, mark.meeting(other), blank);
                     }
                 }
             }
@@ -162,7 +174,7 @@ fn may_meet(a: PageObject, b: PageObject) -> bool {
         (a, b),
         (PageObject::Line(_) | PageObject::Leader(_), PageObject::Line(_) | PageObject::Leader(_))
             | (PageObject::OverviewLine(_), PageObject::OverviewLine(_))
-            | (PageObject::Line(_), PageObject::Texture(_))
+            | (PageObject::Line(_) | PageObject::Numbers(_), PageObject::Texture(_))
             | (_, PageObject::Braille(_))
             | (PageObject::Numbers(_), PageObject::Numbers(_))
     )
@@ -189,7 +201,7 @@ pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
         let mut near = false;
         index.around(extent.min, extent.max, texture_reach(limits), |&id| {
             let other = &marks[id as usize];
-            near = near || matches!(other.part, PageObject::Line(_)) && too_near(mark, other, page, limits).is_some();
+            near = near || gets_room(other.part) && too_near(mark, other, page, limits).is_some();
         });
         if near {
             found.push((texture, glyph));
@@ -198,7 +210,12 @@ pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
     found
 }
 
-/// The blank between a glyph and a mark of a line, mm, where it is too little.
+/// Whether textures give way to marks of a part: to lines, and to dots that a person drew.
+fn gets_room(part: PageObject) -> bool {
+    matches!(part, PageObject::Line(_) | PageObject::Numbers(_))
+}
+
+/// The blank between a glyph and a mark that gets room, mm, where it is too little.
 fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &RuleLimits) -> Option<f32> {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => texture_gap - ROUNDING,
@@ -216,7 +233,7 @@ fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &RuleLimits) -> Opti
     Some(glyph.blank(line)).filter(|blank| *blank < least)
 }
 
-fn of_texture(name: &str, breach: Breach, limits: &RuleLimits) -> FoundBreach {
+fn of_texture(name: &str, other: &str, breach: Breach, limits: &RuleLimits) -> FoundBreach {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => format!("{texture_gap} mm of blank is the least"),
         MediumLimits::Dots { texture_gap, .. } => match texture_gap {
@@ -226,7 +243,7 @@ fn of_texture(name: &str, breach: Breach, limits: &RuleLimits) -> FoundBreach {
     };
     let (count, marks) = (breach.count, if breach.count == 1 { "mark lies" } else { "marks lie" });
     let nearest = millimetres(breach.blank);
-    let what = format!("{name}: {count} {marks} too near to a line, the nearest {nearest} from it; {least}");
+    let what = format!("{name}: {count} {marks} too near to {other}, the nearest {nearest} from it; {least}");
     // in the unit of its limit
     let unit = match limits.medium {
         MediumLimits::Print { .. } => 1.0,

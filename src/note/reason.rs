@@ -187,7 +187,7 @@ reasons! {
     GroundBlank => "ground-blank",
     /// A label stands in the place of an area's texture.
     UnderLabel => "under-label",
-    /// Signs of textures are too near to a line that was drawn or moved.
+    /// Signs of textures are too near to a line or dot that was drawn or moved.
     SignNearLine => "sign-near-line",
     /// The legend is in the key, and not in the figure.
     LegendInKey => "legend-in-key",

@@ -297,7 +297,7 @@ fn snap(line: &mut Line, [least, most]: [f32; 2]) -> bool {
 /// by themselves are felt as dots.
 const LEAST_LEFT: f32 = 0.5;
 
-/// The page without those signs of textures that are nearer to a line than `plan` allows; says how many they are.
+/// The page without those signs of textures that are nearer to a line or a drawn dot than `plan` allows; says how many they are.
 ///
 /// # Errors
 /// None of its own: marks only become fewer.
@@ -332,6 +332,7 @@ fn without_crowded_signs(page: Page, plan: &Plan) -> Result<(Page, Option<Note>)
         1 => "; of 1 area too little is left for a texture".to_owned(),
         _ => format!("; of {areas} areas too little is left for a texture"),
     };
-    let told = format!("{count} {signs} of textures that {are} too near to a line that was drawn or moved{whole}");
+    let told =
+        format!("{count} {signs} of textures that {are} too near to a line or dot that was drawn or moved{whole}");
     Ok((Page::new(parts)?, Some(Note::NotOnPage(About::Signs, Reason::SignNearLine, told))))
 }

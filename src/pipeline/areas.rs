@@ -58,13 +58,16 @@ pub(super) fn of_page(page: &Page) -> Classes {
     let mut lightness = Plane::filled(size, 1.0);
     let of_texture = |(number, (texture, mut cells)): (u32, (&Texture, AreaCells))| {
         cells.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        cells.truncate((LARGER * texture.area / (step[0] * step[1])).ceil() as usize);
+        let wanted = texture.area / (step[0] * step[1]);
+        cells.truncate((LARGER * wanted).ceil() as usize);
         let light = self::lightness(texture.colour);
         for &(_, cell) in &cells {
             region[cell] = Some(number);
             lightness.values[cell] = light;
         }
-        Region { class: texture.class, colour: texture.colour, cells: cells.len() as u32 }
+        // parts without a sign, behind lines, are of it still
+        let cells = (cells.len() as u32).max(wanted.round() as u32);
+        Region { class: texture.class, colour: texture.colour, cells }
     };
     let regions = (0..).zip(textures.iter().zip(near)).map(of_texture).collect();
     Classes { size, region, regions, lightness, fringe: Vec::new() }

@@ -20,7 +20,7 @@ use super::overview::{
     DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
 };
 use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
-use super::read::{Content, Read, read};
+use super::read::{Content, Read, read, read_lines};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series;
 use super::subject;
@@ -28,7 +28,7 @@ use super::texts::{self, Text, placed};
 use super::told_lines::{left_out, told_beside_added, told_dashed, told_left_out, told_simplified, told_whole};
 use super::too_near;
 use super::words::{Words, become_labels};
-use crate::edges::Edges;
+use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, Medium};
@@ -36,7 +36,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
-use crate::units::{MmRect, PageTransform, Size};
+use crate::units::{MmRect, MmVector, PageTransform, Size};
 use crate::{About, Error, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
@@ -242,12 +242,19 @@ fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
 /// What the maker is told of lines that were given and are too short for this figure.
 fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
     let least = plan.profile().lines.min_length;
-    let short = given.hand_lines().map(|lines| lines.shorter_than(least / layout.figure.width()));
-    let short: usize = short.sum();
-    let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
+    let figure = layout.figure;
+    let mut short = given.hand_lines().flat_map(|lines| lines.shorter_than(least / figure.width()));
+    let (name, [x, y]) = short.next()?;
+    let count = 1 + short.count();
+    let (lines, the_first, them) = match count {
+        1 => ("1 line".to_owned(), "", "it is"),
+        _ => (format!("{count} lines"), "the first, ", "they are"),
+    };
+    let name = name.map_or_else(String::new, |name| format!("{name}, "));
+    let at = figure.min + figure.size().to_vector().component_mul(MmVector::new(x, y));
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-    (short > 0)
-        .then(|| Note::NotOnPage(About::Lines, Reason::TooShort, format!("{short} {noun} of those given, as {why}")))
+    let told = format!("{lines} of those given ({the_first}{name}at {:.0}, {:.0} mm), as {why}", at.x, at.y);
+    Some(Note::NotOnPage(About::Lines, Reason::TooShort, told))
 }
 
 /// The contours of a picture, and what is decided about the lines that are drawn of them.
@@ -302,8 +309,11 @@ pub(super) fn lines_of<'a>(given: &Given, regions: Option<&'a Chosen>, decisions
     }
 }
 
-/// The lines of a picture of lines, as contours of a picture of this size, and what is told of letters in it, which are
-/// left out as those of any picture.
+/// Strokes in a picture of lines are one line up to this width, mm: what is broader is an area.
+const WIDEST_STROKE: f32 = 12.0;
+
+/// The lines of a picture of lines, as contours of a picture of this size, and what is told of texts of a document,
+/// which are left out as those of any picture.
 fn edges_of_drawn(
     bytes: &[u8],
     size: Size,
@@ -320,12 +330,13 @@ fn edges_of_drawn(
         Ok(size)
     };
     let options = decode::DecodeOptions { crop: None, page: None, ..request.decoding(&working_size) };
-    let Read { picture, content } = read(bytes.into(), &options, None, &mut |_| ())?;
+    let Read { picture, content } = read_lines(bytes.into(), &options)?;
     let texts = picture.texts.iter().filter(|text| !text.hidden).count();
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
-    let mut edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
+    let params = edges::Params { dark_lines: Some(WIDEST_STROKE * px_per_mm), ..request.plan.edges(px_per_mm) };
+    let mut edges = edges_of(&picture, &content, &params, None, &mut |_| ());
     weaken_thin_strokes(&mut edges, request.plan.lines().max_spacing() * px_per_mm, request.plan);
     Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told))))
 }

@@ -197,10 +197,13 @@ impl HandLines {
         (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, Reason::OutsideFigure, told))
     }
 
-    /// How many lines are shorter than a length in the figure, as shares of its width.
-    pub(super) fn shorter_than(&self, share: f32) -> usize {
+    /// The lines that are shorter than a length in the figure, as shares of its width: what each is called, as far as
+    /// that is known, and where it begins, in shares of the figure.
+    pub(super) fn shorter_than(&self, share: f32) -> impl Iterator<Item = (Option<&str>, [f32; 2])> {
         let size = [1.0, 1.0 / self.aspect];
-        self.lines.iter().filter(|line| !line.is_disc && line.length(size) < share).count()
+        let short = self.lines.iter().filter(move |line| !line.is_disc && line.length(size) < share);
+        let name = |line: &HandLine| self.names.get(line.of_line).map(|name| name.name.as_str());
+        short.filter_map(move |line| Some((name(line), line.vertices.first()?.0)))
     }
 
     /// Some of the lines as contours of this kind; those that a person drew are added ones.

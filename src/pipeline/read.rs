@@ -79,6 +79,14 @@ pub(super) fn read(
     Ok(known)
 }
 
+/// A picture of lines: no text is looked for in its pixels, where small closed lines look like letters.
+///
+/// # Errors
+/// As [`decode::decode_picture`].
+pub(super) fn read_lines(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<Read, Error> {
+    decoded(given, options).map(|(known, _)| known)
+}
+
 /// A decoded picture; if it is a drawing that was scanned, on white paper in even light, with the paper that it was on.
 fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Option<Paper>), Error> {
     let picture = decode::decode_picture(given, options)?;

@@ -30,10 +30,6 @@ pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan
     Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
-/// Of a photograph the maker is told of contours that are not drawn from this share on: less is what joins, corners and
-/// the middles of strokes cost.
-const TOLD_OF_PHOTOGRAPHS: f32 = 0.1;
-
 /// What the maker is told of contours that are not drawn.
 pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
     let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
@@ -51,7 +47,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
         let width = layout.figure.width().round() as u32;
         return Some(Note::TooDense { millimetres, percent, place, width, is_larger_turned });
     }
-    let is_told = lost >= least && (of_drawing || share >= TOLD_OF_PHOTOGRAPHS);
+    let is_told = lost >= least && (of_drawing || share >= LeftOut::TOLD);
     is_told.then_some(Note::LinesLeftOut { millimetres, percent, place, is_larger_turned })
 }
 

@@ -161,6 +161,7 @@ impl Plan {
             side_offset: SIDE_OFFSET * px_per_mm,
             // two lines nearer than this could not both be drawn
             widest_stroke: self.lines().max_spacing() * px_per_mm,
+            dark_lines: None,
         }
     }
 

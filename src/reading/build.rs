@@ -413,7 +413,8 @@ impl<'m> Builder<'m> {
             // half the width of a line along the edge of the sheet is not missed
             let all = MmRect::new(MmPoint::zero(), sheet.into()).inflate(SAME, SAME);
             if parts.is_empty() {
-                self.tally.add(What::OffSheet, Some(first));
+                let inside = run.points.iter().find(|at| run.pen == Pen::Stroke && all.contains(**at));
+                self.tally.add(inside.map_or(What::OffSheet, |_| What::TooBroad), Some(*inside.unwrap_or(&first)));
             } else if let Some(beyond) = run.points.iter().find(|at| !all.contains(**at)) {
                 self.tally.add(What::CutAtSheet, Some(*beyond));
             }

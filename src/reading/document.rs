@@ -77,14 +77,17 @@ fn without_findings(text: &str) -> Cow<'_, str> {
 }
 
 /// What the format is called in errors.
-pub(super) const FORMAT: &str = "SVG";
+pub(super) const FORMAT: &str = "page";
 
 /// The elements, no deeper and no more than usvg can take.
 ///
 /// # Errors
 /// What is wrong, and where.
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
-    let document = checked_document(text)?;
+    let document = checked_document(text).map_err(|why| match why {
+        Error::TooComplex { why, .. } => Error::too_complex(FORMAT, why),
+        other => other,
+    })?;
     no_longer_than(&document, MOST_DIGITS).map_err(|why| Error::too_complex(FORMAT, why))?;
     Ok(document)
 }
@@ -95,8 +98,10 @@ pub(super) const UNNAMED: &str = "unnamed-";
 /// The letters of a part of a text, and a blank before each line: a part that has a place of its own, or is a line of
 /// Inkscape's. Other parts, such as an index, belong to the word that they stand in.
 fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
-    let is_line =
-        || part.attribute("x").or(part.attribute("y")).is_some() || part.attribute((SODIPODI, "role")) == Some("line");
+    let is_line = || {
+        let has_place = part.attribute("x").or(part.attribute("y")).is_some();
+        has_place || part.attribute((SODIPODI, "role")) == Some("line") || part.tag_name().name() == "flowPara"
+    };
     match part.is_text() {
         true => part.text(),
         false => (part != text && is_line()).then_some(" "),
@@ -148,7 +153,7 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
         };
         let start = node.range().start;
         let paths = texts::shown_by(node, &by_id);
-        let marks = (0..).zip(&paths).map(|(nth, path)| texts::mark(path, &texts::key(&id, nth)));
+        let marks = (0..).zip(&paths).map(|(nth, path)| texts::mark(path, &texts::key(&id, nth), &by_id));
         edits.push((start..start, marks.collect()));
         let cuts = cuts::of_element(node, text);
         cut += usize::from(!cuts.is_empty() && is_cut(node));

@@ -23,6 +23,7 @@ pub(super) enum What {
     NoGlyph,
     OffSheet,
     CutAtSheet,
+    TooBroad,
     Shaded,
     Dashed,
     UnevenDots,
@@ -117,6 +118,7 @@ impl What {
             Self::NoGlyph => Note::NotOnPage(About::Signs, Reason::NoSign, told),
             Self::OffSheet => Note::NotOnPage(About::Marks, Reason::OffSheet, told),
             Self::CutAtSheet => Note::NotOnPage(About::Lines, Reason::OffSheet, told),
+            Self::TooBroad => Note::NotOnPage(About::Lines, Reason::OffSheet, told),
             Self::Shaded => Note::TakenAs(About::Marks, Reason::NotBlack, told),
             Self::Dashed => Note::TakenAs(About::Lines, Reason::Dashed, told),
             Self::InPrint => Note::NotOnPage(About::Print, Reason::NoPrintWord, told),
@@ -149,6 +151,10 @@ impl What {
             ),
             Self::OffSheet => format!("{}{at} beyond the sheet", n("mark", "marks")),
             Self::CutAtSheet => format!("what of {}{at} reaches beyond the sheet", n("line", "lines")),
+            Self::TooBroad => format!(
+                "{}{at} whose stroke is too broad for the sheet: give it a stroke width of 1.5 mm",
+                n("line", "lines")
+            ),
             Self::Shaded => {
                 format!("{}{at} in grey or colour, taken as black: only black rises", n("mark", "marks"))
             }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use usvg::roxmltree::Node;
 
-use super::style::{NOT_DRAWN, is_definition};
+use super::style::{NOT_DRAWN, is_definition, property};
 
 /// Begins the id of the mark that stands where a text begins.
 pub(super) const PLACE_OF: &str = "place-of-";
@@ -27,9 +27,14 @@ const MOST_DEEP: usize = 100;
 /// The elements by which a text is shown, from the outermost to the text: of one that is no clone only itself.
 pub(super) type NodePath<'a> = Vec<Node<'a, 'a>>;
 
+/// Whether an element is a text, be it of SVG or one that flows as Inkscape wrote it for SVG 1.2.
+fn is_text(element: Node<'_, '_>) -> bool {
+    ["text", "flowRoot"].contains(&element.tag_name().name())
+}
+
 /// The texts that an element shows: a text shows itself, and a clone those of what it is a clone of.
 pub(super) fn shown_by<'a>(element: Node<'a, 'a>, by_id: &HashMap<&'a str, Node<'a, 'a>>) -> Vec<NodePath<'a>> {
-    if !["text", "use"].contains(&element.tag_name().name()) || is_definition(element) {
+    if !(is_text(element) || element.tag_name().name() == "use") || is_definition(element) {
         return Vec::new();
     }
     let mut walk = Walk { by_id, found: Vec::new(), looked_at: 0 };
@@ -52,7 +57,7 @@ impl<'a> Walk<'a, '_> {
         }
         path.push(element);
         match element.tag_name().name() {
-            "text" => self.found.push(path.clone()),
+            _ if is_text(element) => self.found.push(path.clone()),
             "use" => target(element, self.by_id).into_iter().for_each(|of| self.go_through(of, path)),
             // a symbol is shown by its clones, other definitions are not
             name if name != "symbol" && NOT_DRAWN.contains(&name) => {}
@@ -73,8 +78,8 @@ pub(super) fn key(id: &str, nth: usize) -> String {
     format!("{id}/{nth}")
 }
 
-/// The mark of the place of a text, by its key.
-pub(super) fn mark(path: &[Node<'_, '_>], key: &str) -> String {
+/// The mark of the place of a text, by its key. One that flows and says no place begins where its region does.
+pub(super) fn mark<'a>(path: &[Node<'a, 'a>], key: &str, by_id: &HashMap<&'a str, Node<'a, 'a>>) -> String {
     let mut out = String::new();
     let Some((text, around)) = path.split_last() else { return out };
     // Writing to a String cannot fail.
@@ -84,7 +89,15 @@ pub(super) fn mark(path: &[Node<'_, '_>], key: &str) -> String {
         let _ = write!(out, "<g transform=\"translate({} {})\">", escaped(moved("x")), escaped(moved("y")));
     }
     let first = |name: &str| {
-        let value = text.descendants().filter(Node::is_element).find_map(|part| part.attribute(name));
+        let id = property(*text, "shape-inside").and_then(|shape| shape.strip_prefix("url(#")?.strip_suffix(')'));
+        let region = id.and_then(|id| by_id.get(id));
+        let parts = || text.descendants().chain(region.copied()).filter(Node::is_element);
+        // that of a path begins with the place of its first point
+        let of_path = |path: Node<'a, 'a>| {
+            let numbers = path.attribute("d")?.split(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c)));
+            numbers.filter(|number| !number.is_empty()).nth(usize::from(name == "y"))
+        };
+        let value = parts().find_map(|part| part.attribute(name)).or_else(|| parts().find_map(of_path));
         let number = value.and_then(|value| value.split([' ', ',']).find(|number| !number.is_empty()));
         escaped(number.unwrap_or("0"))
     };

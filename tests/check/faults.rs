@@ -57,7 +57,7 @@ fn what_reaches_beyond_the_sheet_is_found() {
         has(&checked, "margin", "\"far\" reaches 20.5 mm beyond the sheet, and render cuts it off at the edge"),
         "{checked}"
     );
-    assert!(has(&checked, "margin", "0 mm from the left and 250 mm from the top"), "{checked}");
+    assert!(has(&checked, "margin", ", 0 mm from the left and 250 mm from the top"), "{checked}");
     assert!(checked.errors() > 0);
     assert!(!has(&drawn("M60,250 H150"), "margin", ""));
     let white = "<rect x=\"-5\" y=\"-5\" width=\"220\" height=\"310\" fill=\"#fff\"/>";
@@ -286,6 +286,52 @@ fn findings_have_their_line_in_the_file() {
     let rows = sarif["runs"][0]["results"].as_array().expect("results").iter();
     let rows = rows.map(|result| result["locations"][0]["physicalLocation"]["region"]["startLine"].as_u64());
     assert!(rows.flatten().any(|row| row == u64::from(row_of("<path id=\"roof\""))));
+    let mut results = sarif["runs"][0]["results"].as_array().expect("results").iter();
+    let roof = results.find(|result| result["ruleId"] == "line-length").expect("the roof is too short");
+    let named = &roof["locations"][0]["logicalLocations"][0];
+    assert_eq!((named["name"].as_str(), named["kind"].as_str()), (object, Some("element")));
+    assert!(roof["message"]["text"].as_str().is_some_and(|text| text.contains(" mm from the left")), "{roof}");
+}
+
+#[test]
+fn places_are_where_a_mark_leaves_the_margin_and_where_two_meet() {
+    let lines = "<path id=\"out\" d=\"M60,250 L160,293\" stroke-width=\"1\"/>";
+    let checked = changed("bars.svg", |svg| with_lines(svg, lines));
+    let found = checked.findings.iter().find(|finding| finding.rule.id == "margin").expect("it is out");
+    let (at, extent) = (found.at.expect("a place"), found.extent.expect("a box"));
+    assert!((at.y - 286.5).abs() < 0.01 && extent.min.y > 285.5, "{at:?} {extent:?}");
+    // across the band of dots around the figure
+    let left = page::of_sample("bars.svg", "swell-a4").page.figure.place.min.x;
+    let across = format!("<path id=\"in\" d=\"M{},100 H{}\" stroke-width=\"1\"/>", left - 7.0, left + 60.0);
+    let checked = changed("bars.svg", |svg| with_lines(svg, &across));
+    let found = checked.findings.iter().find(|finding| finding.rule.id == "overlap").expect("it lies on the frame");
+    // not the middle of the line
+    assert!((left - found.at.expect("a place").x - 3.5).abs() < 3.5, "{found:?} {left}");
+    assert!(found.extent.expect("a box").width() < 3.0, "{found:?}");
+}
+
+#[test]
+fn a_line_drawn_by_hand_that_ends_just_before_another_is_told() {
+    let drawn = |end: f32| {
+        let lines = format!(
+            "<path id=\"post\" d=\"M60,250 H160\" stroke-width=\"1\"/>\
+                             <path id=\"branch\" d=\"M100,280 V{end}\" stroke-width=\"1\"/>"
+        );
+        changed("bars.svg", |svg| with_lines(svg, &lines))
+    };
+    let told = "line \"branch\" ends 4.0 mm before line \"post\", so that it may be meant to meet it";
+    assert!(has(&drawn(255.0), "broken-line", told), "{}", drawn(255.0));
+    assert!(!has(&drawn(262.0), "broken-line", ""), "far off");
+    assert!(!has(&drawn(250.0), "broken-line", ""), "it meets it");
+}
+
+#[test]
+fn contours_that_a_photograph_lacks_are_told() {
+    let drawing = page::of_sample("coffee.png", "swell-a4");
+    let checked = check(drawing.page.to_svg(), &PageOptions::new()).expect("it can be read");
+    let told = |notes: &[tactograph::Note]| notes.iter().filter(|note| note.id() == "lines-left-out").count();
+    assert_eq!((told(&drawing.notes), told(&checked.notes)), (1, 1), "{:?}", checked.notes);
+    assert_eq!(checked.warnings(), 0, "{checked}");
 }
 
 #[test]
@@ -308,10 +354,11 @@ fn findings_are_data_too() {
     let rules = run["tool"]["driver"]["rules"].as_array().expect("rules");
     let known = |result: &serde_json::Value| rules.iter().any(|rule| rule["id"] == result["ruleId"]);
     assert!(run["results"].as_array().expect("results").iter().all(known));
+    // none of them is of an object
     let is_placed = |result: &serde_json::Value| {
         let location = &result["locations"][0];
         location["physicalLocation"]["region"]["startLine"] == 1
-            && location["logicalLocations"][0]["name"].as_str().is_some_and(|name| !name.is_empty())
+            && location["logicalLocations"].as_array().is_some_and(Vec::is_empty)
     };
     assert!(run["results"].as_array().expect("results").iter().all(is_placed));
 }

@@ -22,7 +22,10 @@ fn textures_give_way_to_a_line_that_is_drawn_and_a_page_that_nobody_changed_stay
         );
         place.put("line.svg", place.text("cup.svg").replacen("</svg>", &format!("{line}</svg>"), 1).as_bytes());
         let told = done(&place, &["render", "line.svg", "-o", "done.svg"]);
-        assert!(told.contains("signs of textures that are too near to a line that was drawn or moved"), "{told}");
+        assert!(
+            told.contains("signs of textures that are too near to a line or dot that was drawn or moved"),
+            "{told}"
+        );
         let after = read(&place, "done.svg");
         assert!(glyphs(&after) < glyphs(&page), "{profile}");
         let nearest = after.figure.textures.iter().flat_map(|texture| &texture.glyphs);

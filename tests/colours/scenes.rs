@@ -134,6 +134,7 @@ pub(crate) fn contours(raster: &Raster) -> Vec<Polyline<PxPoint>> {
         side_cell: 8.0,
         side_offset: 12.0,
         widest_stroke: 19.0,
+        dark_lines: None,
     };
     edges::find(raster, &params).borders()
 }

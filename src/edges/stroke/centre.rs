@@ -21,8 +21,6 @@ pub(in crate::edges) struct Stroke {
     pub(in crate::edges) whole: f32,
 }
 
-/// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
-pub(super) const WIDEST: f32 = 0.55;
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
 /// left.
 const SMOOTHING: [f32; 3] = [1.5, 1.0, 1.0];
@@ -106,7 +104,7 @@ pub(super) fn strokes(
         line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
     }
     extend_ends(&mut line, free, residue, width);
-    if !is_even || width > (WIDEST * params.widest_stroke).min(2.0 * radius as f32 - 1.0) {
+    if !is_even || width > params.widest_of_bitmap().min(2.0 * radius as f32 - 1.0) {
         return Vec::new();
     }
     let contrasts: Vec<StrokeContrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();

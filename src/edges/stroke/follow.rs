@@ -145,7 +145,7 @@ fn continuation(
     let last = contour.vertices[tip];
     let strength = contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / contour.vertices.len() as f32;
     let least = params.low.max(SEEN * strength);
-    if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke) {
+    if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke.max(params.widest_of_bitmap())) {
         let goes_on = end_at(strokes, met).is_some_and(|other| turn(direction, other, strokes) <= -AHEAD_COSINE);
         return goes_on.then_some(Continuation { points: Vec::new(), met, direction });
     }
@@ -165,7 +165,9 @@ fn continuation(
             return None;
         }
         points.push(ContourPoint { at, strength: height, ..last });
-        if let Some(met) = meets(at, end, step as f32 * STEP, strokes, marks, params.widest_stroke) {
+        if let Some(met) =
+            meets(at, end, step as f32 * STEP, strokes, marks, params.widest_stroke.max(params.widest_of_bitmap()))
+        {
             return Some(Continuation { points, met, direction });
         }
         let before = contour.walk(tip, at_start).map(|(vertex, _)| contour.vertices[vertex].at);

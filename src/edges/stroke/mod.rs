@@ -21,8 +21,8 @@ mod skeleton;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
+use self::centre::LONG;
 pub(super) use self::centre::Stroke;
-use self::centre::{LONG, WIDEST};
 pub(super) use self::flat::is_drawing;
 use self::skeleton::{SkeletonNode, SkeletonPath, StrokeMask};
 use super::params::Params;
@@ -59,10 +59,12 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
         high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },
         ..*params
     };
+    let polarities =
+        if params.dark_lines.is_some() { &[Polarity::Below][..] } else { &[Polarity::Below, Polarity::Above] };
     let mut found = Vec::new();
-    for radius in radii(WIDEST * params.widest_stroke) {
+    for radius in radii(params.widest_of_bitmap()) {
         for plane in planes {
-            for polarity in [Polarity::Below, Polarity::Above] {
+            for &polarity in polarities {
                 found.extend(candidates(plane, radius, polarity, planes, params).into_iter().map(|of| (radius, of)));
             }
         }

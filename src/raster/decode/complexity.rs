@@ -106,15 +106,18 @@ pub(super) fn check(document: &Document<'_>, most_levels: u32) -> Result<(), Str
 /// # Errors
 /// That there is one.
 pub(crate) fn no_longer_than(document: &Document<'_>, most: usize) -> Result<(), String> {
-    let is_beyond =
-        |node: Node<'_, '_>| node.attributes().any(|of| LENGTHS.contains(&of.name()) && digits_in(of.value()) > most);
-    match document.descendants().find(|node| is_beyond(*node)) {
-        None => Ok(()),
-        Some(node) => {
-            let at = document.text_pos_at(node.range().start);
-            Err(format!("line {}, column {}: it has places or sizes too large to compute with", at.row, at.col))
-        }
-    }
+    let beyond = |node: Node<'_, '_>| {
+        let is_beyond = |name: &str, value: &str| LENGTHS.contains(&name) && digits_in(value) > most;
+        let of = node.attributes().find(|of| is_beyond(of.name(), of.value()))?;
+        let tag = || format!("a {}", node.tag_name().name());
+        let object = node.attribute("id").map_or_else(tag, |id| format!("\"{id}\""));
+        let (at, name) = (document.text_pos_at(node.range().start), of.name());
+        Some(format!(
+            "line {}, column {}: {name} of {object} has a place or size too large to compute with",
+            at.row, at.col
+        ))
+    };
+    document.descendants().find_map(beyond).map_or(Ok(()), Err)
 }
 
 /// Most digits before the point of any number in a text; those of an exponent count as what they stand for.

@@ -16,6 +16,7 @@ const PARAMS: Params = Params {
     side_cell: 4.0,
     side_offset: 6.0,
     widest_stroke: 19.0,
+    dark_lines: None,
 };
 
 /// A picture that is white above row 30 and of some lightness below it.
