@@ -4,7 +4,8 @@
 /// on a skeleton, turns it by less than 4 degrees.
 pub(super) const HEADING: f32 = 8.0;
 
-/// A stroke of a bitmap is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
+/// A stroke of a bitmap is at most this share as wide as two lines are apart: wider, its two sides are found well by
+/// themselves.
 const WIDEST: f32 = 0.55;
 
 /// Parameters of the edge detector. Lengths are in pixels of the working picture.

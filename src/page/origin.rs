@@ -40,8 +40,8 @@ impl LeftOut {
     /// Of a photograph the maker is told of contours that are not drawn from this share on: less is what joins, corners
     /// and the middles of strokes cost.
     pub const TOLD: f32 = 0.1;
-    /// From this share on a page of a photograph is told to be faulty; whoever makes or checks it is told from less on. Photographs of many
-    /// things leave out 0.2 to 0.3 and lose little by it.
+    /// From this share on a page of a photograph has a fault; who makes or checks it is told from less on. Photographs
+    /// of many things leave out 0.2 to 0.3 and lose little by it.
     pub const CROWDED: f32 = 0.35;
 
     /// As entries of a page's origin; nothing of nothing.

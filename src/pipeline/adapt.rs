@@ -297,7 +297,8 @@ fn snap(line: &mut Line, [least, most]: [f32; 2]) -> bool {
 /// by themselves are felt as dots.
 const LEAST_LEFT: f32 = 0.5;
 
-/// The page without those signs of textures that are nearer to a line or a drawn dot than `plan` allows; says how many they are.
+/// The page without those signs of textures that are nearer to a line or a drawn dot than `plan` allows; says how many
+/// they are.
 ///
 /// # Errors
 /// None of its own: marks only become fewer.

@@ -309,8 +309,9 @@ pub(super) fn lines_of<'a>(given: &Given, regions: Option<&'a Chosen>, decisions
     }
 }
 
-/// Strokes in a picture of lines are one line up to this width, mm: what is broader is an area.
-const WIDEST_STROKE: f32 = 12.0;
+/// Strokes in a picture of lines are one line up to this width, mm: those of 12 mm, as pixels show them. What is
+/// broader is an area.
+const WIDEST_STROKE: f32 = 13.0;
 
 /// The lines of a picture of lines, as contours of a picture of this size, and what is told of texts of a document,
 /// which are left out as those of any picture.
