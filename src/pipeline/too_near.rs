@@ -202,7 +202,7 @@ fn runs(places: &[Place], line: &Line) -> Vec<Run> {
             if place.is_vertex || i == last {
                 points.push(place.at);
             }
-            if *width == place.width {
+            if width.total_cmp(&place.width).is_eq() {
                 continue;
             }
         }

@@ -69,7 +69,7 @@ fn pages_of_drawings_pass() {
     let mut files: Vec<_> =
         std::fs::read_dir(folder).expect("the folder").map(|file| file.expect("a file").path()).collect();
     files.sort();
-    assert!(files.len() >= 19, "{} drawings", files.len());
+    assert!(files.len() >= 22, "{} drawings", files.len());
     let mut faults = Vec::new();
     for name in ["swell-a4", "index-basic-d", "viewplus-columbia", "braillerap"] {
         let profile = Profile::named(name).expect("it is built in");
@@ -81,6 +81,22 @@ fn pages_of_drawings_pass() {
             let pages = std::iter::once(&drawing.page).chain(&drawing.overview);
             faults.extend(pages.flat_map(|page| errors(page, &profile)).map(|error| format!("{name}: {error}")));
         }
+    }
+    assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Drawings that are far too full for their pages.
+#[test]
+fn pages_of_crowded_drawings_pass() {
+    let mut faults = Vec::new();
+    for seed in 0..DRAWINGS {
+        let name = ["swell-a4", "braillerap"][seed as usize % 2];
+        let profile = Profile::named(name).expect("it is built in");
+        let svg = scenes::drawing(seed, 12 + 3 * (seed as usize % 10));
+        let options = tactograph::Options::new(profile.clone()).title(format!("drawing {seed}"));
+        let drawing = tactograph::convert(svg.as_bytes(), &options).expect("a page");
+        let pages = std::iter::once(&drawing.page).chain(&drawing.overview);
+        faults.extend(pages.flat_map(|page| errors(page, &profile)).map(|error| format!("{name}: {error}")));
     }
     assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
 }
@@ -103,3 +119,5 @@ fn short_lines_between_shapes_pass_on_braille_cells() {
 
 /// How many of them: a few seconds' work. `tools/src/bin/checking.rs` looks at 200.
 const SCENES: u64 = 40;
+/// The same of drawings.
+const DRAWINGS: u64 = 20;

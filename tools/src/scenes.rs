@@ -1,5 +1,7 @@
 //! Pictures that nobody has looked at: what a page of any picture must keep is asked of their pages.
 
+use crate::rng::Rng;
+
 /// Profiles in turn: paper, dots on a grid, dots anywhere, pins.
 pub const PROFILES: [&str; 4] = ["swell-a4", "index-basic-d", "braillerap", "monarch"];
 
@@ -35,4 +37,31 @@ pub fn picture(seed: u64, size: usize) -> Vec<u8> {
         pixels.push(255);
     }
     pixels
+}
+
+/// A drawing of so many shapes and lines in random places, some filled, with strokes 1 to 4 wide, on 800 by 600.
+pub fn drawing(seed: u64, count: usize) -> String {
+    let mut rng = Rng::new(seed);
+    let mut svg = String::from("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 600'>");
+    svg.push_str("<rect width='800' height='600' fill='#fff'/>");
+    for _ in 0..count {
+        let mut place = || format!("{:.1} {:.1}", rng.between(20.0, 780.0), rng.between(20.0, 580.0));
+        let [a, b, c, d] = std::array::from_fn(|_| place());
+        let (rx, ry, turn) = (rng.between(4.0, 120.0), rng.between(8.0, 90.0), rng.between(0.0, 180.0));
+        let kind = rng.below(6);
+        let shape = match kind {
+            0 => format!("<circle r='{rx:.1}' transform='translate({a})'/>"),
+            1 => format!("<ellipse rx='{rx:.1}' ry='{ry:.1}' transform='translate({a}) rotate({turn:.0})'/>"),
+            2 => format!("<rect width='{:.1}' height='{ry:.1}' transform='translate({a})'/>", 2.0 * rx),
+            3 => format!("<path d='M{a} L{b}'/>"),
+            4 => format!("<path d='M{a} L{b} {c} {d}'/>"),
+            _ => format!("<path d='M{a} C{b} {c} {d}'/>"),
+        };
+        let hue = rng.below(360);
+        let fill = if kind < 3 && rng.coin() { format!("hsl({hue},70%,50%)") } else { "none".to_owned() };
+        let width = rng.between(1.0, 4.0);
+        svg.push_str(&format!("<g stroke='#000' stroke-width='{width:.1}' fill='{fill}'>{shape}</g>"));
+    }
+    svg.push_str("</svg>");
+    svg
 }

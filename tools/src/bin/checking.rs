@@ -42,27 +42,43 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let (pairs, worst) = exactness();
     println!("\n{PAGES} random pages, {pairs} pairs of lines that are too near: at most {worst:.5} mm off.");
-    let (pages, errors) = own_pages()?;
-    println!("\n{pages} pages of {SCENES} random scenes and noise: {} errors.", errors.len());
-    errors.iter().for_each(|error| println!("{error}"));
+    for (what, picture) in [("scenes and noise", Picture::Scene), ("crowded drawings", Picture::Drawing)] {
+        let (pages, errors) = own_pages(picture)?;
+        println!("\n{pages} pages of {SCENES} random {what}: {} errors.", errors.len());
+        errors.iter().for_each(|error| println!("{error}"));
+    }
     Ok(())
 }
 
+/// A kind of random pictures.
+#[derive(Clone, Copy)]
+enum Picture {
+    Scene,
+    Drawing,
+}
+
 /// The errors of pages of the program itself.
-fn own_pages() -> Result<(usize, Vec<String>), Box<dyn std::error::Error>> {
+fn own_pages(of: Picture) -> Result<(usize, Vec<String>), Box<dyn std::error::Error>> {
     let (mut count, mut errors) = (0, Vec::new());
     for seed in 0..SCENES {
         let name = scenes::PROFILES[seed as usize % scenes::PROFILES.len()];
         let profile = Profile::named(name)?;
         let limits = Plan::new(&profile)?.limits();
-        let pixels = scenes::picture(seed, 240);
-        let picture = tactograph::Picture::rgba8(240, 240, &pixels)?;
-        let drawing = tactograph::convert(picture, &tactograph::Options::new(profile))?;
+        let options = tactograph::Options::new(profile);
+        let drawing = match of {
+            Picture::Scene => {
+                let pixels = scenes::picture(seed, 240);
+                tactograph::convert(tactograph::Picture::rgba8(240, 240, &pixels)?, &options)?
+            }
+            Picture::Drawing => {
+                tactograph::convert(scenes::drawing(seed, 12 + 3 * (seed as usize % 10)).as_bytes(), &options)?
+            }
+        };
         for page in std::iter::once(&drawing.page).chain(&drawing.overview) {
             count += 1;
             let found = check(page, &limits, None).findings;
             let found = found.iter().filter(|finding| finding.is_error());
-            errors.extend(found.map(|error| format!("scene {seed}, {name}: {error}")));
+            errors.extend(found.map(|error| format!("seed {seed}, {name}: {error}")));
         }
     }
     Ok((count, errors))

@@ -63,48 +63,4 @@ fn only_clips(opening: &str) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const PAGE: &str = r##"<svg viewBox="0 0 72 36" width="72" height="36" xmlns="http://www.w3.org/2000/svg">
-    <g clip-path="url(#c0)">
-        <path d="M0,0 L1,1"/>
-    </g>
-    <g clip-path="url(#c0)">
-        <use xlink:href="#g0" transform="scale(0.1 0.1)"/>
-    </g>
-    <g clip-path="url(#c0)">
-        <g opacity="0.5" clip-path="url(#c0)">
-            <path d="M2,2 L3,3"/>
-        </g>
-    </g>
-    <use xlink:href="#e12"/>
-    <g clip-path="url(#c1)">
-        <use xlink:href="#s0"/>
-    </g>
-    <path d="M4,4"/>
-</svg>"##;
-
-    #[test]
-    fn letters_are_left_out_and_clipped_neighbours_united() {
-        let without = prepared(PAGE, (72.0, 36.0), false);
-        assert_eq!(
-            without,
-            r##"<svg viewBox="0 0 72 36" width="96" height="48" xmlns="http://www.w3.org/2000/svg">
-<g clip-path="url(#c0)">
-<path d="M0,0 L1,1"/>
-<g opacity="0.5" clip-path="url(#c0)">
-<path d="M2,2 L3,3"/>
-</g>
-</g>
-<g clip-path="url(#c1)">
-<use xlink:href="#s0"/>
-</g>
-<path d="M4,4"/>
-</svg>"##
-        );
-        let with = prepared(PAGE, (72.0, 36.0), true);
-        assert_eq!(with.matches("<use").count(), 3, "{with}");
-        assert_eq!(with.matches("</g>").count(), 3, "{with}");
-    }
-}
+mod tests;
