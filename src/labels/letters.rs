@@ -1,6 +1,6 @@
 //! Forms that only whole rows of labels have. Single letters for a row that has no room for abbreviations: the initials
-//! of the months, which are known by their order, else those of the texts, or the alphabet. Numbers of an axis whose unit stands with one of
-//! them.
+//! of the months, which are known by their order, else those of the texts, or the alphabet. Numbers of an axis whose
+//! unit stands with one of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -61,8 +61,8 @@ pub(super) fn add(
     }
 }
 
-/// Letters for the texts of a row that are no two the same, the best first: their initials; else those that are a letter
-/// keep it, and the others have letters of the alphabet.
+/// Letters for the texts of a row that are no two the same, the best first: their initials; else texts that are a
+/// letter keep it, and the others have letters of the alphabet.
 fn own_letters(texts: &[&str]) -> Vec<Vec<char>> {
     let initial = |text: &&str| text.chars().next()?.to_lowercase().next().filter(char::is_ascii_lowercase);
     let initials: Option<Vec<char>> = texts.iter().map(initial).collect();

@@ -95,7 +95,7 @@ fn channels(paint: &Paint, opacity: f32) -> [u8; 3] {
     channels.map(|channel| (255.0 - (255.0 - f32::from(channel)) * opacity).round() as u8)
 }
 
-/// How far a mark of this name, which may be filled, reaches beyond the sheet, if it does.
+/// How far a path, with this box around its marks, reaches beyond the sheet, if it does.
 fn beyond(extent: MmRect, sheet: MmRect, path: &Path) -> Option<FoundBreach> {
     let (id, is_filled) = (path.id(), path.fill().is_some());
     let MmRect { min, max } = extent;

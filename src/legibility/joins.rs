@@ -118,8 +118,11 @@ fn joins_of(number: usize, paths: &Paths, index: &Nearby, (widest, touch): (f32,
             }
         });
     }
-    // rows of dots also join where corners of theirs do, which have lost the dot that both would have
+    // rows of dots also join where one has a corner: they have lost the dot that both would have there
     for segment in paths.segments_of(number).iter().filter(|_| touch > 0.0) {
+        if !paths.turns(number, segment.arc, touch) {
+            continue;
+        }
         index.around(segment.a, segment.a, segment.half_width + widest + touch, |other| {
             let (distance, _, there) = nearest(other, segment.a);
             if other.line as usize != number && distance <= segment.half_width + other.half_width + touch {

@@ -141,6 +141,18 @@ impl Paths {
         index
     }
 
+    /// Whether a path has a corner at an arc, seen over arms of this length, mm.
+    pub(super) fn turns(&self, path: usize, arc: f32, arm: f32) -> bool {
+        let at = |arc: f32| self.at(path, arc);
+        let (before, after) = (arc - arm, arc + arm);
+        if before < 0.0 || after > self.paths[path].length {
+            return false;
+        }
+        let (Some(a), Some(b), Some(c)) = (at(before), at(arc), at(after)) else { return false };
+        let arms = (b - a).try_normalize().zip((c - b).try_normalize());
+        arms.is_some_and(|(one, other)| one.dot(other) <= RING_CORNER)
+    }
+
     /// The place of a path at an arc; none if it has no segments.
     pub(super) fn at(&self, path: usize, arc: f32) -> Option<MmPoint> {
         let segments = self.segments_of(path);

@@ -125,6 +125,9 @@ const SMALLEST_RING: usize = 7;
 /// Where a dot is missing two are no farther apart than so many steps.
 const MISSING: f32 = 2.1;
 
+/// A line whose ends are nearer to one another than this, mm, is a ring; nobody feels such a gap.
+const CLOSED: f32 = 0.05;
+
 /// A filled point is at least this many times as broad as its line: it is drawn three times as broad.
 const BROADER: f32 = 1.6;
 
@@ -132,6 +135,15 @@ impl Line {
     /// The row of dots along it; none of strokes.
     pub(crate) fn row(&self) -> Option<&Run> {
         self.runs.first().filter(|run| run.pen != Pen::Stroke)
+    }
+
+    /// Whether it is a ring: it comes back to where it began, whatever its runs.
+    pub(crate) fn goes_round(&self) -> bool {
+        let ends = || self.runs.iter().flat_map(|run| [run.path().next(), run.path().last()]).flatten();
+        let (first, last) = (ends().next(), ends().last());
+        let is_stroke = self.runs.first().is_some_and(|run| run.pen == Pen::Stroke);
+        let meets = first.zip(last).is_some_and(|(first, last)| (last - first).length() < CLOSED);
+        (is_stroke && meets && self.length() > 2.0 * CLOSED) || self.is_ring_of_dots()
     }
 
     /// Whether it is a row of dots that comes back to where it began; a single dot may be missing there, where it

@@ -66,7 +66,8 @@ pub(super) fn of_page(page: &Page) -> Classes {
             lightness.values[cell] = light;
         }
         // parts without a sign, behind lines, are of it still
-        let cells = (cells.len() as u32).max(wanted.round() as u32);
+        let count = cells.len() as u32;
+        let cells = if count > 0 { count.max(wanted.round() as u32) } else { 0 };
         Region { class: texture.class, colour: texture.colour, cells }
     };
     let regions = (0..).zip(textures.iter().zip(near)).map(of_texture).collect();

@@ -6,7 +6,7 @@ use super::dots;
 use super::find_edges::{edges_of, find_edges};
 use super::finish::PageSays;
 use super::given::{Given, GivenLines, erase};
-use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
+use super::hand_lines::{self, SAME_SHAPE, by_hand_first, weaken_thin_strokes};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::key::KeySheets;
 use super::leaders;
@@ -338,7 +338,7 @@ fn edges_of_drawn(
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
     let params = edges::Params { dark_lines: Some(WIDEST_STROKE * px_per_mm), ..request.plan.edges(px_per_mm) };
     let mut edges = edges_of(&picture, &content, &params, None, &mut |_| ());
-    weaken_thin_strokes(&mut edges, request.plan.lines().max_spacing() * px_per_mm, request.plan);
+    weaken_thin_strokes(&mut edges, WIDEST_STROKE * px_per_mm, request.plan);
     Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told))))
 }
 
@@ -428,8 +428,16 @@ fn draw_whole(
     params: &lines::Params,
     plan: &Plan,
 ) -> Lines {
+    // lines that a person drew stay as they are
+    let cuts = edges.of_drawing() && !hand_lines::has_added(edges);
+    let is_print = matches!(layout.medium, Medium::Print(_));
+    let rules =
+        too_near::Rules { area: layout.figure, medium: &layout.medium, limits: plan.limits(), whole_rings: false };
     let draw = |params: &lines::Params| {
         let mut drawn = lines::draw_with(edges, outlines, transform, layout.figure, params);
+        if cuts && is_print {
+            too_near::cut(&mut drawn, &rules);
+        }
         // those beyond as many shapes as are asked for are left out on purpose
         let is_all = params.most_shapes.is_none();
         if is_all {
@@ -439,8 +447,8 @@ fn draw_whole(
             drawn.lines = by_hand_first(drawn.lines, edges, transform);
         }
         let mut drawn = dots::pressed(drawn, is_of_paths(edges), layout.figure, layout, plan);
-        if edges.of_drawing() {
-            too_near::cut(&mut drawn, (layout.figure, &layout.medium), &plan.limits(), false);
+        if cuts && !is_print {
+            too_near::cut(&mut drawn, &rules);
         }
         if is_all {
             drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);

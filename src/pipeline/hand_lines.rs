@@ -253,6 +253,11 @@ pub(super) fn by_hand_first(lines: Vec<Line>, edges: &Edges, transform: &PageTra
 /// How far a line may lie from where a person drew it, mm: lines are moved aside only where others came first.
 const BY_HAND: f32 = 0.5;
 
+/// Whether there are contours that a person drew or added.
+pub(super) fn has_added(edges: &Edges) -> bool {
+    edges.chains.iter().any(|range| range.kind.added)
+}
+
 /// The contours that a person drew or added.
 pub(super) fn added(edges: &Edges) -> Edges {
     let mut own = Edges::none(edges.size);

@@ -3,7 +3,7 @@
 use super::cut_contours::{index_of_drawn, take_out};
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::hand_lines::HandLines;
+use super::hand_lines::{HandLines, has_added};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::kept_lines;
 use super::lines_of_part::LinesOfPart;
@@ -11,7 +11,7 @@ use super::lost_marks;
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run_stage};
 use super::request::{OverviewSize, scale_of_photograph};
-use super::too_near;
+use super::too_near::{self, Rules};
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost, PagePart};
 use crate::listing::first_few;
@@ -190,8 +190,9 @@ impl OverviewSource<'_> {
         let draw = |params: lines::Params| {
             let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
             let mut drawn = dots::of_overview(drawn, place, layout, plan);
-            if edges.of_drawing() {
-                too_near::cut(&mut drawn, (place, &layout.medium), &plan.limits(), params.whole_rings);
+            if edges.of_drawing() && !has_added(edges) {
+                let (medium, limits) = (&layout.medium, plan.limits());
+                too_near::cut(&mut drawn, &Rules { area: place, medium, limits, whole_rings: params.whole_rings });
             }
             drawn
         };

@@ -4,107 +4,194 @@
 //! that may still be too near: lines that cross at flat angles, or rows of dots that were moved. The rules of the check
 //! say where.
 
-use super::lost_signs::extent;
-use crate::geom::nearby::Nearby;
+use super::lost_signs::{extent, is_small_ring};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
 use crate::geom::ninths::ninth;
 use crate::legibility::{MediumLimits, Near, RuleLimits, near_lines, short_lines};
-use crate::lines::{Line, Lines, LostLine, Pen, Run};
+use crate::lines::{Line, Lines, LostLine, LostSign, Pen, Run, arrows};
 use crate::page::Medium;
 use crate::units::{MmPoint, MmRect};
 
-/// How often lines are cut before those that are still too near to others are left out.
+/// How often lines are cut before those that are still too near to others are left out: where a cut makes two lines of
+/// one, each is judged once more. Chosen by us, as the next two: 60 crowded drawings need three.
 const ROUNDS: usize = 4;
+/// How often that is looked at in all: what is left out may have joined two others.
+const MOST_ROUNDS: usize = 12;
 /// Places of a stroke are looked at this often, mm.
 const STEP: f32 = 0.2;
 /// A cut ends that much beyond where it must, mm: numbers of a page are rounded.
 const BEYOND: f32 = 0.05;
+/// A piece between two cuts is at least so many least lengths long.
+const SCRAP: f32 = 3.0;
+/// A part that is taken out of a ring is told as a gap from this length on, mm, as gaps of other rings are.
+const GAP: f32 = 4.0;
 
-/// Cuts lines in `area` of a page of this medium that are too near to others, or to themselves, and leaves out what is
-/// too short then. With `whole_rings` a ring is left out rather than cut.
-pub(super) fn cut(drawn: &mut Lines, (area, medium): (MmRect, &Medium), limits: &RuleLimits, whole_rings: bool) {
-    // what is left out may have joined two others: it ends, as from then on each round leaves out a line
-    for round in 0.. {
-        let (near, _) = near_lines(&drawn.lines, medium, limits);
-        let short = short_lines(&drawn.lines, limits);
+/// What is asked of lines in a part of a page.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rules<'a> {
+    pub(super) area: MmRect,
+    pub(super) medium: &'a Medium,
+    pub(super) limits: RuleLimits,
+    /// Whether a ring is left out rather than cut.
+    pub(super) whole_rings: bool,
+}
+
+/// A line, with whether it is a part of one that was cut, or has become too short since.
+struct Judged {
+    line: Line,
+    was_short: bool,
+}
+
+/// Cuts lines that are too near to others, or to themselves, and leaves out what is too short then.
+pub(super) fn cut(drawn: &mut Lines, rules: &Rules<'_>) {
+    let was_short = short_lines(&drawn.lines, &rules.limits);
+    let mut is_short = vec![false; drawn.lines.len()];
+    was_short.into_iter().for_each(|line| is_short[line] = true);
+    let lines = std::mem::take(&mut drawn.lines).into_iter().zip(is_short);
+    let mut judged: Vec<Judged> = lines.map(|(line, was_short)| Judged { line, was_short }).collect();
+    for round in 0..MOST_ROUNDS {
+        let lines: Vec<Line> = judged.iter().map(|of| of.line.clone()).collect();
+        let (near, _) = near_lines(&lines, rules.medium, &rules.limits);
+        let mut short = short_lines(&lines, &rules.limits);
+        short.retain(|line| !judged[*line].was_short);
         if near.is_empty() && short.is_empty() {
-            return;
+            break;
         }
-        let index = index(&drawn.lines, area, limits);
-        let mut cuts: Vec<Vec<Cut>> = vec![Vec::new(); drawn.lines.len()];
-        let mut is_out = vec![false; drawn.lines.len()];
+        let others = Others::of(&lines, rules);
+        let heads: Vec<usize> = arrows(&lines).into_iter().filter_map(|arrow| arrow.head).collect();
+        let mut cuts: Vec<Vec<Cut>> = vec![Vec::new(); lines.len()];
+        let mut is_out = vec![false; lines.len()];
         short.into_iter().for_each(|line| is_out[line] = true);
         for near in &near {
-            let (line, other) = lesser_first(&drawn.lines, near.lines);
-            is_out[line] |= round >= ROUNDS || whole_rings && is_ring(&drawn.lines[line]);
-            cuts[line].push(Cut::of(near, (line, other), &drawn.lines, limits));
+            let (line, other) = lesser_first(&lines, near.lines);
+            is_out[line] |= round >= ROUNDS || heads.contains(&line) || rules.whole_rings && lines[line].goes_round();
+            cuts[line].push(Cut::of(near, (line, other), rules));
         }
-        let mut kept = Vec::with_capacity(drawn.lines.len());
-        for (number, line) in std::mem::take(&mut drawn.lines).into_iter().enumerate() {
-            let pieces = match (is_out[number], &cuts[number][..]) {
-                (true, _) => Vec::new(),
-                (false, []) => vec![line.clone()],
-                (false, cuts) => without(&line, cuts, &index),
-            };
-            tell_lost(&line, &pieces, area, drawn);
-            kept.extend(pieces);
+        let mut kept = Vec::with_capacity(judged.len());
+        for (number, of) in judged.into_iter().enumerate() {
+            if is_out[number] {
+                let length = length(&of.line);
+                if heads.contains(&number) {
+                    is_not_drawn(&of.line, drawn);
+                } else {
+                    drawn.lost.lost += length;
+                    drawn.lost.by_place[ninth(extent(&of.line).center(), rules.area)] += length;
+                    tell_gone(&of.line, drawn, rules);
+                }
+            } else if cuts[number].is_empty() {
+                kept.push(of);
+            } else {
+                let pieces = without(&of.line, &cuts[number], &others, drawn, rules);
+                if pieces.is_empty() {
+                    tell_gone(&of.line, drawn, rules);
+                }
+                kept.extend(pieces.into_iter().map(|line| Judged { line, was_short: false }));
+            }
         }
-        drawn.lines = kept;
+        judged = kept;
     }
+    drawn.lines = judged.into_iter().map(|of| of.line).collect();
 }
 
 /// The two numbers of lines that are too near, that which is cut first: an open one before a closed one, and of two
 /// the shorter.
 fn lesser_first(lines: &[Line], (one, other): (usize, usize)) -> (usize, usize) {
-    let rank = |number: usize| (is_ring(&lines[number]), lines[number].length());
+    let rank = |number: usize| (lines[number].goes_round(), length(&lines[number]));
     let ((one_closed, one_length), (other_closed, other_length)) = (rank(one), rank(other));
     let other_first = other_closed.cmp(&one_closed).then(other_length.total_cmp(&one_length)).is_lt();
     if other_first { (other, one) } else { (one, other) }
 }
 
-fn is_ring(line: &Line) -> bool {
-    line.runs.iter().any(|run| run.closed) || line.is_ring_of_dots()
+/// Length of a line, mm; of dots that of its row.
+fn length(line: &Line) -> f32 {
+    line.own_runs().iter().map(Run::length).sum()
 }
 
-/// What is taken out of a line: the stretches along which it is near to another that reach into a box.
+/// What is taken out of a line: what lies in a box and is near to another line, or the stretch through a place where
+/// the line is too near to itself.
 #[derive(Debug, Clone, Copy)]
 struct Cut {
     within: MmRect,
-    /// The other line and how near it must be, mm; none where the line is too near to itself.
-    other: Option<(u32, f32)>,
+    /// The other line; none where the line is too near to itself.
+    other: Option<u32>,
+    at: MmPoint,
 }
 
 impl Cut {
-    fn of(near: &Near, (line, other): (usize, usize), lines: &[Line], limits: &RuleLimits) -> Self {
-        let half = |number: usize| 0.5 * lines[number].runs.iter().map(|run| run.width).fold(0.0, f32::max);
-        let reach = BEYOND
-            + match limits.medium {
-                MediumLimits::Print { line_gap, .. } => line_gap + half(line) + half(other),
-                // also along a diagonal
-                MediumLimits::Dots { line_gap, pitch, .. } => {
-                    (line_gap as f32 + 0.5) * pitch * std::f32::consts::SQRT_2
-                }
-            };
-        if line == other {
-            return Self { within: near.extent.inflate(BEYOND, BEYOND), other: None };
-        }
-        Self { within: near.extent.inflate(reach, reach), other: Some((other as u32, reach)) }
+    fn of(near: &Near, (line, other): (usize, usize), rules: &Rules<'_>) -> Self {
+        let margin = match rules.limits.medium {
+            _ if line == other => BEYOND,
+            MediumLimits::Print { line_gap, .. } => line_gap,
+            MediumLimits::Dots { line_gap, pitch, .. } => (line_gap + 1) as f32 * pitch,
+        };
+        let other = (line != other).then_some(other as u32);
+        Self { within: near.extent.inflate(margin, margin), other, at: near.at }
     }
 
-    fn is_near(&self, at: MmPoint, index: &Nearby) -> bool {
-        match self.other {
-            Some((other, reach)) => index.nearest_of_line(at, reach, other).is_some(),
-            None => self.within.contains_inclusive(at),
-        }
+    /// The places of a line that are taken out.
+    fn taken(&self, places: &[Place], others: &Others, limits: &RuleLimits) -> Vec<bool> {
+        let is_within = |place: &Place| self.within.contains_inclusive(place.at);
+        let Some(other) = self.other else {
+            let mut taken = vec![false; places.len()];
+            let far = |i: &usize| (places[*i].at - self.at).square_length();
+            let Some(middle) = (0..places.len()).min_by(|a, b| far(a).total_cmp(&far(b))) else { return taken };
+            let before = places[..middle].iter().rev().take_while(|place| is_within(place)).count();
+            let after = places[middle..].iter().take_while(|place| is_within(place)).count();
+            taken[middle - before..(middle + after.max(1))].fill(true);
+            return taken;
+        };
+        places.iter().map(|place| is_within(place) && others.is_near(place, other, limits)).collect()
     }
 }
 
-/// The lines by place.
-fn index(lines: &[Line], area: MmRect, limits: &RuleLimits) -> Nearby {
-    let mut index = Nearby::new(area, limits.line_length);
-    for (number, line) in (0..).zip(lines) {
-        line.runs.iter().for_each(|run| index.insert_line(number, run.polyline(), 0.5 * run.width));
+/// Lines by place.
+struct Others {
+    index: Nearby,
+    /// Half the greatest width, mm.
+    widest: f32,
+}
+
+impl Others {
+    fn of(lines: &[Line], rules: &Rules<'_>) -> Self {
+        let mut index = Nearby::new(rules.area, rules.limits.line_length);
+        for (number, line) in (0..).zip(lines) {
+            for run in &line.runs {
+                let half_width = 0.5 * run.width;
+                match run.pen {
+                    Pen::Stroke => index.insert_line(number, run.polyline(), half_width),
+                    Pen::Dots(_) => run.points.iter().for_each(|&at| {
+                        index.insert(Segment { a: at, b: at, half_width, line: number, index: 0, arc: 0.0 });
+                    }),
+                }
+            }
+        }
+        let widths = lines.iter().flat_map(|line| &line.runs).map(|run| run.width);
+        Self { index, widest: 0.5 * widths.fold(0.0, f32::max) }
     }
-    index
+
+    /// Whether a place of a line is too near to another line.
+    fn is_near(&self, place: &Place, other: u32, limits: &RuleLimits) -> bool {
+        let own = 0.5 * place.width;
+        let reach = match limits.medium {
+            MediumLimits::Print { line_gap, .. } => line_gap + own + self.widest + BEYOND,
+            MediumLimits::Dots { line_gap, pitch, .. } => (line_gap + 1) as f32 * pitch * std::f32::consts::SQRT_2,
+        };
+        let mut is_near = false;
+        self.index.around_point(place.at, reach, |segment| {
+            let (distance, nearest) = nearest_on_segment(place.at, segment.a, segment.b);
+            is_near |= segment.line == other
+                && match limits.medium {
+                    MediumLimits::Print { line_gap, .. } => distance < line_gap + own + segment.half_width + BEYOND,
+                    // so many dots are empty, rounded: along rows, columns and diagonals
+                    MediumLimits::Dots { line_gap, pitch, .. } => {
+                        let apart = nearest - place.at;
+                        apart.x.abs().max(apart.y.abs()) < (line_gap as f32 + 0.5) * pitch
+                    }
+                };
+        });
+        is_near
+    }
 }
 
 /// A place of a line: of strokes every [`STEP`], of dots each.
@@ -116,7 +203,7 @@ struct Place {
     is_vertex: bool,
 }
 
-/// The places of a line in order; of a ring the first comes again at the end.
+/// The places of a line in order; of a ring of strokes the first comes again at the end.
 fn places(line: &Line) -> Vec<Place> {
     let mut all: Vec<Place> = Vec::new();
     for run in line.own_runs() {
@@ -136,30 +223,53 @@ fn places(line: &Line) -> Vec<Place> {
     all
 }
 
-/// The pieces of a line that are left without the stretches of these cuts.
-fn without(line: &Line, cuts: &[Cut], index: &Nearby) -> Vec<Line> {
+/// The pieces of a line that are left without what these cuts take; that is counted as lost.
+fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules: &Rules<'_>) -> Vec<Line> {
     let mut places = places(line);
     let mut is_out = vec![false; places.len()];
     for cut in cuts {
-        let near: Vec<bool> = places.iter().map(|place| cut.is_near(place.at, index)).collect();
-        for stretch in stretches(&near, true) {
-            if stretch.clone().any(|i| cut.within.contains_inclusive(places[i].at)) {
-                is_out[stretch].fill(true);
-            }
-        }
+        let taken = cut.taken(&places, others, &rules.limits);
+        is_out.iter_mut().zip(taken).for_each(|(is_out, taken)| *is_out |= taken);
     }
-    let goes_round = matches!(&places[..], [first, .., last] if places.len() > 2 && first.at == last.at);
-    if let Some(start) = is_out.iter().position(|is_out| *is_out).filter(|_| goes_round) {
+    if let Some(start) = is_out.iter().position(|is_out| *is_out).filter(|_| line.goes_round()) {
         // the first piece goes on from the last
-        places.pop();
-        is_out.pop();
+        if line.row().is_none() {
+            places.pop();
+            is_out.pop();
+        }
         let start = start % places.len().max(1);
         places.rotate_left(start);
         is_out.rotate_left(start);
     }
+    // a scrap between two cuts, as where a line crosses another at a flat angle, says nothing
+    let ends = |row: &std::ops::Range<usize>| row.start == 0 || row.end == places.len();
+    let length = |row: &std::ops::Range<usize>| {
+        places[row.clone()].windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum::<f32>()
+    };
+    let is_scrap = |row: &std::ops::Range<usize>| {
+        (line.goes_round() || !ends(row)) && length(row) < SCRAP * rules.limits.line_length
+    };
+    let scraps: Vec<_> = stretches(&is_out, false).filter(is_scrap).collect();
+    scraps.into_iter().for_each(|row| is_out[row].fill(true));
+    for out in stretches(&is_out, true) {
+        let from = out.start.saturating_sub(1);
+        let stretch = &places[from..(out.end + 1).min(places.len())];
+        let mut length = 0.0;
+        for pair in stretch.windows(2) {
+            let step = (pair[1].at - pair[0].at).length();
+            drawn.lost.by_place[ninth(pair[0].at, rules.area)] += step;
+            length += step;
+        }
+        drawn.lost.lost += length;
+        if line.goes_round() && length > GAP && !rules.whole_rings {
+            let extent = MmRect::from_points(stretch.iter().map(|place| place.at));
+            drawn.lost.gaps.push(LostLine { extent, length, closed: true, is_faint: false });
+        }
+    }
     let rows: Vec<_> = stretches(&is_out, false).collect();
     let mut pieces: Vec<Line> =
         rows.iter().map(|row| Line { runs: runs(&places[row.clone()], line), ..line.clone() }).collect();
+    // what stands beside a row of dots goes with the nearest of these
     for run in line.runs.iter().skip(line.own_runs().len()) {
         let piece_of = |at: &MmPoint| {
             let distance = |i: &usize| (places[*i].at - *at).square_length();
@@ -213,17 +323,24 @@ fn runs(places: &[Place], line: &Line) -> Vec<Run> {
     runs.into_iter().map(|(width, points)| Run::stroke(width, points)).collect()
 }
 
-/// Counts as lost what of a line is not in its pieces.
-fn tell_lost(line: &Line, pieces: &[Line], area: MmRect, drawn: &mut Lines) {
-    let (whole, left): (f32, f32) = (line.length(), pieces.iter().map(Line::length).sum());
-    let (extent, lost) = (extent(line), &mut drawn.lost);
-    lost.lost += (whole - left).max(0.0);
-    lost.by_place[ninth(extent.center(), area)] += (whole - left).max(0.0);
-    if pieces.is_empty() {
-        let closed = is_ring(line);
-        lost.rings += usize::from(closed);
-        lost.gone.push(LostLine { extent, length: whole, closed, is_faint: false });
+/// Says of the head of an arrow that it is not drawn.
+fn is_not_drawn(head: &Line, drawn: &mut Lines) {
+    let far = |at: MmPoint| (at - extent(head).center()).square_length();
+    let marks = drawn.marks.heads.iter_mut().filter(|mark| mark.is_drawn);
+    if let Some(mark) = marks.min_by(|a, b| far(a.at).total_cmp(&far(b.at))) {
+        mark.is_drawn = false;
     }
+}
+
+/// Names a line that is left out as a whole.
+fn tell_gone(line: &Line, drawn: &mut Lines, rules: &Rules<'_>) {
+    let (extent, length, closed, lost) = (extent(line), length(line), line.goes_round(), &mut drawn.lost);
+    lost.rings += usize::from(closed);
+    // on paper small rings that are lost are looked for later
+    if is_small_ring(line) && matches!(rules.medium, Medium::Dots(_)) {
+        lost.signs.push(LostSign { at: extent.center(), is_arrowhead: false });
+    }
+    lost.gone.push(LostLine { extent, length, closed, is_faint: false });
 }
 
 #[cfg(test)]

@@ -413,7 +413,9 @@ impl<'m> Builder<'m> {
             // half the width of a line along the edge of the sheet is not missed
             let all = MmRect::new(MmPoint::zero(), sheet.into()).inflate(SAME, SAME);
             if parts.is_empty() {
-                let inside = run.points.iter().find(|at| run.pen == Pen::Stroke && all.contains(**at));
+                // one along the edge is beyond the sheet with half of its width
+                let is_broad = run.pen == Pen::Stroke && of_stroke.is_empty();
+                let inside = run.points.iter().find(|at| is_broad && all.contains(**at));
                 self.tally.add(inside.map_or(What::OffSheet, |_| What::TooBroad), Some(*inside.unwrap_or(&first)));
             } else if let Some(beyond) = run.points.iter().find(|at| !all.contains(**at)) {
                 self.tally.add(What::CutAtSheet, Some(*beyond));

@@ -98,3 +98,29 @@ fn a_zigzag_joins_a_line_at_each_crossing() {
     let clear = free_parts(&joins[0], None, &paths(&[&[(0.0, 0.0), (5000.0, 0.0)]]).segments_of(0)[0], 1, 0.25);
     assert_eq!(clear.len(), 501, "what is left between the joins");
 }
+
+/// Rows of dots 2.5 mm apart through these points, broken at holes.
+fn rows(of: &[Points]) -> Paths {
+    let line = |points: &Points| {
+        let mut dots: Vec<MmPoint> = Vec::new();
+        for pair in points.windows(2) {
+            let [a, b] = [pair[0], pair[1]].map(|(x, y)| MmPoint::new(x, y));
+            let steps = ((b - a).length() / 2.5).round() as usize;
+            dots.extend((0..steps).map(|k| a.lerp(b, k as f32 / steps as f32)));
+        }
+        Line { strength: 100.0, runs: vec![Run::dots(1.6, dots, crate::page::Height::High)] }
+    };
+    Paths::broken(&of.iter().map(line).collect::<Vec<_>>(), 3.75)
+}
+
+#[test]
+fn rows_of_dots_join_at_corners_and_not_where_they_run_beside_one_another() {
+    let of = |rows: &Paths| joins(rows, &rows.index(5.0), 4.65, 4.375);
+    let level: Points<'_> = &[(0.0, 0.0), (60.0, 0.0)];
+    let beside = rows(&[level, &[(0.0, 5.0), (60.0, 5.0)]]);
+    let is_end = |join: &Join| join.arc < VERTEX || join.arc > beside.paths[0].length - VERTEX;
+    assert!(of(&beside).iter().flatten().all(is_end), "one empty dot lies between them");
+    // the corner of the second has lost its dot on the first
+    let corner: Points<'_> = &[(10.0, 30.0), (30.0, 2.5), (50.0, 30.0)];
+    assert!(!of(&rows(&[level, corner]))[1].is_empty());
+}

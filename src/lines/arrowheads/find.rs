@@ -100,11 +100,10 @@ impl<'a> Contours<'a> {
             }
         };
         whole.into_iter().for_each(|(_, head)| keep(head, &mut taken));
-        for shaft in self.shafts() {
-            if let Some(head) = self.of_legs(&shaft, &taken) {
-                keep(head, &mut taken);
-            }
-        }
+        let along = |head: &FoundHead| head.tip.axis().normalize().dot(head.shaft.heading);
+        let mut of_legs: Vec<FoundHead> = self.shafts().filter_map(|shaft| self.of_legs(&shaft, &taken)).collect();
+        of_legs.sort_by(|a, b| along(b).total_cmp(&along(a)));
+        of_legs.into_iter().for_each(|head| keep(head, &mut taken));
         heads
     }
 
@@ -127,7 +126,7 @@ impl<'a> Contours<'a> {
                 found.push((along, FoundHead { tip, shaft: *shaft, lines: vec![line] }));
             }
         });
-        // a tip lies in several cells
+        // a tip lies in several cells, and comes several times
         found.sort_by(|(a, head), (b, other)| b.total_cmp(a).then(head.lines.cmp(&other.lines)));
         found
     }
