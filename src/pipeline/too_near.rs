@@ -269,7 +269,13 @@ fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules:
     let rows: Vec<_> = stretches(&is_out, false).collect();
     let mut pieces: Vec<Line> =
         rows.iter().map(|row| Line { runs: runs(&places[row.clone()], line), ..line.clone() }).collect();
-    // what stands beside a row of dots goes with the nearest of these
+    add_beside(&mut pieces, line, &places, &rows);
+    pieces.retain(|piece| piece.runs.iter().any(|run| run.points.len() > 1));
+    pieces
+}
+
+/// Adds to the pieces of a row of dots, with the places of each, what stands beside it: with the nearest of its dots.
+fn add_beside(pieces: &mut [Line], line: &Line, places: &[Place], rows: &[std::ops::Range<usize>]) {
     for run in line.runs.iter().skip(line.own_runs().len()) {
         let piece_of = |at: &MmPoint| {
             let distance = |i: &usize| (places[*i].at - *at).square_length();
@@ -285,8 +291,6 @@ fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules:
             }
         }
     }
-    pieces.retain(|piece| piece.runs.iter().any(|run| run.points.len() > 1));
-    pieces
 }
 
 /// The ranges in which all are `which`.
