@@ -31,8 +31,8 @@ pub struct Params {
     /// Distance from the edge at which the two sides are compared, px.
     pub side_offset: f32,
     /// The widest stroke of a vector drawing that has one contour, along its middle, px; a wider one has two. Of a
-    /// bitmap only strokes of up to 0.55 of it are looked for, unless `dark_lines` is given: the sides of wider ones are
-    /// found well by themselves, and become one line later where they have no room (`lines::centreline`).
+    /// bitmap only strokes of up to 0.55 of it are looked for, unless `dark_lines` is given: the sides of wider ones
+    /// are found well by themselves, and become one line later where they have no room (`lines::centreline`).
     pub widest_stroke: f32,
     /// Of a picture of dark lines on light ground the width up to which strokes have one contour, px; between them
     /// nothing is a stroke. None of any other picture.
