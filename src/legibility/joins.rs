@@ -109,24 +109,18 @@ fn joins_of(number: usize, paths: &Paths, index: &Nearby, (widest, touch): (f32,
             found.push(Join::of(arc, (other, there), paths));
         }
     };
-    // an end first: where it also crosses, by a rounding, it is an end all the same
-    for (own, tip, arc) in paths.tips(number) {
-        index.around(tip, tip, own.half_width + widest + touch, |other| {
-            let (distance, _, there) = nearest(other, tip);
-            if distance <= own.half_width + other.half_width + touch {
+    // an end first: where it also crosses, by a rounding, it is an end all the same; rows of dots also join where one
+    // has a corner, as they have lost the dot that both would have there
+    let tips = paths.tips(number).into_iter().map(|(own, tip, arc)| (own, tip, arc, true));
+    let own = if touch > 0.0 { paths.segments_of(number) } else { &[] };
+    let corners = own.iter().filter(|segment| paths.turns(number, segment.arc, touch));
+    let corners = corners.map(|segment| (*segment, segment.a, segment.arc, false));
+    for (own, at, arc, is_tip) in tips.chain(corners) {
+        index.around(at, at, own.half_width + widest + touch, |other| {
+            let (distance, _, there) = nearest(other, at);
+            let may_join = is_tip || other.line as usize != number;
+            if may_join && distance <= own.half_width + other.half_width + touch {
                 add(arc, other.line, there);
-            }
-        });
-    }
-    // rows of dots also join where one has a corner: they have lost the dot that both would have there
-    for segment in paths.segments_of(number).iter().filter(|_| touch > 0.0) {
-        if !paths.turns(number, segment.arc, touch) {
-            continue;
-        }
-        index.around(segment.a, segment.a, segment.half_width + widest + touch, |other| {
-            let (distance, _, there) = nearest(other, segment.a);
-            if other.line as usize != number && distance <= segment.half_width + other.half_width + touch {
-                add(segment.arc, other.line, there);
             }
         });
     }

@@ -137,13 +137,16 @@ impl Line {
         self.runs.first().filter(|run| run.pen != Pen::Stroke)
     }
 
-    /// Whether it is a ring: it comes back to where it began, whatever its runs.
-    pub(crate) fn goes_round(&self) -> bool {
+    /// Whether its last run ends where its first begins.
+    pub(crate) fn ends_meet(&self) -> bool {
         let ends = || self.runs.iter().flat_map(|run| [run.path().next(), run.path().last()]).flatten();
-        let (first, last) = (ends().next(), ends().last());
-        let is_stroke = self.runs.first().is_some_and(|run| run.pen == Pen::Stroke);
-        let meets = first.zip(last).is_some_and(|(first, last)| (last - first).length() < CLOSED);
-        (is_stroke && meets && self.length() > 2.0 * CLOSED) || self.is_ring_of_dots()
+        ends().next().zip(ends().last()).is_some_and(|(first, last)| (last - first).length() < CLOSED)
+    }
+
+    /// Whether it is a ring, of strokes of whatever widths or of dots.
+    pub(crate) fn goes_round(&self) -> bool {
+        let is_ring_of_strokes = || self.row().is_none() && self.ends_meet() && self.length() > 2.0 * CLOSED;
+        self.is_ring_of_dots() || is_ring_of_strokes()
     }
 
     /// Whether it is a row of dots that comes back to where it began; a single dot may be missing there, where it

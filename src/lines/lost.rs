@@ -71,7 +71,7 @@ pub(super) fn gone<'a>(
 }
 
 /// Shortest gap in a closed line by which it is felt as open, mm: more than a finger slips over, as on a dashed line.
-const GAP: f32 = 4.0;
+pub(crate) const GAP: f32 = 4.0;
 
 /// The longest gap of each closed line of which most is drawn: where no line of `drawn` is near.
 pub(super) fn gaps<'a>(

@@ -6,7 +6,7 @@ use super::dots;
 use super::find_edges::{edges_of, find_edges};
 use super::finish::PageSays;
 use super::given::{Given, GivenLines, erase};
-use super::hand_lines::{self, SAME_SHAPE, by_hand_first, weaken_thin_strokes};
+use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
 use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::key::KeySheets;
 use super::leaders;
@@ -26,7 +26,7 @@ use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::told_lines::{left_out, told_beside_added, told_dashed, told_left_out, told_simplified, told_whole};
-use super::too_near;
+use super::too_near::{self, Rules};
 use super::words::{Words, become_labels};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
@@ -309,8 +309,8 @@ pub(super) fn lines_of<'a>(given: &Given, regions: Option<&'a Chosen>, decisions
     }
 }
 
-/// Strokes in a picture of lines are one line up to this width, mm: those of 12 mm, as pixels show them. What is
-/// broader is an area.
+/// Strokes in a picture of lines are one line up to this width, mm; what is broader is an area. As pixels show them,
+/// and where they branch, strokes measure more than they are: those of 11 mm are one line, some of 12 mm are not.
 const WIDEST_STROKE: f32 = 13.0;
 
 /// The lines of a picture of lines, as contours of a picture of this size, and what is told of texts of a document,
@@ -428,16 +428,12 @@ fn draw_whole(
     params: &lines::Params,
     plan: &Plan,
 ) -> Lines {
-    // lines that a person drew stay as they are
-    let cuts = edges.of_drawing() && !hand_lines::has_added(edges);
     let is_print = matches!(layout.medium, Medium::Print(_));
-    let rules =
-        too_near::Rules { area: layout.figure, medium: &layout.medium, limits: plan.limits(), whole_rings: false };
+    let rules = Rules::of(edges, layout.figure, false, layout, plan);
+    let (of_strokes, of_dots) = (rules.filter(|_| is_print), rules.filter(|_| !is_print));
     let draw = |params: &lines::Params| {
         let mut drawn = lines::draw_with(edges, outlines, transform, layout.figure, params);
-        if cuts && is_print {
-            too_near::cut(&mut drawn, &rules);
-        }
+        of_strokes.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
         // those beyond as many shapes as are asked for are left out on purpose
         let is_all = params.most_shapes.is_none();
         if is_all {
@@ -447,9 +443,7 @@ fn draw_whole(
             drawn.lines = by_hand_first(drawn.lines, edges, transform);
         }
         let mut drawn = dots::pressed(drawn, is_of_paths(edges), layout.figure, layout, plan);
-        if cuts && !is_print {
-            too_near::cut(&mut drawn, &rules);
-        }
+        of_dots.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
         if is_all {
             drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
         }

@@ -106,15 +106,9 @@ fn is_at_end(lines: &[Line], ring: MmRect) -> bool {
     lines.iter().flat_map(ends).flatten().any(|end| reach.contains(end))
 }
 
-/// A line whose ends are nearer to one another than this, mm, is a ring; nobody feels such a gap.
-const CLOSED: f32 = 0.05;
-
-/// Whether a line is a small ring.
+/// Whether a line of strokes is a small ring.
 pub(super) fn is_small_ring(line: &Line) -> bool {
-    let mut ends = line.runs.iter().flat_map(|run| [run.path().next(), run.path().last()]).flatten();
-    let ends = (ends.next(), ends.last());
-    let is_closed = matches!(ends, (Some(first), Some(last)) if (last - first).length() < CLOSED);
-    is_closed && is_small(extent(line))
+    line.ends_meet() && is_small(extent(line))
 }
 
 pub(super) fn is_small(extent: MmRect) -> bool {

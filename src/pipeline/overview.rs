@@ -3,7 +3,7 @@
 use super::cut_contours::{index_of_drawn, take_out};
 use super::decisions::{LinesOf, OutlinedRegions};
 use super::dots;
-use super::hand_lines::{HandLines, has_added};
+use super::hand_lines::HandLines;
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::kept_lines;
 use super::lines_of_part::LinesOfPart;
@@ -190,10 +190,8 @@ impl OverviewSource<'_> {
         let draw = |params: lines::Params| {
             let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
             let mut drawn = dots::of_overview(drawn, place, layout, plan);
-            if edges.of_drawing() && !has_added(edges) {
-                let (medium, limits) = (&layout.medium, plan.limits());
-                too_near::cut(&mut drawn, &Rules { area: place, medium, limits, whole_rings: params.whole_rings });
-            }
+            let rules = Rules::of(edges, place, params.whole_rings, layout, plan);
+            rules.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
             drawn
         };
         let mut drawn = draw(params);

@@ -4,17 +4,21 @@
 //! that may still be too near: lines that cross at flat angles, or rows of dots that were moved. The rules of the check
 //! say where.
 
-use super::lost_signs::{extent, is_small_ring};
+use super::hand_lines::has_added;
+use super::lost_signs::{extent, is_small};
+use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::ninths::ninth;
 use crate::legibility::{MediumLimits, Near, RuleLimits, near_lines, short_lines};
-use crate::lines::{Line, Lines, LostLine, LostSign, Pen, Run, arrows};
+use crate::lines::{GAP, Line, Lines, LostLine, LostSign, Pen, Run, arrows};
 use crate::page::Medium;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect};
 
 /// How often lines are cut before those that are still too near to others are left out: where a cut makes two lines of
-/// one, each is judged once more. Chosen by us, as the next two: 60 crowded drawings need three.
+/// one, each is judged once more. Chosen by us, as all numbers here.
 const ROUNDS: usize = 4;
 /// How often that is looked at in all: what is left out may have joined two others.
 const MOST_ROUNDS: usize = 12;
@@ -24,39 +28,44 @@ const STEP: f32 = 0.2;
 const BEYOND: f32 = 0.05;
 /// A piece between two cuts is at least so many least lengths long.
 const SCRAP: f32 = 3.0;
-/// A part that is taken out of a ring is told as a gap from this length on, mm, as gaps of other rings are.
-const GAP: f32 = 4.0;
 
 /// What is asked of lines in a part of a page.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rules<'a> {
-    pub(super) area: MmRect,
-    pub(super) medium: &'a Medium,
-    pub(super) limits: RuleLimits,
+    area: MmRect,
+    medium: &'a Medium,
+    limits: RuleLimits,
     /// Whether a ring is left out rather than cut.
-    pub(super) whole_rings: bool,
+    whole_rings: bool,
 }
 
-/// A line, with whether it is a part of one that was cut, or has become too short since.
-struct Judged {
-    line: Line,
-    was_short: bool,
+impl<'a> Rules<'a> {
+    /// Those of the lines of a drawing in `area`. None of photographs, and none where a person drew some, which stay as
+    /// they are.
+    pub(super) fn of(edges: &Edges, area: MmRect, whole_rings: bool, layout: &'a Layout, plan: &Plan) -> Option<Self> {
+        let is_asked = edges.of_drawing() && !has_added(edges);
+        is_asked.then(|| Self { area, medium: &layout.medium, limits: plan.limits(), whole_rings })
+    }
 }
 
 /// Cuts lines that are too near to others, or to themselves, and leaves out what is too short then.
 pub(super) fn cut(drawn: &mut Lines, rules: &Rules<'_>) {
-    let was_short = short_lines(&drawn.lines, &rules.limits);
-    let mut is_short = vec![false; drawn.lines.len()];
-    was_short.into_iter().for_each(|line| is_short[line] = true);
-    let lines = std::mem::take(&mut drawn.lines).into_iter().zip(is_short);
-    let mut judged: Vec<Judged> = lines.map(|(line, was_short)| Judged { line, was_short }).collect();
+    // those that were too short before any was cut stay
+    let mut was_short: Option<Vec<bool>> = None;
     for round in 0..MOST_ROUNDS {
-        let lines: Vec<Line> = judged.iter().map(|of| of.line.clone()).collect();
+        let lines = std::mem::take(&mut drawn.lines);
         let (near, _) = near_lines(&lines, rules.medium, &rules.limits);
-        let mut short = short_lines(&lines, &rules.limits);
-        short.retain(|line| !judged[*line].was_short);
+        if near.is_empty() && was_short.is_none() {
+            drawn.lines = lines;
+            return;
+        }
+        let mut is_short = vec![false; lines.len()];
+        short_lines(&lines, &rules.limits).into_iter().for_each(|line| is_short[line] = true);
+        let stays_short = was_short.take().unwrap_or_else(|| is_short.clone());
+        let short: Vec<usize> = (0..lines.len()).filter(|line| is_short[*line] && !stays_short[*line]).collect();
         if near.is_empty() && short.is_empty() {
-            break;
+            drawn.lines = lines;
+            return;
         }
         let others = Others::of(&lines, rules);
         let heads: Vec<usize> = arrows(&lines).into_iter().filter_map(|arrow| arrow.head).collect();
@@ -68,30 +77,28 @@ pub(super) fn cut(drawn: &mut Lines, rules: &Rules<'_>) {
             is_out[line] |= round >= ROUNDS || heads.contains(&line) || rules.whole_rings && lines[line].goes_round();
             cuts[line].push(Cut::of(near, (line, other), rules));
         }
-        let mut kept = Vec::with_capacity(judged.len());
-        for (number, of) in judged.into_iter().enumerate() {
-            if is_out[number] {
-                let length = length(&of.line);
-                if heads.contains(&number) {
-                    is_not_drawn(&of.line, drawn);
-                } else {
-                    drawn.lost.lost += length;
-                    drawn.lost.by_place[ninth(extent(&of.line).center(), rules.area)] += length;
-                    tell_gone(&of.line, drawn, rules);
-                }
-            } else if cuts[number].is_empty() {
-                kept.push(of);
-            } else {
-                let pieces = without(&of.line, &cuts[number], &others, drawn, rules);
+        let mut kept: Vec<(Line, bool)> = Vec::with_capacity(lines.len());
+        for (number, line) in lines.into_iter().enumerate() {
+            if !is_out[number] && cuts[number].is_empty() {
+                kept.push((line, stays_short[number]));
+            } else if !is_out[number] {
+                let pieces = without(&line, &cuts[number], &others, drawn, rules);
                 if pieces.is_empty() {
-                    tell_gone(&of.line, drawn, rules);
+                    tell_gone(&line, drawn, rules);
                 }
-                kept.extend(pieces.into_iter().map(|line| Judged { line, was_short: false }));
+                kept.extend(pieces.into_iter().map(|line| (line, false)));
+            } else if heads.contains(&number) {
+                is_not_drawn(&line, drawn);
+            } else {
+                let length = length(&line);
+                drawn.lost.lost += length;
+                drawn.lost.by_place[ninth(extent(&line).center(), rules.area)] += length;
+                tell_gone(&line, drawn, rules);
             }
         }
-        judged = kept;
+        let (lines, short): (Vec<Line>, Vec<bool>) = kept.into_iter().unzip();
+        (drawn.lines, was_short) = (lines, Some(short));
     }
-    drawn.lines = judged.into_iter().map(|of| of.line).collect();
 }
 
 /// The two numbers of lines that are too near, that which is cut first: an open one before a closed one, and of two
@@ -341,7 +348,7 @@ fn tell_gone(line: &Line, drawn: &mut Lines, rules: &Rules<'_>) {
     let (extent, length, closed, lost) = (extent(line), length(line), line.goes_round(), &mut drawn.lost);
     lost.rings += usize::from(closed);
     // on paper small rings that are lost are looked for later
-    if is_small_ring(line) && matches!(rules.medium, Medium::Dots(_)) {
+    if closed && is_small(extent) && matches!(rules.medium, Medium::Dots(_)) {
         lost.signs.push(LostSign { at: extent.center(), is_arrowhead: false });
     }
     lost.gone.push(LostLine { extent, length, closed, is_faint: false });
