@@ -54,7 +54,7 @@ impl LineCandidates {
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
         let standing = StandingEnds::of(&mut polylines, area, params);
-        let mut polylines = join::join(polylines, params.join_gap, &standing);
+        let mut polylines = join::join(polylines, params.bridged_gap(), &standing);
         let lengthens = params.of_drawing && !is_overview;
         let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
         let (mut polylines, short) = long_enough(polylines, &standing, area, params);
@@ -62,7 +62,7 @@ impl LineCandidates {
         let contours = polylines.len();
         let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();
         polylines.extend(of_regions);
-        lead_on::extend(&mut polylines, area, params.join_gap);
+        lead_on::extend(&mut polylines, area, params.bridged_gap());
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let ranks = ranks(&polylines, &of_outlines, params);
         let saliencies = saliency::saliencies(&polylines, params);
@@ -116,7 +116,7 @@ fn long_enough(
     let whole = if params.of_drawing { links::short_ones(&polylines, area, params) } else { None };
     let polylines = centreline::merge(polylines, area, params);
     // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-    let polylines = join::join(polylines, params.join_gap, standing);
+    let polylines = join::join(polylines, params.bridged_gap(), standing);
     let is_long = |polyline: &Polyline<Vertex>| polyline.length() >= params.min_length;
     let (mut long, mut rest): (Vec<_>, Vec<_>) = polylines.into_iter().partition(is_long);
     if params.of_drawing {

@@ -131,7 +131,7 @@ fn apart(lines: &LineCandidates, area: MmRect, params: &Params) -> (Vec<(Polylin
     if let Some(apart) = move_apart(&polylines, area, params) {
         polylines = apart;
         // an end may have come off the line on which it lay
-        lead_on::extend(&mut polylines, area, params.join_gap);
+        lead_on::extend(&mut polylines, area, params.bridged_gap());
     }
     let mut all: Vec<(Polyline<Vertex>, Rank)> = polylines.into_iter().zip(ranks).collect();
     all.append(&mut faint);

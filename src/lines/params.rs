@@ -47,6 +47,9 @@ pub struct Params {
     /// ahead of it (`lead_on`, and what is left of a cut line in `clearance::extend`), and so far from other lines may
     /// the ends of a link be (`links`).
     pub join_gap: f32,
+    /// In an overview of a drawing, how large that is beside the figure, at most 1: contours that are apart in the
+    /// figure stay apart. In a figure 1.
+    pub gap_scale: f32,
     /// Sigma of the Gaussian that smooths a line along itself.
     pub smoothing: f32,
     /// Farthest that a simplified line may lie from the smooth one.
@@ -99,6 +102,7 @@ impl Params {
         min_length: 8.0,
         min_gap: 3.2,
         join_gap: 3.0,
+        gap_scale: 1.0,
         smoothing: 0.6,
         tolerance: 0.05,
         detail: 1.0,
@@ -126,6 +130,11 @@ impl Params {
     #[must_use]
     pub fn of_overview(self) -> Self {
         Self { part: PagePart::Overview, whole_rings: true, ..self.thin() }
+    }
+
+    /// The longest gap between contours that is bridged, mm.
+    pub(super) fn bridged_gap(&self) -> f32 {
+        self.gap_scale * self.join_gap
     }
 
     /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm. Lines

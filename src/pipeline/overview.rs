@@ -184,8 +184,8 @@ impl OverviewSource<'_> {
             (true, Rings::InParts) => lines::Params { whole_rings: false, ..all.of_overview() },
         };
         // what is apart in the drawing is apart here: a gap is bridged that would be in the figure
-        let scale = if edges.of_drawing() { (place.width() / layout.figure.width()).min(1.0) } else { 1.0 };
-        let params = lines::Params { join_gap: scale * params.join_gap, ..params };
+        let gap_scale = if edges.of_drawing() { (place.width() / layout.figure.width()).min(1.0) } else { 1.0 };
+        let params = lines::Params { gap_scale, ..params };
         let outlines = outlines_of_overview(edges, regions, &transform, plan);
         let draw = |params: lines::Params| {
             let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);

@@ -35,7 +35,7 @@ pub(super) struct Rules<'a> {
     area: MmRect,
     medium: &'a Medium,
     limits: RuleLimits,
-    /// Whether a ring is left out rather than cut.
+    /// Whether a ring that is cut counts as lost, as in an overview.
     whole_rings: bool,
 }
 
@@ -74,7 +74,7 @@ pub(super) fn cut(drawn: &mut Lines, rules: &Rules<'_>) {
         short.into_iter().for_each(|line| is_out[line] = true);
         for near in &near {
             let (line, other) = lesser_first(&lines, near.lines);
-            is_out[line] |= round >= ROUNDS || heads.contains(&line) || rules.whole_rings && lines[line].goes_round();
+            is_out[line] |= round >= ROUNDS || heads.contains(&line);
             cuts[line].push(Cut::of(near, (line, other), rules));
         }
         let mut kept: Vec<(Line, bool)> = Vec::with_capacity(lines.len());
@@ -268,7 +268,8 @@ fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules:
             length += step;
         }
         drawn.lost.lost += length;
-        if line.goes_round() && length > GAP && !rules.whole_rings {
+        if line.goes_round() && length > GAP {
+            drawn.lost.rings += usize::from(rules.whole_rings);
             let extent = MmRect::from_points(stretch.iter().map(|place| place.at));
             drawn.lost.gaps.push(LostLine { extent, length, closed: true, is_faint: false });
         }

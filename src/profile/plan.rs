@@ -192,6 +192,7 @@ impl Plan {
             min_length: lines.min_length,
             min_gap,
             join_gap: lines.join_gap,
+            gap_scale: 1.0,
             smoothing: lines.smoothing,
             tolerance: lines.tolerance,
             detail: lines.detail,

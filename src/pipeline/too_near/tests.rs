@@ -48,14 +48,15 @@ fn what_is_too_short_after_a_cut_is_left_out_and_told() {
 }
 
 #[test]
-fn a_ring_is_cut_once_and_in_an_overview_left_out() {
+fn a_ring_is_cut_once_and_counts_as_lost_in_an_overview() {
     let ring = stroke(&[(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0), (20.0, 20.0)]);
     let lines = vec![stroke(&[(10.0, 62.0), (75.0, 62.0), (75.0, 10.0), (10.0, 10.0), (10.0, 62.0)]), ring];
     let drawn = left(lines.clone(), false);
     assert_eq!(drawn.lines.len(), 2, "the piece that is left goes on over its first point");
     assert!(drawn.lines.iter().all(|line| line.length() > 100.0), "{:?}", drawn.lines);
+    assert_eq!((drawn.lost.rings, drawn.lost.gaps.len()), (0, 1));
     let drawn = left(lines, true);
-    assert_eq!((drawn.lines.len(), drawn.lost.rings), (1, 1));
+    assert_eq!((drawn.lines.len(), drawn.lost.rings), (2, 1));
 }
 
 #[test]
