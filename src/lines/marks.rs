@@ -41,7 +41,7 @@ pub struct HeadMark {
     pub toward: MmVector,
     /// What it covers in the drawing.
     pub extent: MmRect,
-    /// Strength of its line.
+    /// Strength of its line at that end.
     pub strength: f32,
     /// Whether its line is among those that are drawn.
     pub has_shaft: bool,

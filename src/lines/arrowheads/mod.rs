@@ -62,7 +62,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
         if (tip.apex - shaft.at).dot(toward) > AT_TIP {
             extend_to(&mut polylines[shaft.line], shaft.which, tip.apex);
         }
-        let strength = polylines[shaft.line].mean_strength();
+        let strength = shaft.which.of(&polylines[shaft.line]).map_or(0.0, |end| end.strength);
         marks.push(HeadMark { at: tip.apex, toward, extent, strength, has_shaft: true, is_drawn: false });
     }
     let shafts: Vec<usize> = heads.iter().map(|head| head.shaft.line).collect();

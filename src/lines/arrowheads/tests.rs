@@ -213,3 +213,12 @@ fn a_head_is_drawn_at_its_own_line_and_not_at_one_that_ends_beside_it() {
     find_shafts(&mut marks, &[&curve]);
     assert!(!marks[0].has_shaft);
 }
+
+#[test]
+fn a_shaft_that_was_joined_with_another_line_keeps_its_head() {
+    let mut marks = taken(vec![shaft(), heads()[0].1[0].clone()]).0;
+    let mut joined = contour(&[(10.0, 80.0), (10.0, 50.0), (62.0, 50.0)], false);
+    joined.vertices.iter_mut().filter(|vertex| vertex.at.y > 51.0).for_each(|vertex| vertex.strength *= 4.0);
+    let drawn = draw(&mut marks, &[&joined], &[], area(), &PARAMS);
+    assert!(drawn.heads.len() == 1 && marks[0].is_drawn);
+}
