@@ -10,6 +10,7 @@ pub(crate) const LINES: lines::Params = lines::Params {
     min_length: 8.0,
     min_gap: 3.2,
     join_gap: 3.0,
+    gap_scale: 1.0,
     smoothing: 0.6,
     tolerance: 0.05,
     detail: 0.5,
