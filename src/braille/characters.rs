@@ -30,14 +30,67 @@ pub fn is_accent(character: char) -> bool {
     canonical_combining_class(character) != 0
 }
 
-/// Whether a character is one of a formula: a number, a power, an index, a sign of mathematics.
+/// Whether a character is one of a formula or a measure: a number, a power, an index, a sign of mathematics or of a
+/// currency, or a Greek letter.
 pub fn is_of_formula(character: char) -> bool {
     let is_sign = matches!(
         character,
-        '+' | '<' | '=' | '>' | '\u{b1}' | '\u{d7}' | '\u{f7}' | '\u{ac}' | '\u{b7}' | '\u{1d2c}'..='\u{1d6a}'
-            | '\u{2070}'..='\u{209f}' | '\u{2200}'..='\u{22ff}' | '\u{27c0}'..='\u{27ef}' | '\u{2980}'..='\u{2aff}'
+        '+' | '<' | '=' | '>' | '$' | '\u{a2}'..='\u{a5}' | '\u{ac}' | '\u{b1}' | '\u{b5}' | '\u{b7}' | '\u{d7}'
+            | '\u{f7}' | '\u{1d2c}'..='\u{1d6a}' | '\u{2070}'..='\u{209f}' | '\u{20a0}'..='\u{20cf}' | '\u{2126}'
+            | '\u{2200}'..='\u{22ff}' | '\u{27c0}'..='\u{27ef}' | '\u{2980}'..='\u{2aff}'
     );
-    is_sign || character.is_numeric()
+    is_sign || is_greek(character) || character.is_numeric()
+}
+
+/// Whether a character is a Greek letter.
+pub fn is_greek(character: char) -> bool {
+    matches!(character, '\u{370}'..='\u{3ff}') && character.is_alphabetic()
+}
+
+/// A character in others that say the same, or nearly: a letter without its accent, what Unicode has as compatible,
+/// such as a degree with its C or a Roman number. A power is none: without its height it says something else.
+pub(super) fn simpler(character: char) -> Option<String> {
+    let is_power = |character| matches!(character, '\u{b2}' | '\u{b3}' | '\u{b9}' | '\u{2070}'..='\u{209f}');
+    // squares of words, such as those of areas, have powers in them
+    let is_kept = |character| matches!(character, '\u{3300}'..='\u{33ff}') || is_power(character);
+    if is_kept(character) || is_raised_letter(character) {
+        return None;
+    }
+    let letters: String = match character {
+        'ł' => "l".into(),
+        'Ł' => "L".into(),
+        'ø' => "o".into(),
+        'Ø' => "O".into(),
+        'đ' => "d".into(),
+        'Đ' => "D".into(),
+        'ħ' => "h".into(),
+        'Ħ' => "H".into(),
+        'ŧ' => "t".into(),
+        'Ŧ' => "T".into(),
+        'ı' => "i".into(),
+        'æ' => "ae".into(),
+        'Æ' => "Ae".into(),
+        'œ' => "oe".into(),
+        'Œ' => "Oe".into(),
+        _ => character
+            .nfkd()
+            .filter(|&part| !is_accent(part))
+            .map(|part| if part == '\u{2044}' { '/' } else { part })
+            .collect(),
+    };
+    let is_other = !letters.is_empty() && !letters.contains(character) && letters.is_ascii();
+    is_other.then_some(letters)
+}
+
+/// Whether a character is a letter that stands higher, such as that of a French number of an order.
+pub(super) fn is_raised_letter(character: char) -> bool {
+    matches!(character, '\u{1d2c}'..='\u{1d6a}' | '\u{2b0}'..='\u{2b8}' | '\u{2e1}'..='\u{2e3}' | '\u{aa}' | '\u{ba}')
+}
+
+/// A raised letter on the line.
+pub(super) fn on_line(character: char) -> Option<char> {
+    let mut letter = character.nfkd();
+    letter.next().filter(|letter| is_raised_letter(character) && letter.is_ascii_alphabetic())
 }
 
 /// Puts a letter with its accents behind other characters.

@@ -6,6 +6,7 @@
 //!
 //! A cell is a byte: bit 0 is dot 1, bit 5 is dot 6; 0 is a blank.
 
+mod address;
 mod capitals;
 mod cell;
 mod characters;
@@ -21,7 +22,7 @@ mod translator;
 mod wrap;
 
 pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
-pub use characters::{characters, is_accent, is_of_formula};
+pub use characters::{characters, is_accent, is_greek, is_of_formula};
 pub use code::{Code, Grade};
 pub use numbers::is_script;
 pub use table::Table;

@@ -1,5 +1,6 @@
 //! Numbers that stand higher or lower than the line, and those of an order, which some codes write with lowered digits.
 
+use super::characters::is_raised_letter;
 use super::joined::is_unit;
 use super::table::{Ordinals, Script, Table};
 
@@ -76,6 +77,30 @@ pub(super) fn with_degrees(text: &mut [(char, usize)]) {
         if text[i].0 == *MASCULINE && is_scale {
             text[i].0 = '\u{b0}';
         }
+    }
+}
+
+/// The point of times where a formula has one: signs of comparison say that a text is one.
+pub(super) fn with_times(text: &mut [(char, usize)]) {
+    let is_comparison = |(character, _): &(char, usize)| {
+        matches!(character, '=' | '<' | '>' | '\u{2248}' | '\u{2260}' | '\u{2264}' | '\u{2265}' | '\u{221d}')
+    };
+    if text.iter().any(is_comparison) {
+        text.iter_mut().filter(|(character, _)| *character == '\u{b7}').for_each(|(point, _)| *point = TIMES);
+    }
+}
+
+const TIMES: char = '\u{22c5}';
+
+/// Whether raised letters around `i` end a number of an order or a word, such as 1\u{1d49}\u{02b3} or
+/// XXI\u{1d49}: behind one letter they could be a power.
+pub(super) fn is_of_order(text: &[(char, usize)], i: usize) -> bool {
+    let before = text[..i].iter().rev().map(|(character, _)| *character);
+    let before: Vec<char> = before.skip_while(|&character| is_raised_letter(character)).take(2).collect();
+    match before[..] {
+        [last, ..] if last.is_ascii_digit() => true,
+        [last, other] => last.is_alphabetic() && other.is_alphabetic(),
+        _ => false,
     }
 }
 

@@ -9,6 +9,7 @@
 //! number 3456                          digits follow
 //! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
 //! group 5                              between groups of three digits
+//! address 6-46                         before an address of mail or of the net
 //! letter-after-number 56               before a to j after digits; "any" behind it: before capitals too
 //! superscript 34 356 2 23 25 256 26 235 2356 236 35    before raised numbers, and their digits 0 to 9 if these are
 //!                                      not behind the sign of numbers; "subscript": the same of lowered numbers
@@ -59,6 +60,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
         "number" => table.number = cells(part(0)?)?,
         "digits" => table.digits = ten(&parts)?,
         "group" => table.group = Some(cells(part(0)?)?),
+        "address" => table.address = Some(cells(part(0)?)?),
         "letter-after-number" => {
             let before_capitals = parts.get(1) == Some(&"any");
             table.letter_after_number = Some(AfterNumber { sign: cells(part(0)?)?, before_capitals });

@@ -1,7 +1,8 @@
 //! Text to cells, by the table of a code.
 
+use super::address;
 use super::capitals::{self, CapitalContext};
-use super::characters::characters;
+use super::characters::{characters, is_accent, is_raised_letter, on_line, simpler};
 use super::divide;
 use super::joined;
 use super::neighbours::Neighbours;
@@ -23,6 +24,9 @@ pub struct Braille {
     pub lacking: Vec<Lacking>,
     /// Whether lowered or raised numbers are written as those on the line, since the code has no other way.
     pub has_script_on_line: bool,
+    /// Characters that are written in others, as the code has none for them: letters without their accents, a fraction
+    /// by its numbers.
+    pub simplified: Vec<char>,
 }
 
 /// A character that a code has no cells for.
@@ -47,24 +51,57 @@ pub fn unicode(cells: &[u8]) -> String {
 }
 
 impl Table {
-    /// A text in this code. Spaces at its ends fall out, and several are one. What the code has no cells for is as if
-    /// it were not there: no sign of a capital is left of it, and words beside it are written as they are without it.
+    /// A text in this code. Spaces at its ends fall out, and several are one. What the code has no cells for is written
+    /// in other characters that say nearly the same; where there are none, it is as if it were not there: no sign of a
+    /// capital is left of it, and words beside it are written as they are without it.
     pub fn translate(&self, text: &str) -> Braille {
         let mut text = plain(characters(text));
         numbers::with_degrees(&mut text);
-        let mut lacking: Vec<Lacking> = Vec::new();
+        numbers::with_times(&mut text);
+        let (mut lacking, mut simplified): (Vec<Lacking>, Vec<char>) = (Vec::new(), Vec::new());
         loop {
             let mut braille = self.write(&text);
             if braille.lacking.is_empty() {
                 lacking.sort_by_key(|lacking| lacking.at);
-                braille.lacking = lacking;
-                return braille;
+                return Braille { lacking, simplified, ..braille };
             }
-            let known = &braille.lacking;
-            let is_written = |&(_, at): &(char, usize)| known.binary_search_by_key(&at, |lacking| lacking.at).is_err();
-            text = plain(text.into_iter().filter(is_written).collect());
-            lacking.append(&mut braille.lacking);
+            let is_lacking = |character: char, at: usize| {
+                braille.lacking.iter().any(|lacking| lacking.at == at && lacking.character == character)
+            };
+            let mut without: Vec<(char, usize)> = Vec::with_capacity(text.len());
+            for (i, &(character, at)) in text.iter().enumerate() {
+                if !is_lacking(character, at) {
+                    without.push((character, at));
+                } else if let Some(others) = self.in_others(&text, i) {
+                    simplified.push(character);
+                    without.extend(others.chars().map(|other| (other, at)));
+                }
+            }
+            let is_lost = |lacking: &Lacking| without.iter().all(|(_, at)| *at != lacking.at);
+            lacking.extend(braille.lacking.drain(..).filter(is_lost));
+            text = plain(without);
         }
+    }
+
+    /// The character at `i` in others that this code has.
+    fn in_others(&self, text: &[(char, usize)], i: usize) -> Option<String> {
+        let (character, at) = text[i];
+        if is_accent(character) && i > 0 && text[i - 1].1 == at {
+            return Some(String::new()); // its letter stays
+        }
+        let others = if is_raised_letter(character) {
+            numbers::is_of_order(text, i).then(|| on_line(character)).flatten()?.to_string()
+        } else {
+            simpler(character)?
+        };
+        let has = |other: char| {
+            let is_letter = small(other).is_some_and(|small| self.letters.contains_key(&small));
+            other.is_ascii_digit() || other == ' ' || is_letter || self.signs.contains_key(&other.to_string())
+        };
+        // a fraction behind a whole number is not to be read as its digits
+        let follows_digit = i > 0 && text[i - 1].0.is_ascii_digit();
+        let parted = if follows_digit && others.contains('/') { format!(" {others}") } else { others };
+        parted.chars().all(has).then_some(parted)
     }
 
     /// A text in which what the code has as a sign is no capital letter: its cells say that it is one.
@@ -83,6 +120,10 @@ impl Table {
             Some(capitals) => capitals::signs(&self.without_signs(&text), capitals),
             None => vec![CapitalContext::default(); text.len()],
         };
+        let (before_address, addresses) = match &self.address {
+            Some(sign) => (sign.as_slice(), address::places(&text)),
+            None => (&[][..], Vec::new()),
+        };
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
         let mut joined = joined::spaces(&text).into_iter().peekable();
         let mut out = Writer { table: self, text: &text, out: Braille::default(), number: Number::None };
@@ -90,6 +131,9 @@ impl Table {
         while i < text.len() {
             while divisions.next_if(|&at| at <= i).is_some_and(|at| at == i) {
                 out.out.divisions.push(out.out.cells.len());
+            }
+            if addresses.contains(&i) {
+                out.out.cells.extend(before_address);
             }
             out.out.cells.extend(&around[i].before);
             while joined.next_if(|&at| at <= i).is_some_and(|at| at == i) {

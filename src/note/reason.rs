@@ -214,6 +214,8 @@ reasons! {
     OneUnit => "one-unit",
     /// Lowered or raised numbers stand on the line in braille.
     NumbersOnLine => "numbers-on-line",
+    /// Letters stand in braille without their accents, or signs are written in others.
+    OtherLetters => "other-letters",
     /// There is no room in print beside braille.
     NoRoomForPrint => "no-room-for-print",
     /// Words in print follow their braille, which was moved.

@@ -1,6 +1,6 @@
 //! What is told of words that cannot be written in braille.
 
-use crate::braille::{Braille, Lacking, Translator, is_of_formula, is_script};
+use crate::braille::{Braille, Lacking, Translator, is_greek, is_of_formula, is_script};
 use crate::listing::first_few;
 use crate::note::{About, Note, Reason};
 
@@ -15,16 +15,51 @@ pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>
     let mut lacks = Lacks::default();
     lacks.add(text, &braille.lacking);
     let mut notes: Vec<Note> = lacks.note().into_iter().collect();
-    if braille.lacking.iter().any(|lacking| is_of_formula(lacking.character)) {
+    if braille.lacking.iter().any(|lacking| is_of_formula(lacking.character) && !is_in_greek_word(text, lacking.at)) {
         notes.push(not_written(FORMULA.to_owned()));
         return (None, notes);
     }
     notes.extend(on_line(&[text], translator));
+    notes.extend(in_other_letters(&[text], translator));
     ((!braille.cells.is_empty()).then_some(braille), notes)
 }
 
 /// Why a title is not written.
-const FORMULA: &str = "without signs that its code has no cells for its formula would say something else";
+const FORMULA: &str = "without signs that its code has no cells for it would say something else";
+
+/// Whether the character of this number, from 1, is one of several Greek letters: those of a word, not of a formula.
+fn is_in_greek_word(text: &str, at: usize) -> bool {
+    let is_greek_at = |at: usize| text.chars().nth(at).is_some_and(is_greek);
+    let index = at.saturating_sub(1);
+    is_greek_at(index) && (is_greek_at(index + 1) || index > 0 && is_greek_at(index - 1))
+}
+
+/// Tells of texts some of whose characters are written in others.
+pub(super) fn in_other_letters(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
+    let mut characters: Vec<char> = Vec::new();
+    let mut named_texts: Vec<&str> = Vec::new();
+    for text in texts.iter().filter(|text| !text.is_ascii()) {
+        let simplified = translator.translate(text).map_or(Vec::new(), |braille| braille.simplified);
+        if !simplified.is_empty() && !named_texts.contains(text) {
+            named_texts.push(text);
+        }
+        for character in simplified {
+            if !characters.contains(&character) {
+                characters.push(character);
+            }
+        }
+    }
+    let which: Vec<String> = characters.iter().map(|character| format!("\u{2018}{character}\u{2019}")).collect();
+    let told = || {
+        let what = format!(
+            "written in braille by other letters or signs, without accents, as its table has no cells for {}: {}",
+            which.join(", "),
+            named(&named_texts)
+        );
+        Note::TakenAs(About::Braille, Reason::OtherLetters, what)
+    };
+    (!named_texts.is_empty()).then(told)
+}
 
 /// Tells of texts whose lowered or raised numbers stand on the line.
 pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {

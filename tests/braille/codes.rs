@@ -101,7 +101,7 @@ fn what_a_table_lacks_is_told() {
 }
 
 /// Accents that stand by themselves, as in names of files on macOS, are those of their letters, and ligatures are their
-/// letters. An accent that no letter of the code has is told, and its letter is left out.
+/// letters. A letter whose accent the code has not is written without it, which is told.
 #[test]
 fn accents_and_ligatures_are_letters() {
     for (language, parted, composed) in [
@@ -116,8 +116,31 @@ fn accents_and_ligatures_are_letters() {
     }
     let table = Code::of_language("es").and_then(Code::table).expect("a table");
     let braille = table.translate("ab x\u{304}");
-    let told: Vec<_> = braille.lacking.iter().map(|lacking| (lacking.character, lacking.at)).collect();
-    assert_eq!((braille.unicode().as_str(), told.as_slice()), ("⠁⠃", &[('\u{304}', 4)][..]));
+    assert_eq!((braille.unicode().as_str(), braille.simplified.as_slice()), ("⠁⠃⠀⠭", &['\u{304}'][..]));
+}
+
+/// What a code lacks is written in other letters or signs that say nearly the same, and told; a power never is.
+#[test]
+fn what_a_code_lacks_is_written_in_others() {
+    for (language, text, same, simplified) in [
+        ("fr", "XXIᵉ siècle, 1ᵉʳ", "XXIe siècle, 1er", &['ᵉ', 'ᵉ', 'ʳ'][..]),
+        ("fr", "Škoda", "Skoda", &['Š']),
+        ("es", "Łódź", "Lódz", &['Ł', 'ź']),
+        ("it", "1º maggio", "1o maggio", &['º']),
+        ("es", "3⅓, ⅓", "3 1/3, 1/3", &['⅓', '⅓']),
+        ("de", "10 ℃, Ⅳ", "10 °C, IV", &['℃', 'Ⅳ']),
+    ] {
+        let table = Code::of_language(language).and_then(Code::table).expect("a table");
+        let braille = table.translate(text);
+        assert_eq!(braille.unicode(), table.translate(same).unicode(), "{text}");
+        assert_eq!((braille.simplified.as_slice(), braille.lacking.len()), (simplified, 0), "{text}");
+    }
+    let french = Code::of_language("fr").and_then(Code::table).expect("a table");
+    for (text, lacking) in [("xᵉ", 'ᵉ'), ("㎡", '㎡'), ("日", '日')] {
+        let braille = french.translate(text);
+        assert_eq!(braille.lacking.iter().map(|lacking| lacking.character).collect::<Vec<_>>(), [lacking], "{text}");
+        assert!(braille.simplified.is_empty(), "{text}");
+    }
 }
 
 /// Two texts of digits and letters never have the same cells, nor do numbers that stand higher or lower.
@@ -149,6 +172,14 @@ fn digits_and_letters_are_told_apart() {
 #[test]
 fn rules_of_the_codes() {
     for (language, text, cells) in [
+        // the point of times of a formula between letters; elsewhere it is what parts words
+        ("pl", "F = m · a", "⠠⠋⠀⠶⠀⠍⠀⠄⠀⠁"),
+        ("en", "F = m · a", "⠠⠋⠀⠐⠶⠀⠍⠀⠐⠲⠀⠁"),
+        // an address of mail is announced before its first letter
+        ("de", "Post an info@schule.de", "⠏⠕⠎⠞⠀⠁⠝⠀⠠⠨⠊⠝⠋⠕⠈⠜⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
+        ("de", "www.schule.de", "⠠⠨⠺⠺⠺⠄⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
+        // Greek letters of the Swedish code, as liblouis has them from 2026 on
+        ("sv", "α = 30°, 5 µm, Ω", "⠒⠰⠁⠀⠶⠀⠼⠉⠚⠻⠛⠂⠀⠼⠑⠀⠰⠍⠍⠂⠀⠠⠒⠰⠺"),
         // UEB 7.6: quotation marks inside brackets are those that open and close
         ("en", "(\"Hallo\")", "⠐⠣⠦⠠⠓⠁⠇⠇⠕⠴⠐⠜"),
         // ONCE, document B 5: degrees, minutes and seconds
