@@ -282,6 +282,7 @@ for sample in coffee.png.swell-a4 landscape.svg.swell-a4; do
 done
 check "what was edited in Inkscape is read" edits_are_read "$out/coffee.png.swell-a4.svg"
 check "texts of a bitmap are read" texts_are_read
+check "words in braille are found in a PDF" words_are_found
 check "a correction by hand goes through Inkscape" correction_is_read
 for sample in coffee.png chart.svg; do
   check "a tracing of $sample is found faulty" tracings_fail "$sample"

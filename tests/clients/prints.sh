@@ -73,6 +73,18 @@ pdf_is_drawn_alike() { # pdf_is_drawn_alike PNG: another program's rendering aga
     NF != 2 || $1 > mean || $2 > far { print "mean " $1 " %, over a quarter " $2 " %; at most " mean " and " far; exit 1 }'
 }
 
+# Words in braille are found, and copied, as text: a title in letters of several languages, and labels.
+words_are_found() {
+  local text
+  pdf=$out/words.pdf
+  "$program" convert samples/map.svg --quiet --labels texts --title "Łódź, Köln and the sea" -o "$pdf" || return 1
+  text=$(pdftotext "$pdf" -) || return 1
+  for words in "Łódź, Köln and the sea" North Capital; do
+    printf '%s\n' "$text" | grep -qF "$words" || { printf 'not "%s" in:\n%s\n' "$words" "$text"; return 1; }
+  done
+  qpdf_finds_no_fault
+}
+
 # The drawing has the same place and size, to 0.1 mm, whether Inkscape opens the PDF or the SVG.
 inkscape_measures_alike() {
   local here there

@@ -117,6 +117,9 @@ impl Reader {
                 "l" => subpaths.last_mut().expect("m before l").push([numbers()[0], numbers()[1]]),
                 "c" => subpaths.last_mut().expect("m before c").push([numbers()[4], numbers()[5]]),
                 "h" => {}
+                // of words that take no ink
+                "q" | "Q" | "BT" | "ET" | "Tf" | "Tz" | "Tm" | "Tj" => {}
+                "Tr" => assert_eq!(operands, ["3"], "words are not seen"),
                 "S" | "s" => {
                     assert!(open[0].is_none(), "a mark outside the figure");
                     assert_eq!(subpaths.len(), 1, "one line a stroke");

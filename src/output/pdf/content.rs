@@ -4,7 +4,7 @@
 //! same that the SVG has with a point in it. All ink is DeviceGray 0, set once: what is black here is black on any
 //! printer, and never a mixture of colours.
 
-use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
 use pdf_writer::{Content, Name, Settings, Str, TextStr};
 
 use super::super::layer::{Layer, PRINT_GREY, grey};
@@ -16,6 +16,8 @@ use crate::units::MmPoint;
 pub(super) const POINTS_PER_MM: f32 = 72.0 / 25.4;
 /// The name of the font of words in print.
 pub(super) const FONT: Name<'static> = Name(b"F1");
+/// Width of a blank in the font, as a share of its size: that of Helvetica.
+const BLANK: f32 = 0.278;
 /// Units of user space in a millimetre.
 const UNITS: f32 = 100.0;
 /// The page's only piece of tagged content.
@@ -188,8 +190,21 @@ impl ContentWriter<'_> {
         content.properties().actual_text(TextStr(&words));
         drop(content);
         self.dots(&text.dots);
+        self.unseen(&text.dots);
         text.leader.iter().for_each(|run| self.run(run));
         self.content.end_marked_content();
+    }
+
+    /// A blank in place of dots, which takes no ink: programs look for words, and copy them, only where a letter
+    /// stands.
+    fn unseen(&mut self, dots: &Dots) {
+        let Some(place) = dots.bounds() else { return };
+        let (width, size) = (units(place.width()), units(place.height()));
+        self.content.save_state().begin_text().set_text_rendering_mode(TextRenderingMode::Invisible);
+        self.content.set_font(FONT, size).set_horizontal_scaling((100.0 * width / (BLANK * size)).round());
+        self.content.set_text_matrix([1.0, 0.0, 0.0, -1.0, units(place.min.x), units(place.max.y)]);
+        self.content.show(Str(b" "));
+        self.content.end_text().restore_state();
     }
 
     /// Words in print, in a font that every viewer has.

@@ -51,7 +51,7 @@ pub fn write<'p>(title: &str, pages: impl IntoIterator<Item = &'p Page>) -> Vec<
         sheet(&mut pdf, page, own, number as i32, &ids);
     }
     let has_print = pages.iter().any(|page| !page.print.is_empty());
-    if has_print {
+    if pages.iter().any(|page| has_words(page)) {
         pdf.type1_font(ids.font).base_font(Name(b"Helvetica")).encoding_predefined(Name(b"WinAnsiEncoding"));
     }
     if let Some(first) = pages.first() {
@@ -98,7 +98,7 @@ struct ObjectIds {
     metadata: Ref,
     root: Ref,
     document: Ref,
-    /// That of words in print.
+    /// That of words in print, and of those in braille, where it is not seen.
     font: Ref,
     /// Every layer of any page, in the order of a page.
     layers: BTreeMap<Layer, Ref>,
@@ -214,13 +214,18 @@ fn sheet(pdf: &mut Pdf, page: &Page, own: &PageIds, number: i32, ids: &ObjectIds
         }
     }
     properties.finish();
-    if !page.print.is_empty() {
+    if has_words(page) {
         resources.fonts().pair(content::FONT, ids.font);
     }
     resources.finish();
     leaf.finish();
     let content = compressed(&content::write(page, &name));
     pdf.stream(own.content, &content).filter(Filter::FlateDecode);
+}
+
+/// Whether words stand on a page, in braille or in print.
+fn has_words(page: &Page) -> bool {
+    !page.print.is_empty() || !page.braille.is_empty()
 }
 
 fn compressed(bytes: &[u8]) -> Vec<u8> {
@@ -246,7 +251,8 @@ const NAMESPACES: &str = concat!(
 
 /// What a PDF says of itself as XMP, for a document whose first page is this. The number of PDF/UA says that the file
 /// keeps the rules of ISO 14289-1 (accessible PDF); `tactograph:made` says how the page was made, as the SVG does in
-/// its `metadata`. A file with words in print does not say so: their font is not in it.
+/// its `metadata`. A file with words in print does not say so: their font is not in it (for words that are not seen it
+/// need not be, clause 7.21.4.1).
 fn xmp(title: &str, page: &Page, is_accessible: bool) -> String {
     let (title, description) = (escaped(title), escaped(&page.description));
     let mut languages = vec![&page.language, &page.description_language];
