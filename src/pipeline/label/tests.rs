@@ -56,9 +56,12 @@ fn columns_may_stand_in_quotation_marks() {
         label(pixels(1.0), pixels(2.0), "ten \"x\""),
     ];
     assert_eq!(labels, Ok(expected.into()));
-    let refused = Label::from_csv("1,2,3 m\n12,5%,30%,sun\n");
+    let refused = Label::from_csv("1,2,3 m\n12,5%,30%,sun\n12,5%,20,5%,cup\n1,2,\"two\nlines\"\n1,5%,7,40% rain\n");
     let Err(Error::NotLabels(faults)) = refused else { panic!("{refused:?}") };
-    assert!(faults.len() == 1 && faults[0].starts_with("line 2: there are more columns"), "{faults:?}");
+    let begin =
+        ["line 2: there are more columns", "line 3: there are more columns", "line 4: the quotation mark", "line 5: "];
+    assert_eq!(faults.len(), begin.len(), "{faults:?}");
+    assert!(faults.iter().zip(begin).all(|(fault, begin)| fault.starts_with(begin)), "{faults:?}");
 }
 
 #[test]
