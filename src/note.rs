@@ -169,14 +169,17 @@ pub enum Note {
          an installed liblouis, and none was given"
     )]
     NotContracted,
-    /// The title is not written in braille, as there is no room for it above the figure.
+    /// The title does not stand above the figure, as there is no room for it.
     #[error(
-        "the title is not written in braille: its {cells} cells have no room above the figure, where three lines may \
-         take a fifth of the sheet; give a shorter one, or a larger sheet"
+        "the title {}: its {cells} cells have no room above the figure, where three lines may \
+         take a fifth of the sheet; give a shorter one, or a larger sheet",
+        if *.in_key { "stands on the sheet of the key only" } else { "is not written in braille" }
     )]
     NoRoomForTitle {
         /// How many cells it has.
         cells: usize,
+        /// Whether it stands in the key.
+        in_key: bool,
     },
     /// The page number is not written in braille, as there is no room for it above the figure.
     #[error(

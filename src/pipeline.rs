@@ -20,6 +20,7 @@ mod joined_bars;
 mod kept_lines;
 mod key;
 mod label;
+mod label_params;
 mod leaders;
 mod legend;
 mod lines_of_part;
@@ -172,6 +173,8 @@ pub fn redraw(
             return Ok(Drawing { page, overview: None, key: sheets.collect(), texts: Vec::new(), notes });
         }
     }
+    let layout_of = |size: Size| written.layout(size, OverviewSize::Own, request);
+    let layout = redraw::with_room(page, &words, &written, request.plan, layout, &layout_of);
     let marks = redraw::marks(old, layout, request, watch)?;
     let drawing = compose(marks, &words, &written, request, watch)?;
     // its labels are no texts of a picture

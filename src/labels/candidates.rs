@@ -263,6 +263,10 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     if is_beside {
         return Some(Attachment::Beside);
     }
+    // in the blank a leader line would lead to the place where print stood, such as a heading, and name that
+    if label.lost_leader.is_none() && around.names_blank() {
+        return None;
+    }
     // from beyond the legs of an angle a leader line crosses one of them, though it need not lead far beyond
     if around.angle.is_none_or(|angle| angle.holds_box(place)) {
         let clear = clear_leader(place, around);
@@ -277,8 +281,10 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear =
         around.is_clear_of_blocked(segment) && (label.lost_leader.is_none() || around.leads_to_own(place, segment));
-    // across the lines of a table it would come into other cells first
-    (is_clear && around.cell.is_none()).then_some(Attachment::LeaderAcross(segment))
+    // across the lines of a table it would come into other cells first; within another shape, such as the next sector
+    // of a pie, a label is taken for the name of that
+    let is_in_other = || label.lost_leader.is_none() && around.is_shut_in() && !around.is_open(place);
+    (is_clear && around.cell.is_none() && !is_in_other()).then_some(Attachment::LeaderAcross(segment))
 }
 
 /// A leader line from a point of a label to its tip, whose marks lie up to `off` mm off it; none if it would be too
@@ -342,6 +348,10 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
 fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surroundings<'_>) -> bool {
     if !around.is_shut_in() {
         return (outline - around.tip).length() <= BESIDE_TIP;
+    }
+    // what has several names in it, such as the towns of a country, is not what one of them names
+    if !around.is_alone_in_shape() {
+        return false;
     }
     let inside = outline + direction * INSIDE_OUTLINE;
     let aside = MmVector::new(-direction.y, direction.x) * OFF_BORDERS;

@@ -16,11 +16,17 @@ const STEP: f32 = 0.25;
 /// Two lines that end beside one another are nearer than this, mm, or they meet.
 const MEETS: f32 = 0.5;
 
-/// Which lines of a figure give way to labels.
-pub(super) fn giving_way(lines: &[Line], least_strength: f32) -> Vec<bool> {
+/// A leader line begins where one of a drawing does, mm: lines are moved by less.
+const AT_LEADER: f32 = 3.0;
+
+/// Which lines of a figure give way to labels: gridlines. Leader lines of the drawing that lie side by side are none;
+/// they begin at these places.
+pub(super) fn giving_way(lines: &[Line], least_strength: f32, leaders: &[MmPoint]) -> Vec<bool> {
+    let is_leader = |end: MmPoint| leaders.iter().any(|leader| (*leader - end).length() < AT_LEADER);
     let ends = |(line, is_weak): (&Line, bool)| match &line.runs[..] {
         [run] if is_weak && run.points.len() > 1 && run.polyline().chord() >= STRAIGHTNESS * run.length() => {
-            Some([run.points[0], run.points[run.points.len() - 1]])
+            let ends = [run.points[0], run.points[run.points.len() - 1]];
+            (!ends.into_iter().any(is_leader)).then_some(ends)
         }
         _ => None,
     };
@@ -35,7 +41,7 @@ pub(super) fn giving_way(lines: &[Line], least_strength: f32) -> Vec<bool> {
 pub(super) fn interrupt(lines: &mut Vec<Line>, placed: &[&Placed], params: &Params) -> Vec<usize> {
     let blank: Vec<MmRect> =
         placed.iter().map(|label| label.place.inflate(params.clearance, params.clearance)).collect();
-    let giving_way = giving_way(lines, params.least_strength);
+    let giving_way = giving_way(lines, params.least_strength, &params.leaders);
     let mut ends = Vec::new();
     let parts = |(number, (line, gives_way))| {
         let parts = if gives_way { outside(line, &blank, &mut ends, params) } else { vec![line] };

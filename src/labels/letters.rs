@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::forms::{Form, FormKind, Forms};
-use super::groups::{Group, GroupDirection};
+use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Unplaced, Wanted};
 use super::scale;
 use crate::braille::Translator;
@@ -27,9 +27,13 @@ pub(super) fn add(
     let mut taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
     // a text has one letter on all of a page
     let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
-    for group in
-        groups.iter_mut().filter(|group| !matches!(group.lies, GroupDirection::Column(_)) && group.steps.is_none())
-    {
+    // a few points that a person names may stand at one height by chance
+    let is_row = |group: &Group| match group.lies {
+        GroupDirection::Row => true,
+        GroupDirection::BelowPoints => group.members.len() >= OF_AN_AXIS,
+        GroupDirection::Column(_) => false,
+    };
+    for group in groups.iter_mut().filter(|group| is_row(group) && group.steps.is_none()) {
         let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
         let spelled = |letter: char| {
             let cells = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?.cells;
@@ -60,6 +64,39 @@ pub(super) fn add(
         }
     }
 }
+
+/// Gives each of these labels that has no abbreviation, such as a long number in a cell of a table, a letter as its
+/// last form: the key has what it stands for.
+pub(super) fn add_to_alone(
+    labels: impl Iterator<Item = usize>,
+    forms: &mut [Result<Forms, Unplaced>],
+    wanted: &[Wanted],
+    translator: &Translator<'_>,
+) {
+    let cells = |forms: &Result<Forms, Unplaced>| {
+        forms.iter().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect::<Vec<_>>()
+    };
+    let taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
+    let mut letters = ('a'..='z').filter_map(|letter| {
+        let braille = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?;
+        (!taken.contains(&braille.cells)).then(|| (letter.to_string(), braille.cells))
+    });
+    let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
+    for label in labels {
+        let Ok(of) = &mut forms[label] else { continue };
+        let is_long = of.forms.first().is_some_and(|form| form.lines.iter().any(|line| line.len() > SHORT_ALONE));
+        if !is_long || of.forms.iter().any(|form| form.abbreviation.is_some()) {
+            continue;
+        }
+        let text = wanted[label].text.as_str();
+        let Some((letter, cells)) = given.get(text).cloned().or_else(|| letters.next()) else { return };
+        given.insert(text, (letter.clone(), cells.clone()));
+        of.forms.push(Form { lines: vec![cells], abbreviation: Some(letter), kind: FormKind::Short });
+    }
+}
+
+/// A text of so few cells has no shorter form: an abbreviation has two or three.
+const SHORT_ALONE: usize = 3;
 
 /// Letters for the texts of a row that are no two the same, the best first: their initials; else texts that are a
 /// letter keep it, and the others have letters of the alphabet.

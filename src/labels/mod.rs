@@ -212,8 +212,19 @@ fn groups_of(
     let is_written = |label: usize| forms[label].is_ok() && !wanted[label].is_nameless && !names_point(label);
     let is_at_line = |label: usize| levels::is_at_line(wanted[label].anchor, around[label].room);
     let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side(), is_at_line);
+    // each word of a table has a cell of its own, and need not be shorter for one that is too long for its
+    groups.retain(|group| group.steps.is_some() || group.members.iter().any(|&label| around[label].cell.is_none()));
     letters::add(&mut groups, forms, wanted, translator);
     letters::add_bare(&groups, forms, wanted, translator);
+    let is_of_axis = |label: &usize| groups.iter().any(|of| of.steps.is_some() && of.members.contains(label));
+    let in_cells = (0..wanted.len()).filter(|label| around[*label].cell.is_some() && !is_of_axis(label));
+    letters::add_to_alone(in_cells, forms, wanted, translator);
+    // a number of an axis is whole or not there: shortened, it is none
+    for &label in groups.iter().filter(|group| group.steps.is_some()).flat_map(|group| &group.members) {
+        if let Ok(of) = &mut forms[label] {
+            of.forms.retain(|form| form.kind != FormKind::Short);
+        }
+    }
     groups
 }
 

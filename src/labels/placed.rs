@@ -16,6 +16,8 @@ pub struct Params {
     pub blocked: Vec<MmRect>,
     /// Where small shapes are that texts may name and the page lacks.
     pub points: Vec<MmPoint>,
+    /// Where leader lines of the drawing begin that are on the page.
+    pub leaders: Vec<MmPoint>,
     /// What is written on the page already.
     pub written: Vec<WrittenLabel>,
     /// Blank to lines.
@@ -49,6 +51,7 @@ impl Params {
             tiles: Vec::new(),
             blocked: Vec::new(),
             points: Vec::new(),
+            leaders: Vec::new(),
             written: Vec::new(),
             least_texture: 0.0,
             clearance: 3.0,

@@ -76,13 +76,15 @@ pub(super) struct Room {
 impl Room {
     /// The sides of blocked boxes are kept clear of as lines are.
     pub(super) fn new(lines: &[Line], textures: &[Texture], params: &Params) -> Self {
-        let &Params { area, ref blocked, clearance, least_strength, .. } = params;
+        let &Params { area, ref blocked, ref leaders, clearance, least_strength, .. } = params;
         let share = share_of_glyph(params);
         let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| (glyph.at, share));
         let sides = || blocked.iter().flat_map(|place| sides_of(*place)).map(|side| (side, 0.0));
         let room = Self::of_segments(area, segments(lines.iter()).chain(sides()), glyphs, clearance);
-        let (of_grid, others): (Vec<_>, Vec<_>) =
-            lines.iter().zip(interrupted::giving_way(lines, least_strength)).partition(|(_, gives_way)| *gives_way);
+        let (of_grid, others): (Vec<_>, Vec<_>) = lines
+            .iter()
+            .zip(interrupted::giving_way(lines, least_strength, leaders))
+            .partition(|(_, gives_way)| *gives_way);
         let near = |lines: Vec<(&Line, bool)>, blocked: bool| {
             let segments = segments(lines.into_iter().map(|(line, _)| line));
             let sides = sides().filter(|_| blocked);

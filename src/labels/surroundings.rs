@@ -183,6 +183,17 @@ impl<'a> Surroundings<'a> {
         matches!(self.names, Named::Text { shut_in: Some(_), .. })
     }
 
+    /// Whether it stands for a text in the open that no line is beside.
+    pub(super) fn names_blank(&self) -> bool {
+        let is_in_open = matches!(self.names, Named::Text { shut_in: None, .. });
+        is_in_open && self.angle.is_none() && self.tip == self.anchor && !self.room.is_ink(self.anchor)
+    }
+
+    /// Whether no other label names anything that no line parts from what this one names.
+    pub(super) fn is_alone_in_shape(&self) -> bool {
+        self.others.iter().all(|other| self.room.is_parted(self.anchor, *other, 0.0))
+    }
+
     /// Of such a text, the place on its own side from which its leader line has to reach its end.
     pub(super) fn own_side(&self) -> Option<MmPoint> {
         match self.names {

@@ -180,6 +180,7 @@ impl PartShown {
 const COLOURS: &str = "colour in the key";
 const ABBREVIATIONS: &str = "abbreviation in the key";
 const BLANK: &str = "blank in the key";
+const TITLE: &str = "title in the key";
 /// Between a colour or an abbreviation and what it stands for.
 const MEANS: &str = ": ";
 
@@ -193,6 +194,8 @@ pub struct ToldInKey {
     pub abbreviations: Vec<(String, String)>,
     /// What areas without a texture mean, with the colour that they have in the drawing.
     pub blank: Vec<(Class, String)>,
+    /// The title of the page, where it has no room above the figure and stands in the key alone.
+    pub title: Option<String>,
 }
 
 impl ToldInKey {
@@ -209,7 +212,9 @@ impl ToldInKey {
         };
         let blank =
             |(class, means): &(Class, String)| (BLANK.to_owned(), format!("{}{MEANS}{}", class.name(), line(means)));
-        colours.chain(self.blank.iter().map(blank)).chain(self.abbreviations.iter().map(abbreviation)).collect()
+        let title = self.title.iter().map(|title| (TITLE.to_owned(), line(title)));
+        let colours = title.chain(colours).chain(self.blank.iter().map(blank));
+        colours.chain(self.abbreviations.iter().map(abbreviation)).collect()
     }
 
     /// What a page says of its key; nothing of one without a key.
@@ -226,8 +231,14 @@ impl ToldInKey {
             colours: values(COLOURS).filter_map(colour).collect(),
             blank: values(BLANK).filter_map(colour).filter_map(|(class, means)| Some((class, means?))).collect(),
             abbreviations: values(ABBREVIATIONS).filter_map(pair).collect(),
+            title: Self::title_of(page).map(str::to_owned),
         };
         (told != Self::default()).then_some(told)
+    }
+
+    /// The title of a page whose key alone has it.
+    pub fn title_of(page: &Page) -> Option<&str> {
+        page.origin.iter().find(|(of, _)| of == TITLE).map(|(_, title)| title.as_str())
     }
 
     /// What the colours mean.
@@ -240,7 +251,7 @@ impl Page {
     /// The same page, whose key tells this.
     #[must_use]
     pub(crate) fn with_key(mut self, told: &ToldInKey) -> Self {
-        self.parts.origin.retain(|(name, _)| ![COLOURS, ABBREVIATIONS, BLANK].contains(&name.as_str()));
+        self.parts.origin.retain(|(name, _)| ![COLOURS, ABBREVIATIONS, BLANK, TITLE].contains(&name.as_str()));
         self.parts.origin.extend(told.to_origin());
         self
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::areas::{lightness, of_page};
 use super::label::CLEARANCE;
-use super::words::blank_to_signs;
+use super::label_params::blank_to_signs;
 use crate::classes::{self, Classes, Region};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::{distance_to_box, row_inside};

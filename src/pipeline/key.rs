@@ -27,7 +27,7 @@ use crate::{Error, Note, error};
 /// When there is a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum KeySheets {
-    /// Where labels are abbreviated.
+    /// Where labels are abbreviated, colours have a meaning, or the title has no room above the figure.
     #[default]
     Auto,
     /// Always, as long as there is anything to tell.
@@ -77,6 +77,8 @@ pub(super) struct Entries<'a> {
     pub(super) language: &'a str,
     /// The title of the page.
     pub(super) title: Option<&'a str>,
+    /// Whether it has no room above the figure, so that it stands here alone.
+    pub(super) has_title_alone: bool,
     pub(super) classes: Vec<Class>,
     /// What colours mean by the legend of the drawing.
     pub(super) meanings: Vec<(Class, String)>,
@@ -99,6 +101,7 @@ impl Entries<'_> {
             colours: self.classes.iter().flat_map(|class| meanings(*class)).collect(),
             abbreviations: self.abbreviations.clone(),
             blank: self.blank.clone(),
+            title: self.title.filter(|_| self.has_title_alone).map(str::to_owned),
         }
     }
 }
@@ -171,7 +174,8 @@ pub(super) fn of_entries(
     source: Size,
     request: &Request<'_>,
 ) -> Result<Key, Error> {
-    if entries.classes.is_empty() && entries.blank.is_empty() && entries.abbreviations.is_empty() {
+    let Entries { classes, blank, abbreviations, has_title_alone, .. } = entries;
+    if classes.is_empty() && blank.is_empty() && abbreviations.is_empty() && !has_title_alone {
         return Ok(Key::default());
     }
     let plan = request.plan;

@@ -2,9 +2,12 @@
 //! words below it do not fit into the margins that the drawing has. Then the drawing is made a little smaller in its
 //! frame.
 
+use std::cell::LazyCell;
+
 use super::label::CLEARANCE;
+use super::label_params;
 use super::texts::{self, Text};
-use super::words::{self, Words, WrittenWords, own_texts};
+use super::words::{Words, WrittenWords, own_texts};
 use crate::Error;
 use crate::labels::{self, RowPrediction, Wanted, row_overhang};
 use crate::page::Medium;
@@ -63,23 +66,53 @@ pub(super) fn with_room(
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
 ) -> Layout {
     let transform = |layout: &Layout| PageTransform::new(raster.size(), layout.figure);
+    let texts_at = |layout: &Layout| texts::placed(texts, &transform(layout));
+    let found = LazyCell::new(|| contours(raster));
+    let contours_at = |layout: &Layout| {
+        let to_mm = transform(layout);
+        found.iter().map(|&at| to_mm.to_mm(at)).collect()
+    };
+    with_room_for(
+        &LetteredAt { source, texts_at: &texts_at, contours_at: &contours_at },
+        words,
+        written,
+        plan,
+        layout,
+        layout_of,
+    )
+}
+
+/// What is to have room: where a drawing's texts and contours lie in a layout.
+pub(super) struct LetteredAt<'a> {
+    /// The size of the drawing, px.
+    pub(super) source: Size,
+    /// Its texts.
+    pub(super) texts_at: &'a dyn Fn(&Layout) -> Vec<Text>,
+    /// Points of its contours.
+    pub(super) contours_at: &'a dyn Fn(&Layout) -> Vec<MmPoint>,
+}
+
+/// As [`with_room`], of what is known in millimetres.
+pub(super) fn with_room_for(
+    drawing: &LetteredAt<'_>,
+    words: &Words<'_>,
+    written: &WrittenWords<'_>,
+    plan: &Plan,
+    layout: Layout,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+) -> Layout {
+    let &LetteredAt { source, texts_at, contours_at } = drawing;
     let wants = |layout: &Layout| {
-        let placed = texts::placed(texts, &transform(layout));
+        let placed = texts_at(layout);
         own_texts(&placed, words).map(|text| (text.clone(), text.anchor())).collect::<Vec<(Text, MmRect)>>()
     };
     let own = wants(&layout);
     if own.is_empty() || own.len() > labels::MOST || written.translator().is_none() {
         return layout;
     }
-    let contours = contours(raster);
     // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
     let most = [layout.figure.width(), layout.figure.height()].map(|side| MOST * side);
-    let lacks = |layout: &Layout| {
-        let texts = wants(layout);
-        let to_mm = transform(layout);
-        let contours: Vec<MmPoint> = contours.iter().map(|&at| to_mm.to_mm(at)).collect();
-        lacks(&texts, &contours, written, layout, most, plan)
-    };
+    let lacks = |layout: &Layout| lacks(&wants(layout), &contours_at(layout), written, layout, most, plan);
     let bounds = TextBounds { most, min_side: plan.profile().figure.min_side };
     widened(layout, source, bounds, lacks, layout_of)
 }
@@ -183,7 +216,7 @@ fn lacks(
 ) -> [f32; 4] {
     let Some(translator) = written.translator() else { return [0.0; 4] };
     let (figure, cells) = (layout.figure, CellGrid::of(&layout.medium, plan.profile().braille.cell));
-    let within = words::params(layout, &[], plan);
+    let within = label_params::params(layout, &[], plan);
     let params = labels::Params { area: layout.figure.inflate(across, down), ..within };
     let wanted: Vec<Wanted> = texts
         .iter()

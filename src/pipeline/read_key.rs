@@ -32,8 +32,10 @@ pub(super) fn is_key(page: &Page) -> bool {
 /// Whether a page is a sheet of a key, or has one that its maker asked for, though nothing is abbreviated.
 pub(super) fn has_own_key(page: &Page) -> bool {
     is_key(page)
-        || ToldInKey::of(page)
-            .is_some_and(|told| told.abbreviations.is_empty() && told.blank.is_empty() && told.meanings().count() == 0)
+        || ToldInKey::of(page).is_some_and(|told| {
+            let has_none = told.abbreviations.is_empty() && told.blank.is_empty() && told.title.is_none();
+            has_none && told.meanings().count() == 0
+        })
 }
 
 /// The key of a page on its own paper or device. Left to the program, there is one where words are abbreviated that
@@ -129,6 +131,7 @@ fn entries<'a>(page: &'a Page, written: &'a WrittenWords<'_>) -> Option<(Entries
         translator,
         language: &page.language,
         title: None,
+        has_title_alone: false,
         classes: Class::ALL.into_iter().filter(|of| page.figure.textures.iter().any(|t| t.class == *of)).collect(),
         meanings: Vec::new(),
         blank: Vec::new(),

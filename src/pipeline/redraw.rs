@@ -8,20 +8,21 @@ use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::leaders;
 use super::legend::{self, LegendEntry};
+use super::margins::{self, LetteredAt};
 use super::overview::{draw_overview, told_by_hand, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::textures::{blank_ground, draw_textures, take_unlearned, told_bare, told_unlearned};
 use super::told_lines::{left_out, told_left_out};
-use super::words::Words;
+use super::words::{Words, WrittenWords};
 use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
 use crate::page::spread;
-use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole, Texture};
+use crate::page::{BrailleText, Figure, InSet, LeftOut, MediumParams, Page, TextRole, Texture, ToldInKey};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, Note, Reason};
@@ -43,7 +44,7 @@ pub(super) fn shape(page: &Page) -> Size {
 pub(super) fn words<'a>(page: &'a Page, legend: &'a [LegendEntry]) -> Words<'a> {
     let title = page.braille.iter().find(|text| text.role == TextRole::Title);
     Words {
-        title: title.map(|text| text.text.as_str()),
+        title: title.map(|text| text.text.as_str()).or_else(|| ToldInKey::title_of(page)),
         language: Some(page.language.as_str()),
         own_texts: labels_of(page).next().is_some(),
         legend,
@@ -192,26 +193,66 @@ fn sheet_of_set(said: PageSays, page: &Page, layout: &Layout, plan: &Plan) -> (P
     (PageSays { in_set, label, ..said }, told)
 }
 
+/// The layout of a page whose labels have room beside its figure, as those of a drawing have.
+pub(super) fn with_room(
+    page: &Page,
+    words: &Words<'_>,
+    written: &WrittenWords<'_>,
+    plan: &Plan,
+    layout: Layout,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+) -> Layout {
+    let source = shape(page);
+    let texts_at = |layout: &Layout| labels_of(page).map(|text| text_at(text, page, layout)).collect();
+    let contours_at = |layout: &Layout| {
+        let there = moved(page, layout);
+        let points = page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| points_along(&run.points));
+        points.map(there).collect()
+    };
+    let lettered = LetteredAt { source, texts_at: &texts_at, contours_at: &contours_at };
+    margins::with_room_for(&lettered, words, written, plan, layout, layout_of)
+}
+
+/// Points of a polyline no farther apart than a millimetre.
+fn points_along(points: &[MmPoint]) -> Vec<MmPoint> {
+    let between = |pair: &[MmPoint]| {
+        let count = (pair[1] - pair[0]).length().ceil().max(1.0) as u32;
+        let (from, to) = (pair[0], pair[1]);
+        (0..count).map(move |step| from.lerp(to, step as f32 / count as f32))
+    };
+    points.windows(2).flat_map(between).chain(points.last().copied()).collect()
+}
+
+/// Where a place in the figure of a page lies in another layout.
+fn moved(page: &Page, layout: &Layout) -> impl Fn(MmPoint) -> MmPoint + use<> {
+    let size = shape(page);
+    let (transform, before) = (PageTransform::new(size, layout.figure), PageTransform::new(size, page.figure.place));
+    move |at| transform.to_mm(before.to_px(at))
+}
+
+/// A label of a page as a text in another layout.
+fn text_at(label: &BrailleText, page: &Page, layout: &Layout) -> Text {
+    let there = moved(page, layout);
+    let place = label.dots.bounds().unwrap_or_else(MmRect::zero);
+    Text {
+        string: label.text.clone(),
+        place: MmRect::new(there(place.min), there(place.max)),
+        angle: 0.0,
+        size: place.height(),
+        hidden: false,
+        lost_leader: None,
+        kept_leader: None,
+        in_key: false,
+    }
+}
+
 /// The labels of a page as texts in another layout. Takes the leader lines among the lines of the page out that are not
 /// drawn as a whole: their labels are led to what they name, as those are whose leader line came with them.
 fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (Vec<Text>, Vec<Note>) {
     let transform = PageTransform::new(edges.size, layout.figure);
     let before = PageTransform::new(edges.size, page.figure.place);
-    let there = |at: MmPoint| transform.to_mm(before.to_px(at));
-    let of_page = |text: &BrailleText| {
-        let place = text.dots.bounds().unwrap_or_else(MmRect::zero);
-        Text {
-            string: text.text.clone(),
-            place: MmRect::new(there(place.min), there(place.max)),
-            angle: 0.0,
-            size: place.height(),
-            hidden: false,
-            lost_leader: None,
-            kept_leader: None,
-            in_key: false,
-        }
-    };
-    let mut texts: Vec<Text> = labels_of(page).map(of_page).collect();
+    let there = moved(page, layout);
+    let mut texts: Vec<Text> = labels_of(page).map(|label| text_at(label, page, layout)).collect();
     // no line of the figure leads to one that has a leader line of its own
     let own: Vec<Option<[MmPoint; 2]>> = labels_of(page).map(own_leader).collect();
     let numbers: Vec<usize> = (0..texts.len()).filter(|&text| own[text].is_none()).collect();

@@ -1,9 +1,8 @@
 //! What is written on a page in braille.
 
-use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
-
 use super::key::{self, Entries, Key, KeySheets};
-use super::label::{CLEARANCE, Label};
+use super::label::Label;
+use super::label_params::params;
 use super::legend::{self, LegendEntry};
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
@@ -75,11 +74,6 @@ impl Words<'_> {
     }
 }
 
-/// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
-const TO_DOTS: f32 = 6.0;
-/// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
-const STEP: f32 = 1.0;
-
 /// The words of a page in braille.
 #[derive(Debug, Default)]
 pub(super) struct WrittenWords<'a> {
@@ -87,6 +81,8 @@ pub(super) struct WrittenWords<'a> {
     heading: Option<HeadingParams>,
     /// The page number of the first sheet.
     number: Option<u32>,
+    /// When there is a key.
+    key: KeySheets,
     language: String,
     translator: Option<Translator<'a>>,
     /// What could not be written.
@@ -107,7 +103,7 @@ impl<'a> WrittenWords<'a> {
     pub(super) fn new(words: &Words<'a>, plan: &Plan) -> Self {
         let settings = &plan.profile().braille;
         let language = words.language.unwrap_or(LANGUAGE);
-        let mut written = Self { language: language.to_owned(), ..Self::default() };
+        let mut written = Self { language: language.to_owned(), key: words.key, ..Self::default() };
         if !settings.on || !words.are_any() {
             return written;
         }
@@ -189,7 +185,10 @@ impl<'a> WrittenWords<'a> {
         let title = self.title(layout, cell);
         let number = self.number_of(sheet, layout, cell);
         let no_title = self.title.as_ref().filter(|_| title.is_none());
-        let no_title = no_title.map(|title| Note::NoRoomForTitle { cells: title.braille.cells.len() });
+        let no_title = no_title.map(|title| Note::NoRoomForTitle {
+            cells: title.braille.cells.len(),
+            in_key: self.key != KeySheets::Never,
+        });
         let no_number = (self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber);
         (title.into_iter().chain(number).collect(), no_title.into_iter().chain(no_number).collect())
     }
@@ -235,7 +234,9 @@ impl<'a> WrittenWords<'a> {
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
-        let params = Params { points, blocked, written: words.written.to_vec(), ..params(layout, tiles, plan) };
+        let leaders = texts.iter().filter_map(|text| text.kept_leader).collect();
+        let written = words.written.to_vec();
+        let params = Params { points, leaders, blocked, written, ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
@@ -248,6 +249,7 @@ impl<'a> WrittenWords<'a> {
         notes.extend(without_texture(&on_textures.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>()));
         notes.extend(told(&wanted, &results));
         notes.extend(unwritten::on_line(&of_placed, translator));
+        notes.extend(unwritten::in_other_letters(&of_placed, translator));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });
@@ -279,7 +281,7 @@ impl<'a> WrittenWords<'a> {
         layout: &Layout,
         request: &Request<'_>,
     ) -> Result<Key, Error> {
-        let mut key = match self.entries_of_key(words, braille, figure, sheets_before) {
+        let mut key = match self.entries_of_key(words, braille, figure, sheets_before, layout) {
             Some(entries) => key::of_entries(&entries, layout, figure.source, request)?,
             None => Key::default(),
         };
@@ -302,13 +304,18 @@ impl<'a> WrittenWords<'a> {
         braille: &[BrailleText],
         figure: &Figure,
         sheets_before: u32,
+        layout: &Layout,
     ) -> Option<Entries<'e>> {
         let abbreviations = key::abbreviations(braille);
         let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
+        let has_heading = layout.heading.is_some_and(|heading| heading.lines > 0);
+        // on a page that was read it stands already
+        let is_above = has_heading || braille.iter().any(|text| text.role == TextRole::Title);
+        let has_title_alone = self.title.is_some() && !is_above;
         let is_wanted = match words.key {
             KeySheets::Auto => {
                 let is_told = |entry: &LegendEntry| occurs(&entry.class) || entry.has_blank || entry.place.is_some();
-                !abbreviations.is_empty() || words.legend.iter().any(is_told)
+                !abbreviations.is_empty() || words.legend.iter().any(is_told) || has_title_alone
             }
             KeySheets::Always => true,
             KeySheets::Never => false,
@@ -320,7 +327,17 @@ impl<'a> WrittenWords<'a> {
         let blank = words.legend.iter().filter(|entry| entry.has_blank).map(meaning).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
         let number = self.number.map(|number| number.saturating_add(sheets_before));
-        Some(Entries { translator, language: &self.language, title, classes, meanings, blank, abbreviations, number })
+        Some(Entries {
+            translator,
+            language: &self.language,
+            title,
+            has_title_alone,
+            classes,
+            meanings,
+            blank,
+            abbreviations,
+            number,
+        })
     }
 
     fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {
@@ -391,83 +408,6 @@ pub(super) fn become_labels(words: &Words<'_>) -> impl Fn(&Text) -> bool + use<>
     let (are_wanted, title) = (words.own_texts, title.map(|title| title.trim().to_owned()));
     let is_title = move |text: &Text| title.as_deref().is_some_and(|title| title == text.string.trim());
     move |text| are_wanted && text.is_read() && !text.in_key && !is_title(text)
-}
-
-/// Blank between braille and signs, mm.
-pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
-    match medium {
-        Medium::Print(_) => CLEARANCE,
-        Medium::Dots(_) => TO_DOTS,
-    }
-}
-
-/// Twice the widest line of most profiles, mm.
-const WIDEST: f32 = 3.0;
-/// What the squares in which lines are looked at may add to the breadth of one, mm.
-const SQUARES: f32 = 1.0;
-/// From dot to dot of braille, mm, about.
-const BRAILLE_DOTS: f32 = 2.5;
-
-/// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
-/// frame is some columns from the outermost of the figure, which may lie a step within it.
-pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
-    let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
-    let (step, area) = match &layout.medium {
-        Medium::Print(_) => (STEP, layout.room.inflate(beside, beside)),
-        Medium::Dots(dots) => {
-            let radius = 0.5 * dots.diameter();
-            let reach = dots.area.bounds().inflate(radius, radius);
-            (dots.pitch, layout.room.intersection_unchecked(&reach))
-        }
-    };
-    let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
-    let texture_clearance = blank_to_signs(&layout.medium);
-    // the dots of a leader line reach half a step further than those of a label, and lie up to half of the diagonal of
-    // four dots off its place
-    let leader_off = match &layout.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
-    };
-    // three rows of dots are read as cells
-    let least_texture = match &layout.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => 3.0 * dots.pitch.max(BRAILLE_DOTS),
-    };
-    // the second row of a heavy line lies a step beside the first; twice as broad for a slanted way across it
-    let widest_outline = match &layout.medium {
-        Medium::Print(_) => (2.0 * plan.lines().width_max).max(WIDEST),
-        Medium::Dots(dots) => SQRT_2 * (dots.pitch + dots.diameter()) + SQUARES,
-    };
-    let (tiles, lines) = (tiles.to_vec(), plan.lines());
-    Params {
-        area,
-        tiles,
-        points: Vec::new(),
-        written: Vec::new(),
-        blocked: Vec::new(),
-        clearance: CLEARANCE,
-        more_aside: more_aside(layout, plan),
-        line_gap: lines.min_gap,
-        least_strength: lines.least_strength,
-        texture_clearance,
-        least_texture,
-        may_cross,
-        step,
-        leader_off,
-        widest_outline,
-    }
-}
-
-/// How much more blank than the clearance there is to be between a label and a line beside it, mm: as much as keeps the
-/// dots of the line off the first column of a next cell.
-fn more_aside(layout: &Layout, plan: &Plan) -> f32 {
-    match &layout.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => {
-            let size = CellGrid::of(&layout.medium, plan.profile().braille.cell).size();
-            (size.cell - size.dot + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0)
-        }
-    }
 }
 
 /// A leader line: as thin as lines can be.

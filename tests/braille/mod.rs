@@ -8,6 +8,7 @@ mod key;
 mod labels;
 mod named;
 mod outputs;
+mod places;
 mod reading;
 mod rows;
 mod title;

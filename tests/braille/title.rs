@@ -6,7 +6,7 @@ use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::marks::TextRole;
 use tactograph::medium::Medium;
-use tactograph::{DotFormat, Drawing, MmPoint, Note, Options, Page, Profile, convert};
+use tactograph::{DotFormat, Drawing, KeySheets, MmPoint, Note, Options, Page, Profile, RenderOptions, convert};
 
 const TITLE: &str = "Rain in mm, March to July 2024";
 
@@ -144,11 +144,6 @@ fn titles_that_cannot_be_written_are_told() {
         assert!(drawing.page.braille.is_empty(), "{title}");
         drawing
     };
-    // too long for a display of 60 x 40 pins, and for any sheet
-    assert!(has(&unwritten(TITLE, "en", "graphiti", &[]), |note| matches!(note, Note::NoRoomForTitle { .. })));
-    assert!(drawn("Rain", "en", "graphiti", &[]).page.braille.len() == 1);
-    let long = "word ".repeat(180);
-    assert!(has(&unwritten(&long, "en", "swell-a4", &[]), |note| matches!(note, Note::NoRoomForTitle { .. })));
     let longer = "word ".repeat(500);
     assert!(has(&unwritten(&longer, "en", "swell-a4", &[]), |note| matches!(note, Note::NotTranslated { .. })));
     let note = Note::NoBrailleCode("ja".into());
@@ -167,6 +162,40 @@ fn titles_that_cannot_be_written_are_told() {
     let lacking = drawn("Kaffee \u{65e5}", "de", "swell-a4", &[]);
     let note = Note::NotInBraille { texts: vec!["Kaffee \u{65e5}".into()], lacking: vec![('\u{65e5}', 8)] };
     assert!(lacking.notes.contains(&note), "{:?}", lacking.notes);
+}
+
+/// A title that is too long for a display of 60 x 40 pins, and one for any sheet, begin a key; where the maker wants none
+/// they are left out. Drawn anew on larger paper, the page has its title above the figure.
+#[test]
+fn a_title_without_room_begins_the_key() {
+    let told = |drawing: &Drawing| {
+        let mut told = drawing.notes.iter().filter_map(|note| match note {
+            Note::NoRoomForTitle { in_key, .. } => Some(*in_key),
+            _ => None,
+        });
+        told.next()
+    };
+    let long = "word ".repeat(180);
+    for (title, profile) in [(TITLE, "graphiti"), (long.trim(), "swell-a4")] {
+        let drawing = drawn(title, "en", profile, &[]);
+        assert!(drawing.page.braille.is_empty(), "{profile}");
+        assert_eq!(told(&drawing), Some(true), "{profile}");
+        let texts: Vec<&str> =
+            drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
+        assert!(texts.iter().any(|text| *text == format!("Key: {title}")), "{profile}: {texts:?}");
+        let profile = Profile::named(profile).expect("built in");
+        let options = Options::new(profile).title(title).key(KeySheets::Never);
+        let without = convert(&samples::read("bars.svg"), &options).expect("a page");
+        assert!(without.key.is_empty());
+        assert_eq!(told(&without), Some(false));
+    }
+    let short = drawn("Rain", "en", "graphiti", &[]);
+    assert!(short.page.braille.len() == 1 && short.key.is_empty() && told(&short).is_none());
+    let paper = RenderOptions::new().profile(Profile::named("swell-a4").expect("built in"));
+    let pins = drawn(TITLE, "en", "graphiti", &[]).page.to_svg();
+    let anew = tactograph::render(pins, &paper).expect("a page");
+    assert!(anew.page.braille.iter().any(|text| text.role == TextRole::Title && text.text == TITLE));
+    assert!(anew.key.is_empty());
 }
 
 /// A title never stands in the way of a figure: where both have no room, the figure stays.

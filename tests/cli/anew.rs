@@ -124,3 +124,22 @@ fn leader_lines_of_a_drawing_are_whole_on_another_device_or_not_there() {
     let told = done(&place, &["render", "page.svg", "--profile", "swell-a3", "-o", "large.svg"]);
     assert!(!told.contains("the leader line"), "{told}");
 }
+
+/// Numbers beside an axis have room on another device too: the drawing is made smaller in its frame for them.
+#[test]
+fn numbers_of_an_axis_stay_on_another_device() {
+    let place = Place::new();
+    place.put("chart.svg", &samples::read("chart.svg"));
+    done(&place, &["convert", "chart.svg", "--labels", "texts", "--no-overview", "--key", "never", "-o", "page.svg"]);
+    let numbers = |page: &Page| -> Vec<String> {
+        let texts = page.braille.iter().map(|text| text.text.clone());
+        texts.filter(|text| text.parse::<u32>().is_ok()).collect()
+    };
+    let before = numbers(&read(&place, "page.svg"));
+    assert!(before.len() >= 3, "{before:?}");
+    for profile in ["index-basic-d", "dot-pad"] {
+        let args = ["render", "page.svg", "--profile", profile, "--set", "overview=false", "--key", "never", "--force"];
+        let told = done(&place, &[&args[..], &["-o", "dots.svg"]].concat());
+        assert_eq!(numbers(&read(&place, "dots.svg")), before, "{profile}: {told}");
+    }
+}

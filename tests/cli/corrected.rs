@@ -62,8 +62,11 @@ fn a_key_that_has_nothing_to_tell_is_told() {
     };
     let told = of(&["--outlines"]);
     assert!(told.contains("there is no key, as it would tell nothing") && told.contains("wrote x.svg\n"), "{told}");
-    let told = of(&["--set", "braille=false"]);
-    assert!(told.contains("there is no key, as braille is off (braille=false)"), "{told}");
+    for off in [&["--set", "braille=false"][..], &["--no-braille"]] {
+        let told = of(&[off, &["--title", "Pets"]].concat());
+        assert!(told.contains("there is no key, as braille is off (braille=false)"), "{told}");
+        assert!(!place.text("x.svg").contains("data-braille"), "{off:?}");
+    }
     let told = of(&["--lang", "ja"]);
     assert!(told.contains("there is no key, as there is no braille code for the language"), "{told}");
     assert!(!of(&[]).contains("there is no key"));

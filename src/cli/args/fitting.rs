@@ -60,6 +60,12 @@ pub(in crate::cli) struct Fitting {
     #[arg(long)]
     no_overview: bool,
 
+    /// Writes no braille: the title is then for screen readers only
+    ///
+    /// Labels are left out, and listed. The same as --set braille=false.
+    #[arg(long, hide_short_help = true)]
+    no_braille: bool,
+
     /// Exchanges left and right, marks and frames included
     ///
     /// For machines that press a page up from its back. Not for swell paper.
@@ -104,6 +110,7 @@ impl Fitting {
             (self.outlines, "--outlines", &["figure.textures=false"][..]),
             (self.textures_only, "--textures-only", &["figure.lines=false", "overview.on=false"]),
             (self.no_overview, "--no-overview", &["overview.on=false"]),
+            (self.no_braille, "--no-braille", &["braille.on=false"]),
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
         let switches = given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set)));

@@ -13,8 +13,8 @@ use super::pages::Pages;
 pub(in crate::cli) struct Words {
     /// What the page is called, for one picture
     ///
-    /// Written in braille above the figure, shown by viewers and read out by screen readers. --set braille=false leaves
-    /// the braille out. The file name is never written on a page.
+    /// Written in braille above the figure, or in the key if it has no room there; shown by viewers and read out by
+    /// screen readers. --no-braille leaves the braille out. The file name is never written on a page.
     ///
     /// [default: the picture's file name]
     #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]

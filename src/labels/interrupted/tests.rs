@@ -18,7 +18,10 @@ fn only_lines_of_a_grid_give_way_to_labels() {
         line(7.0, &[(0.0, 35.0), (100.0, 35.0)]),
     ];
     // an axis, a gridline, a faint curve, a line, two more gridlines
-    assert_eq!(giving_way(&lines, 7.0), [false, true, false, false, true, true]);
+    assert_eq!(giving_way(&lines, 7.0, &[]), [false, true, false, false, true, true]);
+    // leader lines side by side are no grid
+    let leaders = [MmPoint::new(100.0, 50.0), MmPoint::new(101.0, 20.5)];
+    assert_eq!(giving_way(&lines, 7.0, &leaders), [false; 6]);
     let place = MmRect::new(MmPoint::new(40.0, 46.0), MmPoint::new(50.0, 52.0));
     let label = Placed::of_test(place);
     let params = Params::of_test(place);

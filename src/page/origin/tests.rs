@@ -29,6 +29,7 @@ fn what_a_key_tells_is_read_as_it_was_said() {
         colours: vec![(Class::Red, None), (Class::Blue, Some("the sea".into()))],
         abbreviations: vec![("ab".into(), "a long word: two".into())],
         blank: vec![(Class::Green, "woods".into())],
+        title: Some("Where people live: 2024".into()),
     };
     let page = page(told.to_origin());
     assert_eq!(ToldInKey::of(&page), Some(told));

@@ -1,0 +1,94 @@
+//! How labels are placed on a page: what its medium and its profile ask for.
+
+use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+use super::label::CLEARANCE;
+use crate::labels::Params;
+use crate::page::Medium;
+use crate::page::cells::CellGrid;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::units::MmRect;
+
+/// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
+const TO_DOTS: f32 = 6.0;
+/// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
+const STEP: f32 = 1.0;
+
+/// Blank between braille and signs, mm.
+pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
+    match medium {
+        Medium::Print(_) => CLEARANCE,
+        Medium::Dots(_) => TO_DOTS,
+    }
+}
+
+/// Twice the widest line of most profiles, mm.
+const WIDEST: f32 = 3.0;
+/// What the squares in which lines are looked at may add to the breadth of one, mm.
+const SQUARES: f32 = 1.0;
+/// From dot to dot of braille, mm, about.
+const BRAILLE_DOTS: f32 = 2.5;
+
+/// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
+/// frame is some columns from the outermost of the figure, which may lie a step within it.
+pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
+    let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
+    let (step, area) = match &layout.medium {
+        Medium::Print(_) => (STEP, layout.room.inflate(beside, beside)),
+        Medium::Dots(dots) => {
+            let radius = 0.5 * dots.diameter();
+            let reach = dots.area.bounds().inflate(radius, radius);
+            (dots.pitch, layout.room.intersection_unchecked(&reach))
+        }
+    };
+    let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
+    let texture_clearance = blank_to_signs(&layout.medium);
+    // the dots of a leader line reach half a step further than those of a label, and lie up to half of the diagonal of
+    // four dots off its place
+    let leader_off = match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
+    };
+    // three rows of dots are read as cells
+    let least_texture = match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => 3.0 * dots.pitch.max(BRAILLE_DOTS),
+    };
+    // the second row of a heavy line lies a step beside the first; twice as broad for a slanted way across it
+    let widest_outline = match &layout.medium {
+        Medium::Print(_) => (2.0 * plan.lines().width_max).max(WIDEST),
+        Medium::Dots(dots) => SQRT_2 * (dots.pitch + dots.diameter()) + SQUARES,
+    };
+    let (tiles, lines) = (tiles.to_vec(), plan.lines());
+    Params {
+        area,
+        tiles,
+        points: Vec::new(),
+        leaders: Vec::new(),
+        written: Vec::new(),
+        blocked: Vec::new(),
+        clearance: CLEARANCE,
+        more_aside: more_aside(layout, plan),
+        line_gap: lines.min_gap,
+        least_strength: lines.least_strength,
+        texture_clearance,
+        least_texture,
+        may_cross,
+        step,
+        leader_off,
+        widest_outline,
+    }
+}
+
+/// How much more blank than the clearance there is to be between a label and a line beside it, mm: as much as keeps the
+/// dots of the line off the first column of a next cell.
+fn more_aside(layout: &Layout, plan: &Plan) -> f32 {
+    match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => {
+            let size = CellGrid::of(&layout.medium, plan.profile().braille.cell).size();
+            (size.cell - size.dot + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0)
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! Where labels must not stand: in another cell or sector than their text, or on a leader line of the drawing.
+
+use super::labels::place;
+use super::worksheets::{drawn, notes, svg};
+use tactograph::marks::BrailleText;
+use tactograph::{Drawing, MmPoint, MmRect};
+
+const PROFILES: [&str; 3] = ["swell-a4", "index-basic-d", "braillerap"];
+
+fn label<'d>(drawing: &'d Drawing, text: &str) -> Option<&'d BrailleText> {
+    drawing.page.braille.iter().find(|label| label.text == text)
+}
+
+/// Where the middle of a label lies in the drawing, px, of so many across.
+fn middle(drawing: &Drawing, label: &BrailleText, width: f32) -> MmPoint {
+    let (figure, middle) = (drawing.page.figure.place, place(label).center());
+    ((middle - figure.min) * (width / figure.width())).to_point()
+}
+
+/// Each word of a table stands in its own cell, and is not abbreviated because another one has no room in its.
+#[test]
+fn words_of_a_table_stand_each_for_itself() {
+    let rows = [["Land", "Capital", "People"], ["Peru", "Lima", "33,000,000"], ["Mali", "Bamako", "22,000,000"]];
+    let mut marks = "<path d='M20 20H620V260H20ZM20 100H620M20 180H620M220 20V260M420 20V260' fill='none' \
+        stroke='#000' stroke-width='2'/>"
+        .to_owned();
+    for (y, row) in rows.iter().enumerate() {
+        for (x, text) in row.iter().enumerate() {
+            let (x, y) = (120 + 200 * x, 66 + 80 * y);
+            marks += &format!("<text x='{x}' y='{y}' text-anchor='middle'>{text}</text>");
+        }
+    }
+    let drawing = drawn(&svg([640.0, 280.0], &marks), "swell-a4");
+    for (y, row) in rows.iter().enumerate() {
+        for (x, text) in row.iter().enumerate().filter(|(_, text)| text.chars().all(char::is_alphabetic)) {
+            let label = label(&drawing, text).unwrap_or_else(|| panic!("{text} is not there"));
+            assert_eq!(label.abbreviation, None, "{text}: {}", notes(&drawing));
+            let at = middle(&drawing, label, 640.0);
+            let cell = ((at.x - 20.0) / 200.0, (at.y - 20.0) / 80.0);
+            assert_eq!((cell.0 as usize, cell.1 as usize), (x, y), "{text}: {at:?}");
+        }
+    }
+    // a number that is too long for its cell is in the key
+    let key: Vec<&str> = drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
+    for number in ["33,000,000", "22,000,000"] {
+        assert!(label(&drawing, number).is_some(), "{number}: {}", notes(&drawing));
+        assert!(key.iter().any(|text| text.ends_with(number)), "{number}: {key:?}");
+    }
+}
+
+/// The share of a sector stands in that sector or beside the pie, never in another sector.
+#[test]
+fn a_share_stands_in_no_other_sector() {
+    let shares = [30.0_f32, 30.0, 20.0, 14.0, 6.0];
+    let colours = ["#2266cc", "#22aa33", "#eecc22", "#cc2222", "#888888"];
+    let (centre, radius) = (MmPoint::new(260.0, 240.0), 160.0_f32);
+    let on = |share: f32, far: f32| {
+        let (sin, cos) = (share * 0.02 * std::f32::consts::PI).sin_cos();
+        MmPoint::new(centre.x + far * sin, centre.y - far * cos)
+    };
+    let (mut marks, mut begin) = (String::new(), 0.0);
+    for (share, colour) in shares.iter().zip(colours) {
+        let (a, b, text) = (on(begin, radius), on(begin + share, radius), on(begin + 0.5 * share, 0.65 * radius));
+        marks += &format!(
+            "<path d='M{} {}L{} {}A160 160 0 0 1 {} {}Z' fill='{colour}' stroke='#fff' stroke-width='2'/>\
+             <text x='{}' y='{}' font-size='14' text-anchor='middle'>{share} %</text>",
+            centre.x, centre.y, a.x, a.y, b.x, b.y, text.x, text.y
+        );
+        begin += share;
+    }
+    for profile in PROFILES {
+        let drawing = drawn(&svg([520.0, 450.0], &marks), profile);
+        let mut begin = 0.0;
+        for (number, share) in shares.iter().enumerate() {
+            let text = format!("{share} %");
+            let own = begin..begin + share;
+            begin += share;
+            // both of the first two say the same
+            for label in drawing.page.braille.iter().filter(|label| number > 1 && label.text == text) {
+                let off = middle(&drawing, label, 520.0) - centre;
+                let at = (off.x.atan2(-off.y) / std::f32::consts::TAU * 100.0).rem_euclid(100.0);
+                assert!(off.length() > radius || own.contains(&at), "{profile}: {text} stands at {at} %");
+            }
+        }
+    }
+}
+
+/// Leader lines that lie side by side are no lines of a grid: no label stands on one of them.
+#[test]
+fn leader_lines_side_by_side_are_whole() {
+    let marks = "<path d='M330 620V220' stroke='#282' stroke-width='14'/>\
+        <circle cx='330' cy='150' r='70' fill='#f4c020' stroke='#000' stroke-width='3'/>\
+        <path d='M332 420C400 340 470 350 520 390C460 450 390 450 332 420Z' fill='#3a3' stroke='#000' stroke-width='3'/>\
+        <path d='M20 622H680' stroke='#000' stroke-width='3'/>\
+        <g stroke='#000' stroke-width='2'><path d='M400 130H520'/><path d='M337 290H520'/><path d='M480 385L540 360'/></g>\
+        <g font-size='22'><text x='526' y='137'>petal</text><text x='526' y='297'>stem</text>\
+        <text x='546' y='364'>leaf blade</text></g>";
+    for profile in PROFILES {
+        let drawing = drawn(&svg([700.0, 700.0], marks), profile);
+        let told = notes(&drawing);
+        for (text, y) in [("petal", 130.0), ("stem", 290.0)] {
+            let label = label(&drawing, text).unwrap_or_else(|| panic!("{profile}: no {text}: {told}"));
+            let place = place(label);
+            let leads = |points: &[MmPoint]| {
+                let ends = [points[0], points[points.len() - 1]];
+                let is_long = (ends[1] - ends[0]).length() > 20.0;
+                is_long && ends.iter().any(|end| distance(*end, place) < 8.0)
+            };
+            let mut runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).chain(&label.leader);
+            let has = runs.any(|run| run.points.len() > 1 && leads(&run.points));
+            let is_told =
+                told.contains("left out of the page: the leader line") && told.contains(&format!("\"{text}\""));
+            assert!(has || is_told, "{profile}: nothing leads from {text} at {y}: {told}");
+        }
+    }
+}
+
+/// From a point to a box, mm.
+fn distance(at: MmPoint, place: MmRect) -> f32 {
+    (at - at.clamp(place.min, place.max)).length()
+}
+
+/// A heading that has no room in its place has no leader line to there.
+#[test]
+fn a_heading_has_no_leader_line() {
+    let bars: String =
+        (0..6).map(|bar| format!("<rect x='{}' y='60' width='50' height='330' fill='#24c'/>", 70 + 80 * bar)).collect();
+    let marks = format!(
+        "<path d='M50 20V390H580' fill='none' stroke='#000' stroke-width='3'/>{bars}\
+         <text x='310' y='48' text-anchor='middle'>What everybody in the class likes to eat at noon</text>"
+    );
+    for profile in PROFILES {
+        let drawing = drawn(&svg([600.0, 420.0], &marks), profile);
+        assert!(drawing.page.braille.iter().all(|label| label.leader.is_none()), "{profile}: {}", notes(&drawing));
+    }
+}
