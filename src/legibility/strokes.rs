@@ -68,7 +68,7 @@ pub fn near_lines(lines: &[Line], medium: &Medium, limits: &RuleLimits) -> (Vec<
 fn is_beside_disc(Near { lines: (a, b), gap, .. }: &Near, lines: &[Line], line_gap: f32) -> bool {
     let discs = [a, b].into_iter().filter(|line| lines[**line].is_disc()).count();
     let is_on = discs == 1 && *gap < -LAST_DIGIT;
-    a == b && discs > 0 || discs > 0 && (is_on || *gap >= Line::DISC_GAP * line_gap - LAST_DIGIT)
+    discs > 0 && (a == b || is_on || *gap >= Line::DISC_GAP * line_gap - LAST_DIGIT)
 }
 
 /// The numbers of the lines that are too short.
