@@ -244,3 +244,64 @@ fn points_of_a_curve_are_beads_before_gridlines() {
         check(&page.page, &plan.limits(), None).findings.into_iter().filter(|found| found.is_error()).collect();
     assert!(errors.is_empty(), "{errors:?}");
 }
+
+/// As in scatter plots: rings of the size of other points had no room, and two thirds of the points were left out.
+#[test]
+fn a_cloud_of_points_is_discs_each_at_its_place_and_those_that_overlap_are_told() {
+    let axes = "<path d='M90 30V460H960' fill='none' stroke='#000' stroke-width='3'/>\
+                <path d='M90 420L900 80' stroke='#c00' stroke-width='2'/>";
+    let far = [(150, 300), (240, 370), (300, 210), (420, 290), (500, 180), (620, 260), (690, 110), (800, 230)];
+    let near = [(360, 307), (560, 240)];
+    let circles = |places: &[(i32, i32)]| -> String {
+        places.iter().map(|(x, y)| format!("<circle cx='{x}' cy='{y}' r='8' fill='#1f77b4'/>")).collect()
+    };
+    let page = page_of(&(axes.to_owned() + &circles(&far) + &circles(&near)));
+    let place = page.page.figure.place;
+    let middles: Vec<(f32, f32)> = page
+        .page
+        .figure
+        .lines
+        .iter()
+        .filter_map(|line| match &line.runs[..] {
+            [run] if run.closed && line.length() < 8.0 => {
+                let sum = run.points.iter().fold((0.0, 0.0), |sum, at| (sum.0 + at.x, sum.1 + at.y));
+                let middle = MmPoint::new(sum.0 / run.points.len() as f32, sum.1 / run.points.len() as f32);
+                let share = (middle - place.min).component_div(place.size().to_vector());
+                Some((1000.0 * share.x, 500.0 * share.y))
+            }
+            _ => None,
+        })
+        .collect();
+    for (x, y) in far.iter().chain(&near) {
+        let off = middles.iter().map(|at| (at.0 - *x as f32).hypot(at.1 - *y as f32)).fold(f32::INFINITY, f32::min);
+        assert!(off < 6.0, "the point at {x}, {y} is {off} units from its place: {middles:?}");
+    }
+    let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
+    assert_eq!(checked.errors(), 0, "{:#?}", checked.findings);
+    assert!(told(&page).iter().all(|note| !note.contains("point")), "{:#?}", told(&page));
+    let page = page_of(&(axes.to_owned() + &circles(&far) + &circles(&[(432, 296)])));
+    assert!(told(&page).iter().any(|note| note.contains("1 point (at ")), "{:#?}", told(&page));
+}
+
+/// As the wheels of a car, which were open below, or not in the overview.
+#[test]
+fn a_wheel_on_the_road_is_closed_in_the_figure_and_in_the_overview() {
+    let drawn = "<g fill='none' stroke='#000' stroke-width='4'><path d='M40 420H960'/><path d='M100 340V180H900V340Z'/>\
+                 <circle cx='280' cy='347' r='70'/><circle cx='700' cy='347' r='70'/></g>";
+    let page = page_of(drawn);
+    let round = |lines: &[Line], place: tactograph::MmRect| {
+        let is_wheel = |line: &&Line| {
+            let of_circle = std::f32::consts::TAU * 70.0 / 1000.0 * place.width();
+            let first = line.runs.first().and_then(|run| run.path().next());
+            let last = line.runs.last().and_then(|run| run.path().last());
+            let meets = first.zip(last).is_some_and(|(first, last)| (last - first).length() < 0.05);
+            meets && (line.length() / of_circle - 1.0).abs() < 0.1
+        };
+        lines.iter().filter(is_wheel).count()
+    };
+    let overview = page.page.overview.as_ref().expect("it has one");
+    assert_eq!(round(&page.page.figure.lines, page.page.figure.place), 2, "{:#?}", told(&page));
+    assert_eq!(round(&overview.lines, overview.place), 2, "{:#?}", told(&page));
+    let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
+    assert_eq!(checked.errors(), 0, "{:#?}", checked.findings);
+}

@@ -1,9 +1,9 @@
 //! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use super::limits::LAST_DIGIT;
-use super::paths::{Paths, may_be_near, nearest};
+use super::paths::{Path, PathKind, Paths, may_be_near, nearest};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::walk::arc_between;
@@ -66,6 +66,7 @@ pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Ve
         keep_straight(number, list, apart, |stretch, other| follows(paths, number, stretch, other, index, least));
     }
     add_corners(&mut found, paths, index);
+    add_contacts(&mut found, paths, index, least);
     add_clusters(&mut found, paths, least + 2.0 * widest);
     for list in &mut found {
         list.sort_by(|a, b| a.line.cmp(&b.line).then(a.arc.total_cmp(&b.arc)));
@@ -149,6 +150,45 @@ fn add_corners(joins: &mut [Vec<Join>], paths: &Paths, index: &Nearby) {
                     found.push(Join::of(arc, (other.line, there), paths));
                 }
             });
+        }
+    }
+}
+
+/// Where rings touch other lines without crossing them, as a wheel stands on the road: their ink overlaps there, and on
+/// both sides of that place the ring is apart before long.
+fn add_contacts(joins: &mut [Vec<Join>], paths: &Paths, index: &Nearby, least: f32) {
+    let widest = paths.widest();
+    for (number, found) in joins.iter_mut().enumerate() {
+        let Path { closed, kind, length, .. } = paths.paths[number];
+        if !closed || kind != PathKind::Stroke {
+            continue;
+        }
+        let mut nearest_of: BTreeMap<u32, (f32, f32, f32)> = BTreeMap::new();
+        for own in paths.segments_of(number) {
+            index.around(own.a, own.a, own.half_width + widest, |other| {
+                let (distance, _, there) = nearest(other, own.a);
+                let touches =
+                    other.line as usize != number && distance <= own.half_width + other.half_width - LAST_DIGIT;
+                if touches && nearest_of.get(&other.line).is_none_or(|(known, ..)| distance < *known) {
+                    nearest_of.insert(other.line, (distance, own.arc, there));
+                }
+            });
+        }
+        let half = paths.segments_of(number).first().map_or(0.0, |segment| segment.half_width);
+        let reach = least + half;
+        let leaves = |arc: f32, other: u32, way: f32| {
+            let steps = (APPROACH * (reach + half) / STEP) as u32;
+            let place = |k: u32| paths.at(number, (arc + way * STEP * k as f32).rem_euclid(length));
+            (1..=steps).filter_map(place).any(|at| {
+                let near = index.nearest_of_line(at, reach + widest, other);
+                near.is_none_or(|(distance, _, segment)| distance >= reach + segment.half_width)
+            })
+        };
+        for (other, (_, arc, there)) in nearest_of {
+            let is_known = found.iter().any(|join| join.other == other);
+            if !is_known && leaves(arc, other, 1.0) && leaves(arc, other, -1.0) {
+                found.push(Join::of(arc, (other, there), paths));
+            }
         }
     }
 }

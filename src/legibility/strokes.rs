@@ -51,12 +51,24 @@ pub(super) fn findings(
 /// All places where lines of a page of this medium are nearer than they may be, and whether these are all.
 pub fn near_lines(lines: &[Line], medium: &Medium, limits: &RuleLimits) -> (Vec<Near>, bool) {
     match (limits.medium, medium) {
-        (MediumLimits::Print { line_gap, .. }, _) => gaps::all_too_near(lines, line_gap),
+        (MediumLimits::Print { line_gap, .. }, _) => {
+            let (mut near, are_all) = gaps::all_too_near(lines, line_gap);
+            near.retain(|near| !is_beside_disc(near, lines, line_gap));
+            (near, are_all)
+        }
         (MediumLimits::Dots { line_gap, .. }, Medium::Dots(dots)) => dotted::too_near(lines, line_gap, dots),
         (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
             gaps::all_too_near(lines, line_gap as f32 * pitch)
         }
     }
+}
+
+/// Whether two lines are as near as a disc that stands for a point, such as one of a scatter plot, may be to another
+/// line: with half the blank, or with none, so that it lies on that.
+fn is_beside_disc(Near { lines: (a, b), gap, .. }: &Near, lines: &[Line], line_gap: f32) -> bool {
+    let discs = [a, b].into_iter().filter(|line| lines[**line].is_disc()).count();
+    let is_on = discs == 1 && *gap < -LAST_DIGIT;
+    discs > 0 && (a == b || is_on || *gap >= Line::DISC_GAP * line_gap - LAST_DIGIT)
 }
 
 /// The numbers of the lines that are too short.
@@ -310,6 +322,7 @@ fn too_short<'a>(line: &'a Line, limits: &RuleLimits) -> Option<Short<'a>> {
     // of dots, the second row of a broad line is no length of its own
     let dots = line.runs.iter().filter(|run| run.pen != Pen::Stroke).map(Run::length).fold(0.0, f32::max);
     let length = strokes.max(dots) + tips;
-    let is_short = length < limits.line_length - LAST_DIGIT && points(line).next().is_some();
+    // a disc stands for a point
+    let is_short = length < limits.line_length - LAST_DIGIT && points(line).next().is_some() && !line.is_disc();
     is_short.then_some(Short { line, length })
 }

@@ -18,7 +18,7 @@ pub struct Lost {
     pub by_place: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
-    /// Small rings that are not drawn, or that a device has not all dots for.
+    /// Small shapes that are not drawn, or that a device has not all dots for.
     pub signs: Vec<LostSign>,
     /// Marks too short for a line.
     pub marks: LostMarks,
@@ -133,13 +133,24 @@ pub struct LostMarks {
     pub first: Option<MmPoint>,
 }
 
-/// A small ring that is not drawn, such as a town on a map.
+/// A small shape that is not drawn, such as a town on a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LostSign {
     /// Its middle.
     pub at: MmPoint,
-    /// Whether it is a triangle at the end of a line: an arrowhead.
-    pub is_arrowhead: bool,
+    /// What it is.
+    pub kind: SignKind,
+}
+
+/// Which kind of a small shape is lost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SignKind {
+    /// A small ring.
+    Ring,
+    /// The head of an arrow.
+    Arrowhead,
+    /// One of a cloud of points.
+    Point,
 }
 
 impl Lost {

@@ -52,7 +52,7 @@ pub use faint::which_are_weak;
 pub use few::Beyond;
 pub use line::{HeavyStrokes, Height, Line, Pen, Run};
 pub(crate) use lost::GAP;
-pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign};
+pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign, SignKind};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;
 use outlines::Rank;
@@ -130,6 +130,7 @@ pub fn draw_with(
         (points, heads)
     };
     lost.rings += points.lost;
+    lost.signs.extend(points.lost_discs.iter().map(|&at| LostSign { at, kind: SignKind::Point }));
     Lines { lines: finished(&drawn, &points, &heads, &params), marks, lost, beyond }
 }
 

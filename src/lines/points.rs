@@ -8,6 +8,8 @@
 //!   filled:  ----(@)----  a bead three times as broad as the line, which goes on through it
 //!   hollow:  ----( )----  a ring at which the line ends
 //! ```
+//!
+//! Filled ones beside lines that are many and alike, as the points of a scatter plot, are small discs ([`scattered`]).
 
 mod drawn;
 
@@ -15,9 +17,9 @@ use super::lead_on::{extend_to, heading};
 use super::marks::{PointMark, SERIES};
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex};
-use crate::geom::nearest_on_segment;
 use crate::geom::polygon::roundness;
 use crate::geom::polyline::Polyline;
+use crate::geom::{circle, nearest_on_segment};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use drawn::{DrawnPoints, draw};
@@ -39,6 +41,12 @@ const ROUND: f32 = 0.85;
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
 const FROM_SIDE: f32 = 1.0;
+/// A disc is drawn at most so many times as large as it is: smaller ones are the dots of a dotted line or of a shade.
+const MAGNIFIED: f32 = 3.0;
+/// A part of a circle keeps to it within this share of its radius, and is at least so much less than half of it.
+const FROM_CIRCLE: f32 = 0.1;
+/// The middle line of the ring that is drawn as a disc, in half widths: its stroke fills it.
+const SOLID: f32 = 0.9;
 /// Points are of one size if their radii differ by no more than this share.
 const SAME_SIZE: f32 = 0.2;
 
@@ -54,6 +62,8 @@ pub(super) struct Point {
     series: Option<usize>,
     /// Whether it lies beside all lines, and is like others on them.
     is_alone: bool,
+    /// Whether it is drawn as a disc at its own place, as all of a cloud of points.
+    is_disc: bool,
 }
 
 impl Point {
@@ -65,13 +75,7 @@ impl Point {
 
 /// Takes the points on lines out of the contours of a drawing. Lines that end at their sides lead to their middles.
 pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Vec<Point> {
-    let is_size = |point: &Point| {
-        let largest = if point.is_filled { LARGEST } else { LARGEST_HOLLOW };
-        (0.5 * SMALLEST..=0.5 * largest * params.max_spacing()).contains(&point.radius)
-    };
-    let rings = polylines.iter().enumerate().filter(|(_, line)| line.closed);
-    let found = rings.filter_map(|(number, ring)| Some((number, of_ring(ring)?)));
-    let found: Vec<(usize, Point)> = found.filter(|(_, point)| is_size(point)).collect();
+    let found = found(polylines, params);
     let mut is_ring = vec![false; polylines.len()];
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
@@ -111,7 +115,9 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     }
     alone.extend(take_leaves(pointed_at, &mut points, &mut taken, polylines, params));
     name_series(&mut points);
-    let mut beside = like_those_alone(&mut points, &alone, params);
+    let mut beside = scattered(&mut points, &alone, params);
+    alone.retain(|(number, _)| !beside.iter().any(|(disc, _)| disc == number));
+    beside.extend(like_those_alone(&mut points, &alone, params));
     beside.retain(|(number, _)| !taken[*number]);
     for (number, point) in beside {
         taken[number] = true;
@@ -122,6 +128,32 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
     points
+}
+
+/// The round shapes among lines that are as small as points, with their numbers.
+fn found(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<(usize, Point)> {
+    let is_size = |point: &Point| {
+        let largest = if point.is_filled { LARGEST } else { LARGEST_HOLLOW };
+        (0.5 * SMALLEST..=0.5 * largest * params.max_spacing()).contains(&point.radius)
+    };
+    let rings = polylines.iter().enumerate().filter(|(_, line)| line.closed);
+    let found = rings.filter_map(|(number, ring)| Some((number, of_ring(ring)?)));
+    let mut found: Vec<(usize, Point)> = found.filter(|(_, point)| is_size(point)).collect();
+    if !params.on_dots() {
+        found.extend(hidden_in_part(polylines, &found));
+    }
+    found
+}
+
+/// Filled points that others of their kind hide in part, or are one with, as two of a scatter plot that overlap: most
+/// of their outline is seen. Only where whole ones are many, as anything else has an arc.
+fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> Vec<(usize, Point)> {
+    let is_of_many = |point: &Point| {
+        let alike = whole.iter().filter(|(_, other)| is_like(point, other)).count();
+        point.is_filled && alike >= SERIES
+    };
+    let arcs = polylines.iter().enumerate().filter(|(_, line)| !line.closed);
+    arcs.filter_map(|(number, line)| Some((number, of_arc(line).filter(is_of_many)?))).collect()
 }
 
 /// Whether a point is the outline of one of these beside its stroke.
@@ -166,6 +198,30 @@ fn name_series(points: &mut [Point]) {
 /// Whether two points look alike.
 fn is_like(point: &Point, other: &Point) -> bool {
     point.is_filled == other.is_filled && (point.radius / other.radius - 1.0).abs() <= SAME_SIZE
+}
+
+/// Filled points beside lines that are many and alike, such as those of a scatter plot: they are discs, each at its own
+/// place, and so are those like them that happen to lie on lines, which are no points of these. Gives those beside
+/// lines, with their numbers. Where lines become dots there are none.
+fn scattered(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
+    if params.on_dots() {
+        return Vec::new();
+    }
+    // the outline of a disc beside its stroke is no other disc
+    let mut apart: Vec<Point> = Vec::new();
+    for (_, point) in
+        alone.iter().filter(|(_, point)| point.is_filled && point.radius >= disc_radius(params) / MAGNIFIED)
+    {
+        if !is_drawn_twice(point, &apart) {
+            apart.push(*point);
+        }
+    }
+    let is_of_cloud = |point: &Point| apart.iter().filter(|other| is_like(point, other)).count() >= SERIES;
+    for point in points.iter_mut().filter(|point| is_of_cloud(point)) {
+        (point.is_disc, point.series) = (true, None);
+    }
+    let disc = |(number, point): &(usize, Point)| (*number, Point { is_alone: true, is_disc: true, ..*point });
+    alone.iter().filter(|(_, point)| is_of_cloud(point)).map(disc).collect()
 }
 
 /// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines
@@ -255,8 +311,32 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
         strength: ring.mean_strength(),
         series: None,
         is_alone: false,
+        is_disc: false,
     };
     (ring.vertices.len() > 3 && is_round).then_some(point)
+}
+
+/// A circle of which an open line is half or more.
+fn of_arc(line: &Polyline<Vertex>) -> Option<Point> {
+    let (middle, radius) = circle(line.vertices.iter().map(|vertex| vertex.at))?;
+    let is_on = |vertex: &Vertex| ((vertex.at - middle).length() / radius - 1.0).abs() <= FROM_CIRCLE;
+    let length = line.length() / (std::f32::consts::TAU * radius);
+    let is_arc = (0.5 - FROM_CIRCLE..=1.0).contains(&length) && line.vertices.iter().all(is_on);
+    is_arc.then(|| Point {
+        at: middle,
+        radius,
+        is_filled: is_edge(line),
+        strength: line.mean_strength(),
+        series: None,
+        is_alone: false,
+        is_disc: false,
+    })
+}
+
+/// Radius of a disc that stands for a point, mm: it is nearly twice as broad as the broadest line, and so is felt
+/// beside one; as small as that most points of a plot have room. Chosen by us.
+fn disc_radius(params: &Params) -> f32 {
+    0.5 * (1.0 + SOLID) * params.width_max
 }
 
 /// Whether a contour is for the most part the side of an area, and not the middle of a stroke.

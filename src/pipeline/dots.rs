@@ -2,14 +2,14 @@
 
 use super::finish::{PageSays, finished, origin, title_of_overview};
 use super::kept_lines;
-use super::lost_signs::{MOVED, extent, is_arrowhead, is_small_ring};
+use super::lost_signs::{MOVED, extent, is_small_ring, kind};
 use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
 use crate::dots::ShownScale;
 use crate::geom::polygon::holds_box;
-use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, TickMark};
+use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Parts, Texture, frame, which_are_weak};
 use crate::profile::Plan;
@@ -19,7 +19,7 @@ use crate::units::MmRect;
 pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else {
         let heads = drawn.marks.heads.iter().filter(|head| !head.is_drawn);
-        drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, is_arrowhead: true }));
+        drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, kind: SignKind::Arrowhead }));
         return drawn;
     };
     // What the grid has no room for counts as crowded out too, by length.
@@ -50,7 +50,7 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     let rings = drawn.lines.iter().zip(&shares).filter(|(line, _)| is_small_ring(line));
     let signs: Vec<LostSign> = rings
         .filter(|(line, share)| **share < WHOLE || !has_own(line))
-        .map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: is_arrowhead(line, &lines) })
+        .map(|(line, _)| LostSign { at: extent(line).center(), kind: kind(line, &lines) })
         .collect();
     let mut lost = drawn.lost.keeping(kept);
     let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
@@ -63,9 +63,9 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     lost.gaps.extend(drawn.lines.iter().zip(&shares).filter_map(gap));
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
-    lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, is_arrowhead: false }));
+    lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, kind: SignKind::Ring }));
     let heads = drawn.marks.heads.iter().zip(&shown.heads).filter(|(_, is_drawn)| !**is_drawn);
-    lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, is_arrowhead: true }));
+    lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, kind: SignKind::Arrowhead }));
     lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }

@@ -9,7 +9,7 @@ use super::words::Words;
 use crate::edges::Edges;
 use crate::geom::polygon::{distance_to_box, holds_box};
 use crate::labels::NEAR;
-use crate::lines::{Line, Lines, LostSign, is_triangle};
+use crate::lines::{Line, Lines, LostSign, SignKind, is_triangle};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason};
@@ -37,7 +37,9 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
         .map(|point| MmRect::new(point.at, point.at).inflate(point.radius, point.radius));
     let drawn: Vec<MmRect> = rings.chain(lines.iter().flat_map(beads)).chain(points).collect();
     let heads = &drawn_lines.marks.heads;
-    let mut lost: Vec<LostSign> = Vec::new();
+    // points of a cloud are known already: each is drawn at its place or not at all
+    let is_point = |sign: &LostSign| sign.kind == SignKind::Point;
+    let mut lost: Vec<LostSign> = drawn_lines.lost.signs.iter().copied().filter(is_point).collect();
     for chain in edges.chains.iter().filter(|chain| chain.closed) {
         let points: Vec<MmPoint> =
             edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
@@ -59,7 +61,7 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
         let is_drawn =
             || is_head || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
         if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
-            lost.push(LostSign { at: ring.center(), is_arrowhead });
+            lost.push(LostSign { at: ring.center(), kind: kind_of(is_arrowhead) });
         }
     }
     lost
@@ -73,7 +75,7 @@ pub(super) fn beads(line: &Line) -> impl Iterator<Item = MmRect> {
 /// The places of those that are neither arrowheads nor patches of a legend.
 pub(super) fn points(lost: &[LostSign], legend: &[LegendEntry]) -> Vec<MmPoint> {
     let is_patch = |at: MmPoint| legend.iter().filter_map(|entry| entry.place).any(|patch| patch.contains(at));
-    lost.iter().filter(|sign| !sign.is_arrowhead && !is_patch(sign.at)).map(|sign| sign.at).collect()
+    lost.iter().filter(|sign| sign.kind != SignKind::Arrowhead && !is_patch(sign.at)).map(|sign| sign.at).collect()
 }
 
 /// What is so near to the head of an arrow is part of it, mm.
@@ -81,10 +83,14 @@ const HEAD: f32 = 0.6;
 /// Longest side of an arrowhead, mm: a larger triangle, such as a mountain on a map, is a shape by itself.
 const ARROWHEAD: f32 = 7.0;
 
-/// Whether a drawn ring is an arrowhead of one of the lines.
-pub(super) fn is_arrowhead(ring: &Line, lines: &[Line]) -> bool {
+/// Whether a drawn ring is an arrowhead of one of the lines, or a ring.
+pub(super) fn kind(ring: &Line, lines: &[Line]) -> SignKind {
     let points: Vec<MmPoint> = ring.runs.iter().flat_map(|run| run.points.iter().copied()).collect();
-    is_tip(&points, lines)
+    kind_of(is_tip(&points, lines))
+}
+
+fn kind_of(is_arrowhead: bool) -> SignKind {
+    if is_arrowhead { SignKind::Arrowhead } else { SignKind::Ring }
 }
 
 /// Whether a ring is a small triangle at the end of a line.
@@ -128,7 +134,8 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
     let labels = words.labels.iter().filter_map(|label| on(label).map(|at| (label.text.as_str(), MmRect::new(at, at))));
     let all: Vec<(&str, MmRect)> = labels.chain(texts).collect();
     let are_labels = words.own_texts || !words.labels.is_empty();
-    let (heads_lost, others): (Vec<LostSign>, Vec<LostSign>) = lost.iter().partition(|sign| sign.is_arrowhead);
+    let of = |kind: SignKind| lost.iter().copied().filter(|sign| sign.kind == kind).collect::<Vec<_>>();
+    let (heads_lost, others) = (of(SignKind::Arrowhead), of(SignKind::Ring));
     let arrows = (!heads_lost.is_empty()).then(|| {
         let count = heads_lost.len();
         let (heads, them, line_leads) = match count {
@@ -141,7 +148,22 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
         );
         Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, format!("{heads} ({}): {why}", places(&heads_lost)))
     });
-    told_of_shapes(&others, &all, are_labels).into_iter().chain(arrows).collect()
+    let points = told_of_points(&of(SignKind::Point));
+    told_of_shapes(&others, &all, are_labels).into_iter().chain(points).chain(arrows).collect()
+}
+
+/// What is told of points of a cloud that have no room.
+fn told_of_points(lost: &[LostSign]) -> Option<Note> {
+    let (points, they_are) = match lost.len() {
+        0 => return None,
+        1 => ("1 point".to_owned(), "it is"),
+        count => (format!("{count} points"), "they are"),
+    };
+    let why = format!(
+        "{they_are} too near to other points or lines for fingers to tell apart; say in a label how many lie there, or \
+         make the figure larger"
+    );
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{points} ({}): {why}", places(lost))))
 }
 
 /// So many places of signs are told.

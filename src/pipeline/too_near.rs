@@ -11,7 +11,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::ninths::ninth;
 use crate::legibility::{MediumLimits, Near, RuleLimits, near_lines, short_lines};
-use crate::lines::{GAP, Line, Lines, LostLine, LostSign, Pen, Run, arrows};
+use crate::lines::{GAP, Line, Lines, LostLine, LostSign, Pen, Run, SignKind, arrows};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -350,7 +350,7 @@ fn tell_gone(line: &Line, drawn: &mut Lines, rules: &Rules<'_>) {
     lost.rings += usize::from(closed);
     // on paper small rings that are lost are looked for later
     if closed && is_small(extent) && matches!(rules.medium, Medium::Dots(_)) {
-        lost.signs.push(LostSign { at: extent.center(), is_arrowhead: false });
+        lost.signs.push(LostSign { at: extent.center(), kind: SignKind::Ring });
     }
     lost.gone.push(LostLine { extent, length, closed, is_faint: false });
 }

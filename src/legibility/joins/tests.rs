@@ -124,3 +124,16 @@ fn rows_of_dots_join_at_corners_and_not_where_they_run_beside_one_another() {
     let corner: Points<'_> = &[(10.0, 30.0), (30.0, 2.5), (50.0, 30.0)];
     assert!(!of(&rows(&[level, corner]))[1].is_empty());
 }
+
+#[test]
+fn a_ring_that_touches_a_line_joins_it_where_it_soon_is_apart() {
+    let joined_by = |radius: f32, above: f32| {
+        let turn = |k: u32| std::f32::consts::TAU * k as f32 / 60.0;
+        let at = |k: u32| (28.0 + radius * turn(k).cos(), above + radius + radius * turn(k).sin());
+        let ring: Vec<(f32, f32)> = (0..=60).map(at).collect();
+        !joined(&[BASE, &ring])[1].is_empty()
+    };
+    assert!(joined_by(10.0, 0.0) && joined_by(10.0, 0.7), "a wheel on a road");
+    assert!(!joined_by(10.0, 1.5), "their ink does not touch");
+    assert!(!joined_by(1.5, 0.5), "no part of it is apart");
+}

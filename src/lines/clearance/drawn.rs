@@ -56,7 +56,7 @@ pub(super) struct Joined {
 }
 
 impl DrawnLine {
-    fn length(&self) -> f32 {
+    pub(super) fn length(&self) -> f32 {
         self.path.last().map_or(0.0, |(arc, _)| *arc)
     }
 

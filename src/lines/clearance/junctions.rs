@@ -1,10 +1,14 @@
 //! Where a line meets those that are drawn: its crossings, the ends of either that lie on the other, and which of these
 //! are junctions. Two that cross without being apart before they cross again only wind round one another.
 
+use std::collections::BTreeMap;
+
 use super::cluster::{AtThird, Cluster, meet};
 use super::drawn::{DrawnLine, DrawnLines, Joined};
 use super::passage::{Junction, Meeting, Passage, SPIKE, TOUCH, back_and_forth};
-use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::nearby::Segment;
+use crate::geom::polygon::{area, roundness};
+use crate::geom::polyline::{Polyline, PolylineRef, length};
 use crate::geom::walk::arc_between;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::vertex::Vertex;
@@ -14,6 +18,18 @@ use crate::units::{MmPoint, MmVector};
 const VERTEX: f32 = 1e-3;
 /// Segments farther apart than this do not cross, mm, whatever rounding makes of it.
 const NOT_CROSSED: f32 = 0.01;
+
+/// A ring and a line touch where the middles of both are no farther apart than this, mm: half of the width of the least
+/// line that profiles of paper have (0.75), so that their ink overlaps well.
+const CONTACT: f32 = 0.75;
+/// How round a circle is at least: an ellipse of 3 to 2 has 0.94, a square 0.79.
+const CIRCLE: f32 = 0.95;
+
+/// Whether a path that comes back to its first place is a circle.
+fn is_circle(path: impl Iterator<Item = MmPoint>) -> bool {
+    let points: Vec<MmPoint> = path.collect();
+    roundness(area(&points), length(&points)) >= CIRCLE
+}
 
 impl DrawnLines<'_> {
     /// The junctions of a polyline with the lines.
@@ -54,6 +70,10 @@ impl DrawnLines<'_> {
         }
         // where one ends on the other beside a crossing they will not be drawn as crossing
         crossings.retain(|crossing| !ends.iter().chain(&own_ends).any(|end| end.is_beside(crossing)));
+        let contacts = match self.params.of_drawing {
+            true => self.contacts(polyline, &arcs, &is_other),
+            false => Vec::new(),
+        };
         // ends in one place join nothing: the line will be drawn as a ring
         if !polyline.goes_round() {
             ends.append(&mut own_ends);
@@ -65,6 +85,12 @@ impl DrawnLines<'_> {
         let joins =
             |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.stays_beside(at, vertices, &passage);
         passage.junctions = passage.junctions.iter().enumerate().filter(|at| joins(*at)).map(|(_, at)| *at).collect();
+        let known = passage.junctions.len();
+        for contact in contacts {
+            if passage.junctions[..known].iter().all(|junction| junction.line != contact.line) {
+                passage.junctions.push(contact);
+            }
+        }
         passage.clusters = self.clusters(&passage.junctions, polyline, &passage.arcs);
         passage
     }
@@ -176,6 +202,57 @@ impl DrawnLines<'_> {
         self.segments.around_point(at, TOUCH, |segment| {
             junctions.extend(Junction::of_end(at, arc, segment).filter(|end| is_other(end.line)));
         });
+    }
+
+    /// Where a circle touches lines, or a line a circle, with the sides of both, without crossing, as a wheel stands on
+    /// the road: on both sides of that place the polyline soon is apart.
+    fn contacts(
+        &self,
+        polyline: PolylineRef<'_, Vertex>,
+        arcs: &[f32],
+        is_other: impl Fn(u32) -> bool,
+    ) -> Vec<Junction> {
+        let PolylineRef { vertices, closed } = polyline;
+        let is_round = closed && is_circle(polyline.path().map(|vertex| vertex.at));
+        let mut nearest: BTreeMap<u32, (f32, usize, Segment)> = BTreeMap::new();
+        for (i, vertex) in vertices.iter().enumerate().filter(|(_, vertex)| self.may_be_near(vertex.at)) {
+            self.segments.around_point(vertex.at, CONTACT, |segment| {
+                let distance = nearest_on_segment(vertex.at, segment.a, segment.b).0;
+                let may_touch = is_round || self.lines[segment.line as usize].closed;
+                let is_nearer = || nearest.get(&segment.line).is_none_or(|(least, ..)| distance < *least);
+                if distance <= CONTACT && may_touch && is_other(segment.line) && is_nearer() {
+                    nearest.insert(segment.line, (distance, i, *segment));
+                }
+            });
+        }
+        let (count, length) = (vertices.len(), arcs.last().copied().unwrap_or(0.0));
+        let leaves = |from: usize, line: u32, step: isize| {
+            let index = |k: usize| (from as isize + step * k as isize).rem_euclid(count as isize) as usize;
+            let steps = match (closed, step > 0) {
+                (true, _) => count,
+                (false, true) => count - from,
+                (false, false) => from + 1,
+            };
+            let ring_length = closed.then_some(length);
+            let approach = |vertex: &Vertex| self.params.approach(0.5 * vertex.width, 0.5 * self.params.width_max);
+            let mut near = (0..steps).map(index);
+            let first_apart = near.find(|&i| !self.is_near(&vertices[i], line));
+            first_apart.is_some_and(|i| arc_between(arcs[from], arcs[i], ring_length) <= approach(&vertices[i]))
+        };
+        // what lies before an end is no side
+        let is_inner =
+            |arc: f32, length: f32| (self.params.max_clearance()..=length - self.params.max_clearance()).contains(&arc);
+        let contact = |(line, (_, i, segment)): (u32, (f32, usize, Segment))| {
+            let touched = nearest_on_segment(vertices[i].at, segment.a, segment.b).1;
+            let along = (segment.b - segment.a).try_normalize().unwrap_or_default();
+            let (line_arc, of) = (segment.arc + (touched - segment.a).length(), &self.lines[line as usize]);
+            let are_inner = (closed || is_inner(arcs[i], length)) && (of.closed || is_inner(line_arc, of.length()));
+            let meeting = Meeting::PolylineEnds;
+            let are_round = is_round || is_circle(of.path.iter().map(|(_, at)| *at));
+            let junction = Junction { arc: arcs[i], at: vertices[i].at, line, line_arc, along, meeting };
+            (are_inner && are_round && leaves(i, line, 1) && leaves(i, line, -1)).then_some(junction)
+        };
+        nearest.into_iter().filter_map(contact).collect()
     }
 
     /// Whether a polyline that joins a line does so again before it has been apart from it, or the line from the

@@ -19,8 +19,9 @@ const TIP: f32 = 0.01;
 const WHOLE: f32 = 0.5;
 /// The same of a line of a vector drawing: every one is meant, and what is left of a petal is still a petal.
 const WHOLE_EXACT: f32 = 0.25;
-/// A piece of so many least lengths is no stub.
-const LONG: f32 = 3.0;
+/// A piece of so many least lengths is no stub: it is longer than a fingertip is broad. (With three a glass on a burner
+/// lost one of the two walls above its water, of 21 mm.)
+const LONG: f32 = 2.0;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
 /// blot. None if it has no stubs.

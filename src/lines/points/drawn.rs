@@ -1,6 +1,8 @@
 //! Points on lines as they are drawn: beads, and rings at which lines end.
 
-use super::{BEAD, MIDDLE, Point};
+use std::collections::BTreeMap;
+
+use super::{BEAD, MIDDLE, Point, SOLID, disc_radius};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polygon::circle_points;
@@ -8,6 +10,7 @@ use crate::geom::polyline::Polyline;
 use crate::geom::walk::arc_between;
 use crate::lines::clearance::TOUCH;
 use crate::lines::faint::is_faint;
+use crate::lines::line::Line;
 use crate::lines::marks::whole_series;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
@@ -20,6 +23,13 @@ const BEAD_LENGTH: f32 = 0.1;
 const PASSES: f32 = 0.5;
 /// A line that passes through a point is near to it for about this many times as far as its ring keeps from lines.
 const RETURNS: f32 = 2.0;
+
+/// The ink of a disc and of a line that it lies on overlap by so much at least, mm: no blank is felt between them.
+const SUNK: f32 = 0.2;
+/// A disc is moved by at most this, mm, as lines are of a drawing that is crowded: less than a fingertip resolves.
+const FARTHEST_DISC: f32 = 0.9;
+/// So much beyond a distance a disc is moved, mm.
+const ROUNDING: f32 = 0.01;
 
 /// A part of a line, with which of its vertices are anchored.
 #[derive(Debug)]
@@ -49,12 +59,16 @@ pub(in crate::lines) struct DrawnPoints {
     pub(super) holes: Vec<(MmPoint, f32)>,
     /// All of them, with their radii, mm.
     pub(in crate::lines) discs: Vec<(MmPoint, f32)>,
+    /// The least blank of each to lines and to others, mm.
+    pub(super) gaps: Vec<f32>,
     /// The lines among which they are.
     pub(super) lines: Option<AmongLines>,
     /// The rings of those.
     pub(in crate::lines) rings: Vec<Polyline<Vertex>>,
     /// How many have no room.
     pub(in crate::lines) lost: usize,
+    /// Where those of them are that would be discs.
+    pub(in crate::lines) lost_discs: Vec<MmPoint>,
 }
 
 /// Draws points on `lines`.
@@ -94,15 +108,26 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
     let half = 0.5 * params.width_max;
     let mut has_room = vec![false; points.len()];
     for (number, point) in points.iter().enumerate().filter(|(number, _)| wanted[*number]) {
-        let Some((at, line)) = lines.place(point) else { continue };
-        let radius = radius(point, params);
-        let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
-        if drawn.discs.iter().any(is_near) || !lines.leave_room(point, at, radius, params) {
+        let (radius, gap) = (radius(point, params), gap(point, params));
+        let near = |at: MmPoint| {
+            let near = |((other, its), gap_of): (&(MmPoint, f32), &f32)| {
+                (*other - at).length() < radius + its + gap.max(*gap_of)
+            };
+            drawn.discs.iter().zip(&drawn.gaps).any(near)
+        };
+        let place = match point.is_disc {
+            true => lines.place_of_disc(point.at, radius, gap, params).map(|at| (at, None)),
+            false => lines.place(point).filter(|(at, _)| lines.leave_room(point, *at, radius, params)),
+        };
+        let Some((at, line)) = place.filter(|(at, _)| !near(*at)) else {
+            drawn.lost_discs.extend(point.is_disc.then_some(point.at));
             continue;
-        }
+        };
         has_room[number] = true;
         drawn.discs.push((at, radius));
+        drawn.gaps.push(gap);
         match line.filter(|_| point.is_filled) {
+            None if point.is_disc => drawn.rings.push(ring(point, at, 0.5 * SOLID * params.width_max, params)),
             Some(line) => drawn.beads.push((line as usize, at)),
             None => {
                 drawn.rings.push(ring(point, at, radius - half, params));
@@ -136,6 +161,34 @@ impl AmongLines {
         nearest(false).or_else(|| nearest(true)).map(|(_, at, segment)| (at, Some(segment.line)))
     }
 
+    /// Where a disc of this radius, mm, is drawn for a point there: each line is under it, or apart by `gap`, mm. For
+    /// that it is moved a little, to the one or the other; faint lines give way. None if there is no such place.
+    fn place_of_disc(&self, own: MmPoint, radius: f32, gap: f32, params: &Params) -> Option<MmPoint> {
+        let beside = radius + 0.5 * params.width_max;
+        let (on, clear) = (beside - SUNK, beside + gap + params.play());
+        let Some((distance, foot)) = self.nearest_between(own, on, clear) else { return Some(own) };
+        let away = (own - foot).try_normalize()?;
+        let mut steps = [on - distance - ROUNDING, clear - distance + ROUNDING];
+        steps.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let places = steps.into_iter().filter(|step| step.abs() <= FARTHEST_DISC).map(|step| own + away * step);
+        places.into_iter().find(|at| self.nearest_between(*at, on, clear).is_none())
+    }
+
+    /// The nearest line that is not faint and farther from a place than the one distance, mm, and not as far as the
+    /// other: how far, and where.
+    fn nearest_between(&self, at: MmPoint, from: f32, to: f32) -> Option<(f32, MmPoint)> {
+        let mut nearest: BTreeMap<u32, (f32, MmPoint)> = BTreeMap::new();
+        self.segments.around_point(at, to, |segment| {
+            let (distance, foot) = nearest_on_segment(at, segment.a, segment.b);
+            if !self.is_faint(segment) && distance < to {
+                let least = nearest.entry(segment.line).or_insert((distance, foot));
+                *least = if distance < least.0 { (distance, foot) } else { *least };
+            }
+        });
+        let between = nearest.into_values().filter(|(distance, _)| *distance > from);
+        between.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
     /// Whether a disc with this radius, mm, can be drawn for a point: no line is too near to it but those that pass
     /// through its middle. These may be near it there, and not where they come back beside it; faint ones give way.
     fn leave_room(&self, point: &Point, at: MmPoint, radius: f32, params: &Params) -> bool {
@@ -166,7 +219,15 @@ impl AmongLines {
 /// Radius of what is drawn for a point, mm, with its ink.
 fn radius(point: &Point, params: &Params) -> f32 {
     let half = 0.5 * params.width_max;
+    if point.is_disc {
+        return disc_radius(params);
+    }
     if point.is_filled { BEAD * half } else { point.radius.max(0.5 * params.max_spacing()) + half }
+}
+
+/// Least blank around what is drawn for a point, mm.
+fn gap(point: &Point, params: &Params) -> f32 {
+    if point.is_disc { Line::DISC_GAP * params.min_gap } else { params.min_gap }
 }
 
 fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Vertex> {
@@ -236,13 +297,14 @@ impl DrawnPoints {
     /// The parts of a faint line beside points, whose other lines they keep clear of too.
     fn interrupted(&self, line: &Polyline<Vertex>, anchored: &[bool], params: &Params) -> Vec<LinePart> {
         // the two ends at a point are as far apart as any, even where the line would only touch the hole
-        let (clearance, half) = (params.clearance(0.5 * params.width_min), 0.5 * params.clearance(params.width_min));
-        let hole = |&(at, radius): &(MmPoint, f32)| {
+        let half = 0.5 * params.clearance(params.width_min);
+        let hole = |(&(at, radius), &gap): (&(MmPoint, f32), &f32)| {
+            let clearance = gap + 0.5 * params.width_min + params.play();
             let distances = line.segments().map(|(a, b)| nearest_on_segment(at, a.at, b.at).0);
             let distance = distances.fold(f32::INFINITY, f32::min);
             (distance < radius + clearance).then(|| (at, (radius + clearance).max(distance.hypot(half))))
         };
-        let holes: Vec<(MmPoint, f32)> = self.discs.iter().filter_map(hole).collect();
+        let holes: Vec<(MmPoint, f32)> = self.discs.iter().zip(&self.gaps).filter_map(hole).collect();
         let is_cut = |vertex: &Vertex| {
             holes.iter().any(|(at, radius)| ((vertex.at - *at).length() - radius).abs() <= params.tolerance)
         };

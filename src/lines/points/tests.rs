@@ -1,6 +1,6 @@
 //! Points of drawings: which small rings and discs are points, and how they are drawn.
 
-use super::super::line::HeavyStrokes;
+use super::super::line::{HeavyStrokes, Line};
 use super::super::params::LineMedium;
 use super::super::tests::area;
 use super::super::vertex::{FoundIn, SPACING};
@@ -196,4 +196,65 @@ fn a_point_has_room_where_a_line_that_goes_round_begins_and_ends() {
     let points = take(&mut lines, &PARAMS);
     let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
     assert!(drawn.beads.len() == 1 && drawn.lost == 0, "{drawn:?}");
+}
+
+/// Discs of a cloud with these middles, and a line from left to right.
+fn cloud(middles: &[(f32, f32)]) -> (Vec<Point>, DrawnPoints) {
+    let mut lines = vec![axis(5.0, 95.0)];
+    lines.extend(middles.iter().map(|&at| line(&arc(at, 1.3, (0.0, 1.0)), true, 60.0, FoundIn::Vector)));
+    let points = take(&mut lines, &PARAMS);
+    let drawn = draw(&points, &[&lines[0]], area(), &PARAMS);
+    (points, drawn)
+}
+
+#[test]
+fn many_discs_beside_lines_are_discs_at_their_own_places_and_so_are_those_on_a_line() {
+    let middles = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0), (60.0, 70.0), (50.0, 50.0)];
+    let (points, drawn) = cloud(&middles);
+    assert!(points.len() == 5 && points.iter().all(|point| point.is_disc), "{points:?}");
+    assert!(drawn.lost == 0 && drawn.beads.is_empty() && drawn.holes.is_empty(), "{drawn:?}");
+    let lines: Vec<Line> = drawn
+        .rings
+        .iter()
+        .filter_map(|ring| crate::lines::weight::finish(ring, &vec![false; ring.vertices.len()], &PARAMS))
+        .collect();
+    assert!(lines.len() == 5 && lines.iter().all(Line::is_disc), "their stroke fills them");
+    assert!(cloud(&middles[..3]).0.is_empty(), "three are shapes by themselves");
+    let on_dots = Params { medium: LineMedium::Dots(HeavyStrokes { from: 40.0, width: 2.5 }), ..PARAMS };
+    let ring = |&at: &(f32, f32)| line(&arc(at, 1.3, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
+    assert!(take(&mut middles[..4].iter().map(ring).collect(), &on_dots).is_empty());
+    let dots = |&at: &(f32, f32)| line(&arc(at, 0.4, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
+    assert!(take(&mut middles[..4].iter().map(dots).collect(), &PARAMS).is_empty(), "those of a dotted line");
+}
+
+#[test]
+fn a_disc_is_moved_a_little_onto_a_line_or_off_it_and_one_too_near_to_another_is_told_with_its_place() {
+    let far = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0)];
+    let with = |other: &[(f32, f32)]| {
+        let (_, drawn) = cloud(&[&far[..], other].concat());
+        let beside: Vec<f32> = drawn.discs[3..].iter().map(|(at, _)| at.y - 50.0).collect();
+        (beside, drawn.lost_discs)
+    };
+    let on = 0.5 * (2.0 + SOLID) * PARAMS.width_max;
+    let (beside, lost) = with(&[(60.0, 50.0 + on + 0.4)]);
+    assert!(lost.is_empty() && beside[0] < on && beside[0] > on - 0.4, "{beside:?}");
+    let (beside, lost) = with(&[(60.0, 50.0 + on + 1.2)]);
+    assert!(lost.is_empty() && (beside[0] - on - 0.5 * PARAMS.min_gap).abs() < 0.4, "{beside:?}");
+    let (beside, lost) = with(&[(60.0, 70.0), (63.0, 70.0)]);
+    assert!(beside.len() == 1 && matches!(lost[..], [at] if (at.x - 63.0).abs() < 0.01), "{lost:?}");
+}
+
+#[test]
+fn a_disc_that_another_hides_in_part_is_one_of_a_cloud() {
+    let whole = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0), (50.0, 20.0)];
+    let taken = |turns: f32, count: usize| {
+        let mut lines: Vec<Polyline<Vertex>> =
+            whole[..count].iter().map(|&at| line(&arc(at, 1.3, (0.0, 1.0)), true, 60.0, FoundIn::Vector)).collect();
+        lines.push(line(&arc((60.0, 60.0), 1.3, (0.0, turns)), false, 60.0, FoundIn::Vector));
+        take(&mut lines, &PARAMS).iter().map(|point| point.at).collect::<Vec<_>>()
+    };
+    let found = taken(0.7, 4);
+    assert!(matches!(found[..], [.., at] if found.len() == 5 && (at - MmPoint::new(60.0, 60.0)).length() < 0.05));
+    assert_eq!(taken(0.3, 4).len(), 4, "an arc");
+    assert!(taken(0.7, 3).is_empty());
 }

@@ -70,3 +70,22 @@ fn a_spike_over_a_line_is_no_crossing_and_one_through_it_is() {
     assert_eq!(junctions(&[LINE], &[(20.0, 70.0), (30.0, 49.9), (30.2, 70.0)], false), 0);
     assert_eq!(junctions(&[LINE], &[(20.0, 70.0), (30.0, 30.0)], false), 1);
 }
+
+#[test]
+fn a_wheel_on_the_road_touches_it_and_a_ring_that_keeps_beside_a_line_does_not() {
+    let params = Params { of_drawing: true, ..Params::TEST };
+    let states = |radius: f32, above: f32, road: &[(f32, f32)]| {
+        let mut lines = DrawnLines::new(crate::lines::tests::area(), &params);
+        super::super::draw(polyline(road, false), &[], crate::lines::outlines::Rank::Ordinary, &mut lines);
+        let turn = |k: u32| std::f32::consts::TAU * k as f32 / 80.0;
+        let at = |k: u32| (50.0 + radius * turn(k).cos(), 50.0 - above - radius + radius * turn(k).sin());
+        let ring = polyline(&(0..80).map(at).collect::<Vec<_>>(), true);
+        lines.states(&ring).contains(&LineState::TooNear)
+    };
+    for above in [0.0, 0.1, 0.3, 0.6] {
+        assert!(!states(13.0, above, LINE), "{above} mm above the road");
+    }
+    assert!(states(13.0, 2.0, LINE), "it is beside the road and does not touch it");
+    assert!(states(2.0, 0.3, LINE), "no part of it is apart");
+    assert!(states(40.0, 0.3, LINE), "it keeps beside the road for too long");
+}

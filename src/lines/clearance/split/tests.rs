@@ -4,6 +4,7 @@ use super::super::draw;
 use super::super::tests::{drawn, polyline};
 use super::*;
 use crate::lines::outlines::Rank;
+use crate::lines::vertex::FoundIn;
 use crate::units::{MmPoint, MmRect};
 
 #[test]
@@ -79,6 +80,21 @@ fn of_a_line_that_is_near_everywhere_the_part_that_tells_most_stays() {
     let straight = |length: f32| polyline(&[(5.0, 5.0), (5.0 + length, 5.0)], false);
     let walls = [least + 1.0, least + 2.0, least - 1.0].map(straight);
     assert_eq!(telling(&walls, true), walls[..2], "both walls of a glass, and no stub");
+}
+
+#[test]
+fn a_glass_keeps_both_walls_above_its_water() {
+    let walls = |rim: f32| {
+        let mut lines = DrawnLines::new(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)), &Params::TEST);
+        let water = polyline(&[(43.0, 60.0), (157.0, 60.0), (157.0, 157.0), (43.0, 157.0)], true);
+        draw(water, &[], Rank::Ordinary, &mut lines);
+        let mut glass = polyline(&[(40.0, rim), (40.0, 160.0), (160.0, 160.0), (160.0, rim)], false);
+        glass.vertices.iter_mut().for_each(|vertex| vertex.source = FoundIn::Vector);
+        let pieces = split(&glass, &lines.states(&glass), PartEnds::AsCut, &lines);
+        pieces.iter().map(|piece| piece.length().round()).collect::<Vec<f32>>()
+    };
+    assert!(matches!(walls(35.0)[..], [one, other] if one > 18.0 && other > 18.0), "{:?}", walls(35.0));
+    assert_eq!(walls(42.0).len(), 1, "of two stubs one says where the glass was");
 }
 
 #[test]
