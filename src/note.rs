@@ -173,7 +173,7 @@ pub enum Note {
     #[error(
         "the title {}: its {cells} cells have no room above the figure, where three lines may \
          take a fifth of the sheet; give a shorter one, or a larger sheet",
-        if *.in_key { "stands on the sheet of the key only" } else { "is not written in braille" }
+        if *.in_key { "begins the key and does not stand above the figure" } else { "is not written in braille" }
     )]
     NoRoomForTitle {
         /// How many cells it has.

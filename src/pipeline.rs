@@ -205,6 +205,7 @@ fn compose(
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
         let before = 1 + u32::from(alone);
         let key = written.key(words, &braille, &figure, before, &layout, request)?;
+        key.tell_of_title(&mut notes);
         notes.extend(key.notes);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, said, braille, &layout, request)?, None)),

@@ -15,7 +15,8 @@ pub(super) fn places(text: &[char]) -> Vec<usize> {
 
 fn is_address(word: &[char]) -> bool {
     let word: String = word.iter().collect::<String>().to_lowercase();
-    word.contains('@') || word.contains("://") || word.contains("www.")
+    let begins = word.trim_start_matches(|character: char| !character.is_alphanumeric());
+    word.contains('@') || word.contains("://") || begins.starts_with("www.")
 }
 
 #[cfg(test)]

@@ -47,16 +47,19 @@ pub fn is_greek(character: char) -> bool {
     matches!(character, '\u{370}'..='\u{3ff}') && character.is_alphabetic()
 }
 
-/// A character in others that say the same, or nearly: a letter without its accent, what Unicode has as compatible,
-/// such as a degree with its C or a Roman number. A power is none: without its height it says something else.
+/// A character in others that say the same, or nearly: a letter without its accent, a fraction by its numbers, what
+/// Unicode has as compatible, such as a degree with its C or a Roman number. Any other sign of a formula is none: a
+/// power without its height, or an equals sign without its stroke, says something else.
 pub(super) fn simpler(character: char) -> Option<String> {
-    let is_power = |character| matches!(character, '\u{b2}' | '\u{b3}' | '\u{b9}' | '\u{2070}'..='\u{209f}');
+    let decomposed: String = character.nfkd().collect();
+    let is_fraction = decomposed.contains(FRACTION);
+    let is_roman = matches!(character, '\u{2160}'..='\u{217f}');
     // squares of words, such as those of areas, have powers in them
-    let is_kept = |character| matches!(character, '\u{3300}'..='\u{33ff}') || is_power(character);
-    if is_kept(character) || is_raised_letter(character) {
+    let is_square = matches!(character, '\u{3300}'..='\u{33ff}');
+    if is_square || is_raised_letter(character) || is_of_formula(character) && !is_fraction && !is_roman {
         return None;
     }
-    let letters: String = match character {
+    let letters = match character {
         'ł' => "l".into(),
         'Ł' => "L".into(),
         'ø' => "o".into(),
@@ -72,19 +75,33 @@ pub(super) fn simpler(character: char) -> Option<String> {
         'Æ' => "Ae".into(),
         'œ' => "oe".into(),
         'Œ' => "Oe".into(),
-        _ => character
-            .nfkd()
-            .filter(|&part| !is_accent(part))
-            .map(|part| if part == '\u{2044}' { '/' } else { part })
-            .collect(),
+        _ => decomposed.chars().filter(|&part| !is_accent(part)).collect::<String>().replace(FRACTION, "/"),
     };
-    let is_other = !letters.is_empty() && !letters.contains(character) && letters.is_ascii();
-    is_other.then_some(letters)
+    // an accent that stands by itself has a blank in place of its letter
+    let are_said = letters.chars().all(|part| part.is_ascii_alphanumeric() || matches!(part, '\u{b0}' | '/'));
+    (are_said && !letters.is_empty() && !letters.contains(character)).then_some(letters)
 }
 
-/// Whether a character is a letter that stands higher, such as that of a French number of an order.
+/// Between the two numbers of a fraction.
+const FRACTION: char = '\u{2044}';
+
+/// Whether a character is a letter that stands higher, as those at the end of numbers of an order and of short words in
+/// French and Spanish do. Others, such as x, are powers.
 pub(super) fn is_raised_letter(character: char) -> bool {
-    matches!(character, '\u{1d2c}'..='\u{1d6a}' | '\u{2b0}'..='\u{2b8}' | '\u{2e1}'..='\u{2e3}' | '\u{aa}' | '\u{ba}')
+    matches!(
+        character,
+        '\u{aa}'
+            | '\u{ba}'
+            | '\u{2b0}'
+            | '\u{2b3}'
+            | '\u{2e2}'
+            | '\u{1d43}'
+            | '\u{1d48}'
+            | '\u{1d49}'
+            | '\u{1d50}'
+            | '\u{1d52}'
+            | '\u{1d57}'
+    )
 }
 
 /// A raised letter on the line.

@@ -90,15 +90,16 @@ pub(super) fn with_times(text: &mut [(char, usize)]) {
     }
 }
 
-const TIMES: char = '\u{22c5}';
+pub(super) const TIMES: char = '\u{22c5}';
 
 /// Whether raised letters around `i` end a number of an order or a word, such as 1\u{1d49}\u{02b3} or
-/// XXI\u{1d49}: behind one letter they could be a power.
+/// XXI\u{1d49}: behind one small letter they could be a power.
 pub(super) fn is_of_order(text: &[(char, usize)], i: usize) -> bool {
     let before = text[..i].iter().rev().map(|(character, _)| *character);
     let before: Vec<char> = before.skip_while(|&character| is_raised_letter(character)).take(2).collect();
     match before[..] {
-        [last, ..] if last.is_ascii_digit() => true,
+        // of a Roman number, or of Mme
+        [last, ..] if last.is_ascii_digit() || "IVXLCDM".contains(last) => true,
         [last, other] => last.is_alphabetic() && other.is_alphabetic(),
         _ => false,
     }

@@ -60,7 +60,7 @@ impl Table {
         numbers::with_times(&mut text);
         let (mut lacking, mut simplified): (Vec<Lacking>, Vec<char>) = (Vec::new(), Vec::new());
         loop {
-            let mut braille = self.write(&text);
+            let braille = self.write(&text);
             if braille.lacking.is_empty() {
                 lacking.sort_by_key(|lacking| lacking.at);
                 return Braille { lacking, simplified, ..braille };
@@ -72,22 +72,35 @@ impl Table {
             for (i, &(character, at)) in text.iter().enumerate() {
                 if !is_lacking(character, at) {
                     without.push((character, at));
-                } else if let Some(others) = self.in_others(&text, i) {
-                    simplified.push(character);
-                    without.extend(others.chars().map(|other| (other, at)));
+                    continue;
+                }
+                let is_written = |&(letter, at): &(char, usize)| !is_lacking(letter, at);
+                match self.in_others(&text, i, is_written) {
+                    Some(others) => {
+                        simplified.push(character);
+                        without.extend(others.chars().map(|other| (other, at)));
+                    }
+                    // as the text has it
+                    None if character == numbers::TIMES => lacking.push(Lacking { character: '\u{b7}', at }),
+                    None => lacking.push(Lacking { character, at }),
                 }
             }
-            let is_lost = |lacking: &Lacking| without.iter().all(|(_, at)| *at != lacking.at);
-            lacking.extend(braille.lacking.drain(..).filter(is_lost));
             text = plain(without);
         }
     }
 
-    /// The character at `i` in others that this code has.
-    fn in_others(&self, text: &[(char, usize)], i: usize) -> Option<String> {
+    /// The character at `i` in others that this code has; an accent falls away where its letter `is_written`.
+    fn in_others(
+        &self,
+        text: &[(char, usize)],
+        i: usize,
+        is_written: impl Fn(&(char, usize)) -> bool,
+    ) -> Option<String> {
         let (character, at) = text[i];
-        if is_accent(character) && i > 0 && text[i - 1].1 == at {
-            return Some(String::new()); // its letter stays
+        if is_accent(character) {
+            let mut before = text[..i].iter().rev().take_while(|(_, of)| *of == at);
+            let letter = before.find(|(letter, _)| !is_accent(*letter))?;
+            return (letter.0.is_alphabetic() && is_written(letter)).then(String::new);
         }
         let others = if is_raised_letter(character) {
             numbers::is_of_order(text, i).then(|| on_line(character)).flatten()?.to_string()

@@ -1,6 +1,6 @@
 //! What the library says, with the options of this program that help: it does not know them.
 
-use tactograph::{Error, Note};
+use tactograph::{Error, Note, Reason};
 
 /// What went wrong, and with which option that can be mended.
 pub(super) fn of_error(error: &Error) -> String {
@@ -34,6 +34,9 @@ pub(super) fn of_note(note: &Note) -> String {
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
         Note::LinesLeftOut { is_larger_turned: true, .. } => {
             format!("{note} (--set page.orientation=landscape)")
+        }
+        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => {
+            format!("{note}; a larger figure has more (--no-overview, --sheets 2x2, --profile swell-a3)")
         }
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => {

@@ -21,10 +21,7 @@ pub(super) fn add(
     wanted: &[Wanted],
     translator: &Translator<'_>,
 ) {
-    let cells = |forms: &Result<Forms, Unplaced>| {
-        forms.iter().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect::<Vec<_>>()
-    };
-    let mut taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
+    let mut taken = taken_cells(forms);
     // a text has one letter on all of a page
     let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
     // a few points that a person names may stand at one height by chance
@@ -35,10 +32,7 @@ pub(super) fn add(
     };
     for group in groups.iter_mut().filter(|group| is_row(group) && group.steps.is_none()) {
         let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
-        let spelled = |letter: char| {
-            let cells = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?.cells;
-            (cells.len() == 1 && !taken.contains(&cells)).then(|| (letter.to_string(), cells))
-        };
+        let spelled = |letter: char| spelled(letter, &taken, translator);
         let months: Option<Vec<(String, Vec<u8>)>> =
             initials_of_months(&texts).and_then(|letters| letters.into_iter().map(spelled).collect());
         group.is_of_months = initials_of_months(&texts).is_some() && (months.is_some() || given.contains_key(texts[0]));
@@ -65,22 +59,17 @@ pub(super) fn add(
     }
 }
 
-/// Gives each of these labels that has no abbreviation, such as a long number in a cell of a table, a letter as its
-/// last form: the key has what it stands for.
+/// Gives each of these labels of a table that has no abbreviation, such as a long number, a letter as its last form:
+/// the key has what it stands for.
 pub(super) fn add_to_alone(
     labels: impl Iterator<Item = usize>,
     forms: &mut [Result<Forms, Unplaced>],
     wanted: &[Wanted],
     translator: &Translator<'_>,
 ) {
-    let cells = |forms: &Result<Forms, Unplaced>| {
-        forms.iter().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect::<Vec<_>>()
-    };
-    let taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
-    let mut letters = ('a'..='z').filter_map(|letter| {
-        let braille = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?;
-        (!taken.contains(&braille.cells)).then(|| (letter.to_string(), braille.cells))
-    });
+    let taken = taken_cells(forms);
+    // an a is one dot, which by itself nobody takes for a letter
+    let mut letters = ('b'..='z').filter_map(|letter| spelled(letter, &taken, translator));
     let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
     for label in labels {
         let Ok(of) = &mut forms[label] else { continue };
@@ -89,10 +78,21 @@ pub(super) fn add_to_alone(
             continue;
         }
         let text = wanted[label].text.as_str();
-        let Some((letter, cells)) = given.get(text).cloned().or_else(|| letters.next()) else { return };
+        let Some((letter, cells)) = given.get(text).cloned().or_else(|| letters.next()) else { continue };
         given.insert(text, (letter.clone(), cells.clone()));
         of.forms.push(Form { lines: vec![cells], abbreviation: Some(letter), kind: FormKind::Short });
     }
+}
+
+/// The cells of all forms of labels: no letter has the same.
+fn taken_cells(forms: &[Result<Forms, Unplaced>]) -> BTreeSet<Vec<u8>> {
+    forms.iter().flatten().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect()
+}
+
+/// A letter with its cell, if it has one of its own that is not taken.
+fn spelled(letter: char, taken: &BTreeSet<Vec<u8>>, translator: &Translator<'_>) -> Option<(String, Vec<u8>)> {
+    let cells = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?.cells;
+    (cells.len() == 1 && !taken.contains(&cells)).then(|| (letter.to_string(), cells))
 }
 
 /// A text of so few cells has no shorter form: an abbreviation has two or three.

@@ -145,7 +145,8 @@ fn place_rows_first<'a>(
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let mut forms = forms::of(&texts, &params.written, translator);
     let mut around = around(wanted, &forms, room, cells, params);
-    let groups = groups_of(wanted, &mut forms, &around, translator);
+    let (groups, of_tables) = groups_of(wanted, &mut forms, &around, translator);
+    of_tables.into_iter().for_each(|label| around[label].is_in_table = true);
     // numbers at an axis stand in squares of its grid, and are of its lines
     let on_axes = groups.iter().filter(|group| group.steps.is_some()).flat_map(|group| &group.members);
     on_axes.for_each(|&label| around[label].cell = None);
@@ -172,7 +173,7 @@ fn longer_ticks(
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let mut forms = forms::of(&texts, &params.written, translator);
     let around = around(wanted, &forms, room, cells, params);
-    ticks::longer(&groups_of(wanted, &mut forms, &around, translator), wanted, room, least)
+    ticks::longer(&groups_of(wanted, &mut forms, &around, translator).0, wanted, room, least)
 }
 
 /// What lies around what each label names.
@@ -197,13 +198,14 @@ fn around<'a>(
     forms.iter().enumerate().map(around).collect()
 }
 
-/// Which labels stand in rows and columns; those of rows may be written as single letters too.
+/// Which labels stand in rows and columns; those of rows may be written as single letters too. Then which stand in the
+/// cells of a table.
 fn groups_of(
     wanted: &[Wanted],
     forms: &mut [Result<Forms, Unplaced>],
     around: &[Surroundings<'_>],
     translator: &Translator<'_>,
-) -> Vec<Group> {
+) -> (Vec<Group>, BTreeSet<usize>) {
     // names of points, such as towns, are no row though some stand at one height; numbers along a line of points are
     let names_point = |label: usize| {
         let Wanted { text, anchor, .. } = &wanted[label];
@@ -213,19 +215,23 @@ fn groups_of(
     let is_at_line = |label: usize| levels::is_at_line(wanted[label].anchor, around[label].room);
     let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side(), is_at_line);
     // each word of a table has a cell of its own, and need not be shorter for one that is too long for its
-    groups.retain(|group| group.steps.is_some() || group.members.iter().any(|&label| around[label].cell.is_none()));
+    let is_of_table =
+        |group: &Group| group.steps.is_none() && group.members.iter().all(|&label| around[label].cell.is_some());
+    let of_tables: BTreeSet<usize> =
+        groups.iter().filter(|group| is_of_table(group)).flat_map(|group| group.members.clone()).collect();
+    groups.retain(|group| !is_of_table(group));
     letters::add(&mut groups, forms, wanted, translator);
     letters::add_bare(&groups, forms, wanted, translator);
-    let is_of_axis = |label: &usize| groups.iter().any(|of| of.steps.is_some() && of.members.contains(label));
-    let in_cells = (0..wanted.len()).filter(|label| around[*label].cell.is_some() && !is_of_axis(label));
-    letters::add_to_alone(in_cells, forms, wanted, translator);
-    // a number of an axis is whole or not there: shortened, it is none
-    for &label in groups.iter().filter(|group| group.steps.is_some()).flat_map(|group| &group.members) {
+    letters::add_to_alone(of_tables.iter().copied(), forms, wanted, translator);
+    // a number of an axis is whole or not there: shortened, it is none; one in a table may be read as that of an axis
+    let is_axis =
+        |group: &&Group| group.steps.is_some() && group.members.iter().any(|&label| around[label].cell.is_none());
+    for &label in groups.iter().filter(is_axis).flat_map(|group| &group.members) {
         if let Ok(of) = &mut forms[label] {
             of.forms.retain(|form| form.kind != FormKind::Short);
         }
     }
-    groups
+    (groups, of_tables)
 }
 
 /// The candidates where some labels of one text are abbreviated and others are not, with those abbreviated too: two

@@ -98,6 +98,9 @@ pub(super) struct Surroundings<'a> {
     pub(super) beside: f32,
     /// The box of lines in which a text stands, such as a cell of a table: in another one it would say something else.
     pub(super) cell: Option<MmRect>,
+    /// Whether that is one of several in a row or column: then the label stands in it or nowhere, as beside the table
+    /// it would be the heading of a row or column.
+    pub(super) is_in_table: bool,
     /// What kind of thing the label names.
     pub(super) names: Named,
     /// What the label names.
@@ -159,6 +162,7 @@ impl<'a> Surroundings<'a> {
             end: if is_blank(tip) { 0.0 } else { end },
             beside: if is_blank(at) { 0.0 } else { end },
             cell,
+            is_in_table: false,
             names,
             anchor: at,
             tip,
@@ -189,7 +193,7 @@ impl<'a> Surroundings<'a> {
         is_in_open && self.angle.is_none() && self.tip == self.anchor && !self.room.is_ink(self.anchor)
     }
 
-    /// Whether no other label names anything that no line parts from what this one names.
+    /// Whether a line parts what this label names from what each other label near it names, on the straight way.
     pub(super) fn is_alone_in_shape(&self) -> bool {
         self.others.iter().all(|other| self.room.is_parted(self.anchor, *other, 0.0))
     }
@@ -227,7 +231,7 @@ impl<'a> Surroundings<'a> {
     pub(super) fn is_in_cell_or_open(&self, place: MmRect) -> bool {
         // a row of a table may be so long that it seems open
         let is_open = || self.is_open(place) && self.room.cell_around(place.center()).is_none();
-        self.cell.is_none_or(|cell| cell.contains_box(&place) || is_open())
+        self.cell.is_none_or(|cell| cell.contains_box(&place) || !self.is_in_table && is_open())
     }
 
     /// Whether a place is at the tick or gridline of a number of an axis, or the label is none.

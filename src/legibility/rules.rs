@@ -111,7 +111,8 @@ pub(super) const LINE_WIDTH: Rule = Rule {
 };
 pub(super) const LINE_GAP: Rule = Rule {
     id: "line-gap",
-    asks: "Between two lines, and between two parts of one line, there is at least this blank, but where they join.",
+    asks: "Between two lines, and between two parts of one line, there is at least this blank, but where they join; on \
+           paper, beside a disc that stands for a point, half of it.",
     severity: Severity::Error,
     source: "the profile's lines.min_gap (of dots, dots.line_gap); Hasty: the 1/8 inch rule",
     remedy: "move one of them away, join them, or delete one",

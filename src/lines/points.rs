@@ -43,8 +43,10 @@ const MIDDLE: f32 = 0.4;
 const FROM_SIDE: f32 = 1.0;
 /// A disc is drawn at most so many times as large as it is: smaller ones are the dots of a dotted line or of a shade.
 const MAGNIFIED: f32 = 3.0;
-/// A part of a circle keeps to it within this share of its radius, and is at least so much less than half of it.
+/// A part of a circle keeps to it within this share of its radius.
 const FROM_CIRCLE: f32 = 0.1;
+/// Least part of a circle that is seen of a point which another hides in part, in turns.
+const LEAST_ARC: f32 = 0.4;
 /// The middle line of the ring that is drawn as a disc, in half widths: its stroke fills it.
 const SOLID: f32 = 0.9;
 /// Points are of one size if their radii differ by no more than this share.
@@ -145,8 +147,8 @@ fn found(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<(usize, Point)>
     found
 }
 
-/// Filled points that others of their kind hide in part, or are one with, as two of a scatter plot that overlap: most
-/// of their outline is seen. Only where whole ones are many, as anything else has an arc.
+/// Filled points that others of their kind hide in part, or are one with, as two of a scatter plot that overlap: a
+/// large part of their outline is seen. Only where whole ones are many, as anything else has an arc.
 fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> Vec<(usize, Point)> {
     let is_of_many = |point: &Point| {
         let alike = whole.iter().filter(|(_, other)| is_like(point, other)).count();
@@ -316,12 +318,12 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
 
-/// A circle of which an open line is half or more.
+/// A circle of which an open line is a large part.
 fn of_arc(line: &Polyline<Vertex>) -> Option<Point> {
     let (middle, radius) = circle(line.vertices.iter().map(|vertex| vertex.at))?;
     let is_on = |vertex: &Vertex| ((vertex.at - middle).length() / radius - 1.0).abs() <= FROM_CIRCLE;
     let length = line.length() / (std::f32::consts::TAU * radius);
-    let is_arc = (0.5 - FROM_CIRCLE..=1.0).contains(&length) && line.vertices.iter().all(is_on);
+    let is_arc = (LEAST_ARC..=1.0).contains(&length) && line.vertices.iter().all(is_on);
     is_arc.then(|| Point {
         at: middle,
         radius,

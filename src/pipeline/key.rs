@@ -117,6 +117,17 @@ pub struct Key {
     pub notes: Vec<Note>,
 }
 
+impl Key {
+    /// Says of a title without room above the figure whether it stands in this key.
+    pub(super) fn tell_of_title(&self, notes: &mut [Note]) {
+        for note in notes {
+            if let Note::NoRoomForTitle { in_key, .. } = note {
+                *in_key = self.told.title.is_some();
+            }
+        }
+    }
+}
+
 /// One thing on a sheet of the key.
 struct Item {
     patch: Option<Class>,

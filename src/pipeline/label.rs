@@ -168,9 +168,9 @@ impl Label {
         let is_percent = |number: &str| number.trim().ends_with('%') && number.parse::<Position>().is_ok();
         let is_more = text.split_once(parting).is_some_and(|(first, _)| is_percent(first));
         // 12,5%,20,5%,text: both numbers are divided at their commas
-        let is_divided = x.ends_with('%') != y.ends_with('%')
-            && text.splitn(3, parting).nth(1).is_some_and(is_percent)
-            && text.split(parting).next().is_some_and(|whole| whole.trim().parse::<u32>().is_ok());
+        let is_divided = parting == ','
+            && x.ends_with('%') != y.ends_with('%')
+            && text.split_once(parting).is_some_and(|(whole, _)| whole.trim().parse::<Position>().is_ok());
         if is_more || is_divided {
             return Err("there are more columns than x, y and the text; put a number with a decimal comma, or a text \
                         with a comma, in quotation marks"
@@ -184,7 +184,7 @@ impl Label {
             })
         };
         let (x, y) = (position(x, 'x')?, position(y, 'y')?);
-        if text.starts_with('"') && text.matches('"').count() % 2 == 1 {
+        if text.strip_prefix('"').is_some_and(|rest| !rest.replace("\"\"", "").contains('"')) {
             return Err("the quotation mark before the text is not closed; a text stands on one line".to_owned());
         }
         let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));

@@ -159,6 +159,8 @@ fn entries<'a>(page: &'a Page, written: &'a WrittenWords<'_>) -> Option<(Entries
             others.push(said);
         }
     }
+    // a sheet may have nothing but the title
+    entries.has_title_alone = entries.title.is_some();
     Some((entries, others))
 }
 

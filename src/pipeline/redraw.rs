@@ -206,7 +206,12 @@ pub(super) fn with_room(
     let texts_at = |layout: &Layout| labels_of(page).map(|text| text_at(text, page, layout)).collect();
     let contours_at = |layout: &Layout| {
         let there = moved(page, layout);
-        let points = page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| points_along(&run.points));
+        let points = page
+            .figure
+            .lines
+            .iter()
+            .flat_map(|line| &line.runs)
+            .flat_map(|run| points_along(&run.path().collect::<Vec<_>>()));
         points.map(there).collect()
     };
     let lettered = LetteredAt { source, texts_at: &texts_at, contours_at: &contours_at };

@@ -87,6 +87,7 @@ pub fn convert<'p>(
         notes.extend(of_labels);
         let before = sheets.all().count() as u32;
         let key = written.key(words, &labels, &figure, before, &sheet, request)?;
+        key.tell_of_title(&mut notes);
         notes.extend(key.notes);
         let pages = sheets.pages.into_iter().map(|page| page.with_key(&key.told)).collect();
         Ok::<_, Error>(Sheets { pages, key: key.sheets, ..sheets })

@@ -27,11 +27,14 @@ pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>
 /// Why a title is not written.
 const FORMULA: &str = "without signs that its code has no cells for it would say something else";
 
-/// Whether the character of this number, from 1, is one of several Greek letters: those of a word, not of a formula.
+/// Whether the character of this number, from 1, is one of three Greek letters and more: those of a word, not of a
+/// formula.
 fn is_in_greek_word(text: &str, at: usize) -> bool {
-    let is_greek_at = |at: usize| text.chars().nth(at).is_some_and(is_greek);
-    let index = at.saturating_sub(1);
-    is_greek_at(index) && (is_greek_at(index + 1) || index > 0 && is_greek_at(index - 1))
+    let letters: Vec<char> = text.chars().collect();
+    let (before, after) = letters.split_at(at.saturating_sub(1).min(letters.len()));
+    let of_word = |letter: &&char| is_greek(**letter);
+    let count = before.iter().rev().take_while(of_word).count() + after.iter().take_while(of_word).count();
+    after.first().is_some_and(|letter| is_greek(*letter)) && count >= 3
 }
 
 /// Tells of texts some of whose characters are written in others.

@@ -81,8 +81,6 @@ pub(super) struct WrittenWords<'a> {
     heading: Option<HeadingParams>,
     /// The page number of the first sheet.
     number: Option<u32>,
-    /// When there is a key.
-    key: KeySheets,
     language: String,
     translator: Option<Translator<'a>>,
     /// What could not be written.
@@ -103,7 +101,7 @@ impl<'a> WrittenWords<'a> {
     pub(super) fn new(words: &Words<'a>, plan: &Plan) -> Self {
         let settings = &plan.profile().braille;
         let language = words.language.unwrap_or(LANGUAGE);
-        let mut written = Self { language: language.to_owned(), key: words.key, ..Self::default() };
+        let mut written = Self { language: language.to_owned(), ..Self::default() };
         if !settings.on || !words.are_any() {
             return written;
         }
@@ -185,10 +183,8 @@ impl<'a> WrittenWords<'a> {
         let title = self.title(layout, cell);
         let number = self.number_of(sheet, layout, cell);
         let no_title = self.title.as_ref().filter(|_| title.is_none());
-        let no_title = no_title.map(|title| Note::NoRoomForTitle {
-            cells: title.braille.cells.len(),
-            in_key: self.key != KeySheets::Never,
-        });
+        // whether it stands in the key is known when that is made
+        let no_title = no_title.map(|title| Note::NoRoomForTitle { cells: title.braille.cells.len(), in_key: false });
         let no_number = (self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber);
         (title.into_iter().chain(number).collect(), no_title.into_iter().chain(no_number).collect())
     }

@@ -173,7 +173,7 @@ fn digits_and_letters_are_told_apart() {
 fn rules_of_the_codes() {
     for (language, text, cells) in [
         // the point of times of a formula between letters; elsewhere it is what parts words
-        ("pl", "F = m · a", "⠠⠋⠀⠶⠀⠍⠀⠄⠀⠁"),
+        ("pl", "F = m · a", "⠨⠋⠀⠶⠀⠍⠀⠄⠀⠁"),
         ("en", "F = m · a", "⠠⠋⠀⠐⠶⠀⠍⠀⠐⠲⠀⠁"),
         // an address of mail is announced before its first letter
         ("de", "Post an info@schule.de", "⠏⠕⠎⠞⠀⠁⠝⠀⠠⠨⠊⠝⠋⠕⠈⠜⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
@@ -314,7 +314,7 @@ fn greek_letters_are_as_liblouis_has_them() {
         assert!(braille.lacking.is_empty(), "{language}: {text}: {:?}", braille.lacking);
         assert_eq!(braille.unicode(), cells, "{language}: {text}");
     }
-    for (language, text) in [("de", "α"), ("es", "Δ"), ("nl", "α"), ("pt", "α"), ("sv", "α"), ("cs", "η")] {
+    for (language, text) in [("de", "α"), ("es", "Δ"), ("nl", "α"), ("pt", "α"), ("cs", "η")] {
         let braille = Code::of_language(language).and_then(Code::table).expect("a table").translate(text);
         assert_eq!(braille.lacking.len(), 1, "{language}: {text}: {}", braille.unicode());
     }

@@ -196,6 +196,15 @@ fn a_title_without_room_begins_the_key() {
     let anew = tactograph::render(pins, &paper).expect("a page");
     assert!(anew.page.braille.iter().any(|text| text.role == TextRole::Title && text.text == TITLE));
     assert!(anew.key.is_empty());
+    // a sheet of a key with nothing but the title stays one
+    let bare = Profile::named("graphiti").and_then(|mut profile| {
+        profile.set("figure.textures", "false")?;
+        Ok(profile)
+    });
+    let bare = convert(&samples::read("bars.svg"), &Options::new(bare.expect("a setting")).title(TITLE));
+    let key = bare.expect("a page").key.remove(0);
+    let anew = tactograph::render(key.to_svg(), &paper).expect("a page").page;
+    assert!(anew.braille.iter().any(|text| text.text == format!("Key: {TITLE}")), "{:?}", anew.braille);
 }
 
 /// A title never stands in the way of a figure: where both have no room, the figure stays.

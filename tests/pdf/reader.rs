@@ -89,7 +89,8 @@ impl Reader {
     #[track_caller]
     pub(crate) fn marks(&self, page: &str) -> Vec<Mark> {
         let text = String::from_utf8(self.streams[&self.follow(page, "Contents")].clone()).expect("text");
-        let text = without_words(&text).replace("<<", " << ").replace(">>", " >> ").replace('/', " /");
+        let text =
+            without_words(&text).replace("( )Tj", " Tj").replace("<<", " << ").replace(">>", " >> ").replace('/', " /");
         let (mut operands, mut marks) = (Vec::<&str>::new(), Vec::new());
         let (mut open, mut width, mut colours) = (Vec::<Option<String>>::new(), 0, Vec::new());
         let mut subpaths: Vec<Vec<[i64; 2]>> = Vec::new();

@@ -19,8 +19,8 @@ const VERTEX: f32 = 1e-3;
 /// Segments farther apart than this do not cross, mm, whatever rounding makes of it.
 const NOT_CROSSED: f32 = 0.01;
 
-/// A ring and a line touch where the middles of both are no farther apart than this, mm: half of the width of the least
-/// line that profiles of paper have (0.75), so that their ink overlaps well.
+/// A circle and a line touch where the middles of both are no farther apart than this, mm: the width of the least line
+/// that profiles of paper have, so that the ink of any two lines meets.
 const CONTACT: f32 = 0.75;
 /// How round a circle is at least: an ellipse of 3 to 2 has 0.94, a square 0.79.
 const CIRCLE: f32 = 0.95;

@@ -14,6 +14,7 @@ use crate::lines::line::Line;
 use crate::lines::marks::whole_series;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::{FoundIn, SPACING, Vertex, nearby};
+use crate::lines::weight::width;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
@@ -84,7 +85,8 @@ pub(in crate::lines) fn draw(
     let segments = nearby(lines.iter().copied(), area, params);
     let faint: Vec<bool> = lines.iter().map(|line| is_faint(line)).collect();
     let ring_lengths = lines.iter().map(|line| line.view().goes_round().then(|| line.length())).collect();
-    let lines = AmongLines { segments, faint, ring_lengths };
+    let half_widths = lines.iter().map(|line| 0.5 * width(line.mean_strength(), params)).collect();
+    let lines = AmongLines { segments, faint, ring_lengths, half_widths };
     let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
     let whole = whole_series(&series, &has_room);
@@ -100,6 +102,8 @@ pub(super) struct AmongLines {
     faint: Vec<bool>,
     /// The lengths of those that go round, mm.
     ring_lengths: Vec<Option<f32>>,
+    /// Half of how wide each will be, mm.
+    half_widths: Vec<f32>,
 }
 
 /// Draws those of the points that are wanted and have room; says which.
@@ -164,22 +168,24 @@ impl AmongLines {
     /// Where a disc of this radius, mm, is drawn for a point there: each line is under it, or apart by `gap`, mm. For
     /// that it is moved a little, to the one or the other; faint lines give way. None if there is no such place.
     fn place_of_disc(&self, own: MmPoint, radius: f32, gap: f32, params: &Params) -> Option<MmPoint> {
-        let beside = radius + 0.5 * params.width_max;
-        let (on, clear) = (beside - SUNK, beside + gap + params.play());
-        let Some((distance, foot)) = self.nearest_between(own, on, clear) else { return Some(own) };
+        // from the side of a line
+        let (on, clear) = (radius - SUNK, radius + gap + params.play());
+        let most = 0.5 * params.width_max;
+        let Some((distance, foot)) = self.nearest_between(own, (on, clear), most) else { return Some(own) };
         let away = (own - foot).try_normalize()?;
         let mut steps = [on - distance - ROUNDING, clear - distance + ROUNDING];
         steps.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
         let places = steps.into_iter().filter(|step| step.abs() <= FARTHEST_DISC).map(|step| own + away * step);
-        places.into_iter().find(|at| self.nearest_between(*at, on, clear).is_none())
+        places.into_iter().find(|at| self.nearest_between(*at, (on, clear), most).is_none())
     }
 
-    /// The nearest line that is not faint and farther from a place than the one distance, mm, and not as far as the
-    /// other: how far, and where.
-    fn nearest_between(&self, at: MmPoint, from: f32, to: f32) -> Option<(f32, MmPoint)> {
+    /// The nearest line that is not faint and whose side is farther from a place than the one distance, mm, and not as
+    /// far as the other: how far that is, and where its middle. Lines are at most twice `half_width` wide.
+    fn nearest_between(&self, at: MmPoint, (from, to): (f32, f32), half_width: f32) -> Option<(f32, MmPoint)> {
         let mut nearest: BTreeMap<u32, (f32, MmPoint)> = BTreeMap::new();
-        self.segments.around_point(at, to, |segment| {
-            let (distance, foot) = nearest_on_segment(at, segment.a, segment.b);
+        self.segments.around_point(at, to + half_width, |segment| {
+            let (to_middle, foot) = nearest_on_segment(at, segment.a, segment.b);
+            let distance = to_middle - self.half_widths[segment.line as usize];
             if !self.is_faint(segment) && distance < to {
                 let least = nearest.entry(segment.line).or_insert((distance, foot));
                 *least = if distance < least.0 { (distance, foot) } else { *least };

@@ -15,6 +15,8 @@ fn formulas_that_would_lose_signs_are_no_titles() {
         ("de", "50 Ω", false),
         ("pl", "20 €", false),
         ("de", "Der Name Αθήνα", true),
+        ("de", "Δλ = 5 nm", false),
+        ("it", "a ≠ b", false),
         ("fr", "Škoda", true),
     ] {
         let translator =
