@@ -44,7 +44,9 @@ fn assert_apart(scene: &str, least: f32, lines: &[Line], params: &lines::Params)
     let near = apart::too_near(lines, params.min_gap, apart::APPROACH_OF_DRAWINGS);
     assert!(near.is_empty(), "{scene}: {} places are too near, such as {:?}", near.len(), near.first());
     for (number, line) in lines.iter().enumerate() {
-        let is_whole = line.length() >= 0.97 * params.min_length || apart::leads_from_line_to_line(lines, number);
+        let is_whole = line.length() >= 0.97 * params.min_length
+            || apart::is_disc(line)
+            || apart::leads_from_line_to_line(lines, number);
         assert!(is_whole, "{scene}: a remnant of {} mm", line.length());
     }
 }

@@ -224,8 +224,10 @@ fn groups_of(
     letters::add_bare(&groups, forms, wanted, translator);
     letters::add_to_alone(of_tables.iter().copied(), forms, wanted, translator);
     // a number of an axis is whole or not there: shortened, it is none; one in a table may be read as that of an axis
-    let is_axis =
-        |group: &&Group| group.steps.is_some() && group.members.iter().any(|&label| around[label].cell.is_none());
+    let is_axis = |group: &&Group| {
+        let is_long = group.members.len() >= groups::OF_AN_AXIS && group.steps.is_some();
+        is_long && group.members.iter().any(|&label| around[label].cell.is_none())
+    };
     for &label in groups.iter().filter(is_axis).flat_map(|group| &group.members) {
         if let Ok(of) = &mut forms[label] {
             of.forms.retain(|form| form.kind != FormKind::Short);

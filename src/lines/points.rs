@@ -66,6 +66,8 @@ pub(super) struct Point {
     is_alone: bool,
     /// Whether it is drawn as a disc at its own place, as all of a cloud of points.
     is_disc: bool,
+    /// Whether its outline is that of a path of a drawing, and not found in pixels.
+    is_exact: bool,
 }
 
 impl Point {
@@ -204,15 +206,16 @@ fn is_like(point: &Point, other: &Point) -> bool {
 
 /// Filled points beside lines that are many and alike, such as those of a scatter plot: they are discs, each at its own
 /// place, and so are those like them that happen to lie on lines, which are no points of these. Gives those beside
-/// lines, with their numbers. Where lines become dots there are none.
+/// lines, with their numbers. Where lines become dots there are none, nor in pixels, where noise has many alike.
 fn scattered(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
     if params.on_dots() {
         return Vec::new();
     }
     // the outline of a disc beside its stroke is no other disc
     let mut apart: Vec<Point> = Vec::new();
-    for (_, point) in
-        alone.iter().filter(|(_, point)| point.is_filled && point.radius >= disc_radius(params) / MAGNIFIED)
+    for (_, point) in alone
+        .iter()
+        .filter(|(_, point)| point.is_filled && point.is_exact && point.radius >= disc_radius(params) / MAGNIFIED)
     {
         if !is_drawn_twice(point, &apart) {
             apart.push(*point);
@@ -314,6 +317,7 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
         series: None,
         is_alone: false,
         is_disc: false,
+        is_exact: is_exact(ring),
     };
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
@@ -332,6 +336,7 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<Point> {
         series: None,
         is_alone: false,
         is_disc: false,
+        is_exact: is_exact(line),
     })
 }
 
@@ -339,6 +344,11 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<Point> {
 /// beside one; as small as that most points of a plot have room. Chosen by us.
 fn disc_radius(params: &Params) -> f32 {
     0.5 * (1.0 + SOLID) * params.width_max
+}
+
+/// Whether all of a contour is of a path.
+fn is_exact(line: &Polyline<Vertex>) -> bool {
+    line.vertices.iter().all(|vertex| vertex.source.is_exact())
 }
 
 /// Whether a contour is for the most part the side of an area, and not the middle of a stroke.

@@ -38,6 +38,9 @@ const STRAIGHT: f32 = 0.92;
 /// Numbers of the page have two digits after the point, and some are added up.
 const ROUNDING: f32 = 0.01;
 
+/// The least blank beside a disc that stands for a point, in least blanks of lines.
+const DISC_GAP: f32 = 0.5;
+
 /// A place where two lines are too near.
 #[derive(Debug, Clone, Copy)]
 #[allow(dead_code, reason = "what a test does not ask for still stands in its message")]
@@ -157,12 +160,23 @@ pub(crate) fn leads_from_line_to_line(lines: &[Line], number: usize) -> bool {
     !own.closed && own.segments.first().zip(own.segments.last()).is_some_and(|(a, b)| on_other(a.a) && on_other(b.b))
 }
 
+/// Whether a line is a disc that stands for a point: a ring whose stroke fills it.
+pub(crate) fn is_disc(line: &Line) -> bool {
+    let [run] = &line.runs[..] else { return false };
+    let far = |axis: fn(&MmPoint) -> f32| {
+        let (least, most) = run.points.iter().map(axis).fold((f32::MAX, f32::MIN), |(a, b), at| (a.min(at), b.max(at)));
+        most - least
+    };
+    run.closed && far(|at| at.x) <= run.width && far(|at| at.y) <= run.width
+}
+
 /// All places where lines are nearer than `min_gap` though they do not join there, on an approach of at
 /// most so many clearances.
 pub(crate) fn too_near(lines: &[Line], min_gap: f32, approach: f32) -> Vec<TooNear> {
     let ways: Vec<Way> = lines.iter().enumerate().map(|(number, line)| Way::of(number, line)).collect();
     let all: Vec<Segment> = ways.iter().flat_map(|way| &way.segments).copied().collect();
     let widest = all.iter().map(|s| s.half_width).fold(0.0, f32::max);
+    let are_discs: Vec<bool> = lines.iter().map(is_disc).collect();
     let mut junctions = junctions(&ways, &all, min_gap);
     if approach > APPROACH {
         let by_third = by_third(&ways, &junctions, min_gap + 2.0 * widest);
@@ -189,6 +203,13 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32, approach: f32) -> Vec<TooNe
             let mut worst: Option<TooNear> = None;
             for other in &others {
                 let (distance, point) = other.nearest(at);
+                let discs = [segment.line, other.line].iter().filter(|line| are_discs[**line as usize]).count();
+                let gap = distance - segment.half_width - other.half_width;
+                // a disc keeps half of the blank, and may lie on a line; it is not near itself
+                let lies_on = discs == 1 && gap < -ROUNDING;
+                if discs > 0 && (other.line == segment.line || lies_on || gap >= DISC_GAP * min_gap - ROUNDING) {
+                    continue;
+                }
                 let clearance = min_gap + segment.half_width + other.half_width;
                 if distance >= clearance - ROUNDING {
                     continue;
@@ -201,7 +222,6 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32, approach: f32) -> Vec<TooNe
                         || (along <= CORNER * distance + BEND_LEAST && way.has_corner((here, at), (there, point))));
                 let joins = arrives(segment.line, here, other.line, clearance)
                     || arrives(other.line, there, segment.line, clearance);
-                let gap = distance - segment.half_width - other.half_width;
                 if !bend && !joins && worst.is_none_or(|worst| gap < worst.gap) {
                     worst = Some(TooNear { at, gap, lines: (segment.line, other.line), length: length / steps });
                 }
