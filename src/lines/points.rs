@@ -154,7 +154,7 @@ fn found(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<(usize, Point)>
 fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> Vec<(usize, Point)> {
     let is_of_many = |point: &Point| {
         let alike = whole.iter().filter(|(_, other)| is_like(point, other)).count();
-        point.is_filled && alike >= SERIES
+        point.is_filled && point.is_exact && alike >= SERIES
     };
     let arcs = polylines.iter().enumerate().filter(|(_, line)| !line.closed);
     arcs.filter_map(|(number, line)| Some((number, of_arc(line).filter(is_of_many)?))).collect()

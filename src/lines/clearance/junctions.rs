@@ -213,6 +213,10 @@ impl DrawnLines<'_> {
         is_other: impl Fn(u32) -> bool,
     ) -> Vec<Junction> {
         let PolylineRef { vertices, closed } = polyline;
+        // in pixels, where noise has circles beside lines anywhere, none is meant
+        if !vertices.iter().all(|vertex| vertex.source.is_exact()) {
+            return Vec::new();
+        }
         let is_round = closed && is_circle(polyline.path().map(|vertex| vertex.at));
         let mut nearest: BTreeMap<u32, (f32, usize, Segment)> = BTreeMap::new();
         for (i, vertex) in vertices.iter().enumerate().filter(|(_, vertex)| self.may_be_near(vertex.at)) {

@@ -4,6 +4,7 @@ use super::super::drawn::LineState;
 use super::super::tests::{drawn, polyline};
 use super::*;
 use crate::lines::params::Params;
+use crate::lines::vertex::FoundIn;
 
 /// A line to be joined, from left to right.
 const LINE: &[(f32, f32)] = &[(10.0, 50.0), (90.0, 50.0)];
@@ -79,7 +80,8 @@ fn a_wheel_on_the_road_touches_it_and_a_ring_that_keeps_beside_a_line_does_not()
         super::super::draw(polyline(road, false), &[], crate::lines::outlines::Rank::Ordinary, &mut lines);
         let turn = |k: u32| std::f32::consts::TAU * k as f32 / 80.0;
         let at = |k: u32| (50.0 + radius * turn(k).cos(), 50.0 - above - radius + radius * turn(k).sin());
-        let ring = polyline(&(0..80).map(at).collect::<Vec<_>>(), true);
+        let mut ring = polyline(&(0..80).map(at).collect::<Vec<_>>(), true);
+        ring.vertices.iter_mut().for_each(|vertex| vertex.source = FoundIn::Vector);
         lines.states(&ring).contains(&LineState::TooNear)
     };
     for above in [0.0, 0.1, 0.3, 0.6] {
