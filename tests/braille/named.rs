@@ -104,8 +104,13 @@ fn words_of_a_table_stay_in_their_cells() {
                 }
             }
         }
-        // no finger's rows are as narrow as those of this table on a grid of 2 mm
-        let least = if profile == "index-basic-d" { rows[0].len() } else { rows.len() * rows[0].len() };
+        // no finger's rows are as narrow as those of this table on a grid of 2 mm; on pins its names of classes, four cells
+        // with their blank, have no room in theirs, and beside the table they would be headings
+        let least = match profile {
+            "index-basic-d" => rows[0].len(),
+            "dot-pad" => rows.len() * rows[0].len() - 3,
+            _ => rows.len() * rows[0].len(),
+        };
         assert!(labels.len() >= least, "{profile}: {told}");
     }
 }
