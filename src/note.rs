@@ -171,8 +171,8 @@ pub enum Note {
     NotContracted,
     /// The title does not stand above the figure, as there is no room for it.
     #[error(
-        "the title {}: its {cells} cells have no room above the figure, where three lines may \
-         take a fifth of the sheet; give a shorter one, or a larger sheet",
+        "the title {}: its {cells} cells have no room above the figure, where it may take three lines and a fifth of \
+         the height at most; give a shorter one, or a larger sheet",
         if *.in_key { "begins the key and does not stand above the figure" } else { "is not written in braille" }
     )]
     NoRoomForTitle {

@@ -75,10 +75,13 @@ pub(super) fn simpler(character: char) -> Option<String> {
         'Æ' => "Ae".into(),
         'œ' => "oe".into(),
         'Œ' => "Oe".into(),
+        // of minutes, and of the image of a point
+        '\u{2032}' => "'".into(),
+        '\u{2033}' => "''".into(),
         _ => decomposed.chars().filter(|&part| !is_accent(part)).collect::<String>().replace(FRACTION, "/"),
     };
     // an accent that stands by itself has a blank in place of its letter
-    let are_said = letters.chars().all(|part| part.is_ascii_alphanumeric() || matches!(part, '\u{b0}' | '/'));
+    let are_said = letters.chars().all(|part| part.is_ascii_alphanumeric() || matches!(part, '\u{b0}' | '/' | '\''));
     (are_said && !letters.is_empty() && !letters.contains(character)).then_some(letters)
 }
 

@@ -28,4 +28,4 @@ pub use numbers::is_script;
 pub use table::Table;
 pub use translate::{Braille, Lacking, unicode};
 pub use translator::{Translate, Translator};
-pub use wrap::{Divide, Wrapped, in_two, wrap};
+pub use wrap::{Divide, Wrapped, in_two, in_two_at_any_blank, wrap};

@@ -1,5 +1,8 @@
 //! Text to cells by the table of a code, or by another translator, such as one for contracted braille.
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
 use super::characters::composed;
 use super::joined;
 use super::table::Table;
@@ -12,12 +15,14 @@ pub type Translate = dyn Fn(&str) -> Result<Vec<u8>, String> + Send + Sync;
 pub struct Translator<'a> {
     table: Option<Table>,
     other: Option<&'a Translate>,
+    /// What the other translator said of each text.
+    known: Mutex<BTreeMap<String, Result<Braille, String>>>,
 }
 
 impl<'a> Translator<'a> {
     /// The other translator, if there is one, else the table; `None` without either.
     pub fn new(table: Option<Table>, other: Option<&'a Translate>) -> Option<Self> {
-        (table.is_some() || other.is_some()).then_some(Self { table, other })
+        (table.is_some() || other.is_some()).then(|| Self { table, other, known: Mutex::default() })
     }
 
     /// A text in braille.
@@ -27,16 +32,9 @@ impl<'a> Translator<'a> {
     pub fn translate(&self, text: &str) -> Result<Braille, String> {
         match (self.other, &self.table) {
             (Some(other), _) => {
-                let plain = composed(text).split_whitespace().collect::<Vec<_>>().join(" ");
-                // a cell of eight dots has no place on a page
-                let cells = other(&plain)?;
-                let has_six = cells.iter().all(|cell| *cell < 64);
-                let joined = joined::blanks(&plain, &cells);
-                if has_six {
-                    Ok(Braille { cells, joined, ..Braille::default() })
-                } else {
-                    Err("cells of eight dots".into())
-                }
+                // a page asks for a text many times, and another translator may be a process
+                let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+                known.entry(text.to_owned()).or_insert_with(|| by_other(other, text)).clone()
             }
             (None, Some(table)) => Ok(table.translate(text)),
             (None, None) => Ok(Braille::default()),
@@ -56,6 +54,21 @@ impl<'a> Translator<'a> {
         self.table.as_ref().map_or(name, |table| table.word(name))
     }
 }
+
+/// A text by a translator that is no table.
+fn by_other(other: &Translate, text: &str) -> Result<Braille, String> {
+    let plain = composed(text).split_whitespace().collect::<Vec<_>>().join(" ");
+    let cells = other(&plain)?;
+    // a cell of eight dots has no place on a page
+    if cells.iter().any(|cell| *cell >= 64) {
+        return Err("cells of eight dots".into());
+    }
+    let joined = joined::blanks(&plain, &cells);
+    Ok(Braille { cells, joined, ..Braille::default() })
+}
+
+#[cfg(test)]
+mod tests;
 
 impl std::fmt::Debug for Translator<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

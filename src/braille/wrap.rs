@@ -18,8 +18,6 @@ pub enum Divide {
     Never,
     /// Where a line would be less than three quarters full without: a divided word takes longer to read.
     Words,
-    /// At any blank, also within an equation and in front of a unit.
-    Equations,
 }
 
 /// Dots 3 and 6: the hyphen of all codes.
@@ -58,14 +56,24 @@ pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
 /// Braille in two lines, as narrow as they can be without cutting a word; none if it has only one that cannot be
 /// divided.
 pub fn in_two(braille: &Braille, divide: Divide) -> Option<[Vec<u8>; 2]> {
+    in_two_where(braille, divide, can_end)
+}
+
+/// The same where a line may end at any blank, also within an equation and in front of a unit.
+pub fn in_two_at_any_blank(braille: &Braille) -> Option<[Vec<u8>; 2]> {
+    in_two_where(braille, Divide::Never, is_blank)
+}
+
+fn in_two_where(braille: &Braille, divide: Divide, can_end: fn(&Braille, usize) -> bool) -> Option<[Vec<u8>; 2]> {
     let part = |end: usize, hyphen: Option<u8>| {
         let (first, second) = braille.cells.split_at(end);
         let mut first = trimmed(first).to_vec();
         first.extend(hyphen);
         [first, trimmed(second).to_vec()]
     };
-    let width = |end: usize, hyphen: usize| (end + hyphen).max(braille.cells.len() - end);
-    let can_end: fn(&Braille, usize) -> bool = if divide == Divide::Equations { is_blank } else { can_end };
+    // a blank that the second line would begin with is none of it
+    let width =
+        |end: usize, hyphen: usize| (end + hyphen).max(braille.cells.len() - end - usize::from(is_blank(braille, end)));
     let whole = (1..braille.cells.len()).filter(|&end| can_end(braille, end)).map(|end| (width(end, 0), end, None));
     let divided = braille.divisions.iter().filter(|_| divide == Divide::Words);
     let divided = divided.map(|&end| (width(end, 1), end, Some(HYPHEN)));

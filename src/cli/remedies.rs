@@ -38,6 +38,9 @@ pub(super) fn of_note(note: &Note) -> String {
         Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => {
             format!("{note}; a larger figure has more (--no-overview, --sheets 2x2, --profile swell-a3)")
         }
+        Note::NoKey(Reason::KeyInOtherFile, _) => {
+            format!("{note}: render that file too, or have the key written here again (--key always)")
+        }
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => {
             format!("{note} (--braille-table TABLE)")

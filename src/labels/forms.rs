@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::abbreviate;
 use super::placed::{Unplaced, WrittenLabel};
-use crate::braille::{Braille, Divide, Lacking, Translator, in_two, is_accent, is_of_formula};
+use crate::braille::{Braille, Divide, Lacking, Translator, in_two, in_two_at_any_blank, is_accent, is_of_formula};
 use crate::page::cells::CellGrid;
 use crate::units::MmVector;
 
@@ -101,7 +101,7 @@ const BARE: f32 = 5.0;
 /// What a letter costs: more than an abbreviation.
 const LETTER: f32 = 1500.0;
 
-/// The forms of each text, or why it has none. A text in several labels is translated once. `written` labels are on the
+/// The forms of each text, or why it has none. `written` labels are on the
 /// page already.
 pub(super) fn of(
     texts: &[&str],
@@ -131,7 +131,7 @@ pub(super) fn of(
         if length > LONG {
             let whole = in_two(braille, Divide::Never);
             let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
-            let torn = if whole.is_none() { in_two(braille, Divide::Equations) } else { None };
+            let torn = if whole.is_none() { in_two_at_any_blank(braille) } else { None };
             forms.extend(torn.map(|lines| two(lines, Division::InEquation)));
             forms.extend(whole.map(|lines| two(lines, Division::BetweenWords)));
             forms.extend(divided.map(|lines| two(lines, Division::InWord)));

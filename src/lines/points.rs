@@ -13,6 +13,8 @@
 
 mod drawn;
 
+use std::slice;
+
 use super::lead_on::{extend_to, heading};
 use super::marks::{PointMark, SERIES};
 use super::params::{HEADING, Params};
@@ -45,8 +47,10 @@ const FROM_SIDE: f32 = 1.0;
 const MAGNIFIED: f32 = 3.0;
 /// A part of a circle keeps to it within this share of its radius.
 const FROM_CIRCLE: f32 = 0.1;
-/// Least part of a circle that is seen of a point which another hides in part, in turns.
+/// Least part of a circle that is seen of a point which others hide in part, in turns; and least of one arc of it, as a
+/// line that leads over it may divide them: of shorter ones the circle is not known.
 const LEAST_ARC: f32 = 0.4;
+const LEAST_PIECE: f32 = 0.1;
 /// The middle line of the ring that is drawn as a disc, in half widths: its stroke fills it.
 const SOLID: f32 = 0.9;
 /// Points are of one size if their radii differ by no more than this share.
@@ -87,7 +91,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     let (mut alone, mut pointed_at) = (Vec::new(), Vec::new());
     for (number, point) in found {
         // the outline of a disc beside its stroke
-        let again = points.iter().any(|other| (other.at - point.at).length() <= other.radius.max(point.radius));
+        let again = is_drawn_twice(&point, &points);
         let arms: Vec<PointArm> = if again { Vec::new() } else { arms(&point, polylines, &is_ring) };
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
@@ -156,13 +160,27 @@ fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> V
         let alike = whole.iter().filter(|(_, other)| is_like(point, other)).count();
         point.is_filled && point.is_exact && alike >= SERIES
     };
-    let arcs = polylines.iter().enumerate().filter(|(_, line)| !line.closed);
-    arcs.filter_map(|(number, line)| Some((number, of_arc(line).filter(is_of_many)?))).collect()
+    let open = polylines.iter().enumerate().filter(|(_, line)| !line.closed);
+    let arcs = open.filter_map(|(number, line)| Some((number, of_arc(line).filter(|(_, arc)| is_of_many(arc))?)));
+    let arcs: Vec<(usize, (f32, Point))> = arcs.collect();
+    let seen = |point: &Point| -> f32 {
+        let is_of_it = |other: &Point| is_like(point, other) && is_drawn_twice(point, slice::from_ref(other));
+        arcs.iter().filter(|(_, (_, other))| is_of_it(other)).map(|(_, (turns, _))| turns).sum()
+    };
+    arcs.iter()
+        .filter(|(_, (_, point))| seen(point) >= LEAST_ARC)
+        .map(|(number, (_, point))| (*number, *point))
+        .collect()
 }
 
-/// Whether a point is the outline of one of these beside its stroke.
+/// Whether a point is the outline of one of these beside its stroke. Paths say where its middle is; in pixels each may
+/// lie within the other.
 fn is_drawn_twice(point: &Point, points: &[Point]) -> bool {
-    points.iter().any(|other| (other.at - point.at).length() <= other.radius)
+    let is_same = |other: &Point| {
+        let apart = if point.is_exact && other.is_exact { MIDDLE } else { 1.0 };
+        (other.at - point.at).length() <= apart * other.radius.max(point.radius)
+    };
+    points.iter().any(is_same)
 }
 
 /// Takes those of the shapes that one line points at that are like points on lines, as the leaves of a tree are like
@@ -322,13 +340,13 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
 
-/// A circle of which an open line is a large part.
-fn of_arc(line: &Polyline<Vertex>) -> Option<Point> {
+/// A circle of which an open line is a part, and how large a part, in turns.
+fn of_arc(line: &Polyline<Vertex>) -> Option<(f32, Point)> {
     let (middle, radius) = circle(line.vertices.iter().map(|vertex| vertex.at))?;
     let is_on = |vertex: &Vertex| ((vertex.at - middle).length() / radius - 1.0).abs() <= FROM_CIRCLE;
     let length = line.length() / (std::f32::consts::TAU * radius);
-    let is_arc = (LEAST_ARC..=1.0).contains(&length) && line.vertices.iter().all(is_on);
-    is_arc.then(|| Point {
+    let is_arc = (LEAST_PIECE..=1.0).contains(&length) && line.vertices.iter().all(is_on);
+    let point = Point {
         at: middle,
         radius,
         is_filled: is_edge(line),
@@ -337,7 +355,8 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<Point> {
         is_alone: false,
         is_disc: false,
         is_exact: is_exact(line),
-    })
+    };
+    is_arc.then_some((length, point))
 }
 
 /// Radius of a disc that stands for a point, mm: it is nearly twice as broad as the broadest line, and so is felt

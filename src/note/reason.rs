@@ -245,6 +245,8 @@ reasons! {
     NothingToTell => "nothing-to-tell",
     /// A sheet of a key has no key of its own.
     IsAKey => "is-a-key",
+    /// The key that was made with a page is a file of its own.
+    KeyInOtherFile => "key-in-other-file",
 }
 
 #[cfg(test)]

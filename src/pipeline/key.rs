@@ -150,7 +150,7 @@ impl Item {
     }
 }
 
-/// Texts are in one row if the tops of their dots are no further apart than this, mm: less than a row of braille.
+/// Texts are in one row if the tops of their dots are less than this below that of the highest, mm: half a row of braille.
 const ROW: f32 = 5.0;
 
 /// Texts in the order in which hands come to them: row by row from the top, and from the left.
@@ -158,8 +158,11 @@ fn as_read(braille: &[BrailleText]) -> Vec<&BrailleText> {
     let corner = |text: &BrailleText| text.dots.bounds().map_or_else(MmPoint::zero, |place| place.min);
     let mut all: Vec<(MmPoint, &BrailleText)> = braille.iter().map(|text| (corner(text), text)).collect();
     all.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y));
-    for row in all.chunk_by_mut(|(a, _), (b, _)| b.y - a.y < ROW) {
+    let mut rest = &mut all[..];
+    while let Some(top) = rest.first().map(|(corner, _)| corner.y) {
+        let (row, below) = rest.split_at_mut(rest.partition_point(|(corner, _)| corner.y - top < ROW));
         row.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
+        rest = below;
     }
     all.into_iter().map(|(_, text)| text).collect()
 }

@@ -82,13 +82,15 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
 }
 
 /// How much more blank than the clearance there is to be between a label and a line beside it, mm: as much as keeps the
-/// dots of the line off the first column of a next cell.
+/// dots of the line off the first column of a next cell. Where the line is cells itself, a whole cell: one beside the
+/// label would be read as a letter of it.
 fn more_aside(layout: &Layout, plan: &Plan) -> f32 {
     match &layout.medium {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => {
             let size = CellGrid::of(&layout.medium, plan.profile().braille.cell).size();
-            (size.cell - size.dot + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0)
+            let columns = if dots.device.cell_dots().is_some() { size.cell } else { size.cell - size.dot };
+            (columns + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0)
         }
     }
 }

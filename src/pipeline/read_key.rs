@@ -54,7 +54,8 @@ pub fn key_of_page(
             .then_some(Note::NoKey(Reason::IsAKey, "this sheet is one of a key itself"));
         return Ok(Key { notes: told.into_iter().collect(), ..Key::default() });
     }
-    let outdated = ToldInKey::of(page).filter(|_| wanted.is_changed).and_then(|told| outdated(&told, page));
+    let told = ToldInKey::of(page);
+    let outdated = told.as_ref().filter(|_| wanted.is_changed).and_then(|told| outdated(told, page));
     let when = match wanted.key {
         KeySheets::Auto if outdated.is_some() => KeySheets::Always,
         // what was abbreviated before has its key already
@@ -76,6 +77,9 @@ pub fn key_of_page(
     // an overview has the next sheet to itself
     let before = 1 + u32::from(InSet::of(page) == Some(InSet::Followed));
     let mut key = written.key(&words, &page.braille, &page.figure, before, &layout, request)?;
+    if wanted.key == KeySheets::Auto && when == KeySheets::Never && told.is_some() {
+        key.notes.push(Note::NoKey(Reason::KeyInOtherFile, "the one that was made with the page is a file of its own"));
+    }
     key.notes.extend(outdated.map(|what| {
         let told = format!("the key that was made with the page no longer fits it: {what}");
         match key.sheets.is_empty() {

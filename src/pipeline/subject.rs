@@ -1,5 +1,7 @@
 //! What the picture is about, as its maker says by places on it.
 
+use lyon::geom::euclid::Box2D;
+
 use super::cut_contours::take_out;
 use super::decisions::Decisions;
 use super::given::{Given, blank_where};
@@ -53,7 +55,7 @@ pub(super) fn prepare(
         });
         match found {
             Some((mask, mm, region)) => {
-                all = Some(all.map_or(mask.clone(), |all| all.with(&mask)));
+                all = Some(all.map_or(mask.clone(), |all| all.united(&mask)));
                 if let Some(region) = region.filter(|region| !decisions.subjects.contains(region)) {
                     decisions.subjects.push(region);
                     decisions.borders.push(mask.border());
@@ -84,7 +86,8 @@ pub(super) fn told_lacking(
 ) -> impl Iterator<Item = Note> {
     let lacking =
         |lines: &[Line], place: MmRect, part: PagePart| lacking(decisions, lines, picture, place, layout, plan, part);
-    let of_figure = lacking(figure, layout.figure, PagePart::Figure);
+    let has_lines = plan.profile().figure.lines;
+    let of_figure = has_lines.then(|| lacking(figure, layout.figure, PagePart::Figure)).flatten();
     of_figure.into_iter().chain(overview.and_then(|(place, lines)| lacking(lines, *place, PagePart::Overview)))
 }
 
@@ -121,17 +124,17 @@ fn lacking(
 }
 
 /// The cells of the subject at a place, in shares of the picture, and which region it is, if it is one, whose outline
-/// is drawn first: that most like the thing that the place names.
+/// is drawn first: that most like the thing that the place names. There are no regions where no lines are drawn.
 fn subject_at(
     edges: &Edges,
     [x, y]: [f32; 2],
     mm_per_px: f32,
     things: Option<&NamedThings>,
 ) -> Option<(Mask, Option<u32>)> {
-    let found = edges.regions.as_ref().zip(things).and_then(|(tree, things)| {
+    let found = things.and_then(|things| {
         let thing = things.at([x, y])?.on(RegionGrid::new(edges.size));
-        let region = tree.most_like(&thing)?;
-        Some((thing, Some(region)))
+        let region = edges.regions.as_ref().and_then(|tree| tree.most_like(&thing));
+        Some((thing, region))
     });
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     found.or_else(|| Some((ring_around(edges, at, mm_per_px)?, None)))
@@ -141,16 +144,17 @@ fn subject_at(
 fn ring_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
     let grid = RegionGrid::new(edges.size);
     let rings = edges.chains.iter().filter(|range| range.closed).map(|range| edges.chain(range));
-    let inside = rings.map(|ring| {
+    let inside = rings.filter_map(|ring| {
         let points: Vec<PxPoint> = ring.vertices.iter().map(Located::at).collect();
-        Mask::of_ring(grid, &points)
+        // a drawing may have thousands
+        Box2D::from_points(&points).contains_inclusive(at).then(|| Mask::of_ring(grid, &points))
     });
     let cell = mm_per_px * edges.size.width as f32 / grid.cells.width as f32;
     let least = (LEAST_AREA / (cell * cell)) as usize;
     inside.filter(|mask| mask.contains(at) && mask.cells() >= least).min_by_key(Mask::cells)
 }
 
-/// Takes weak lines that are not of the subject out, and the outlines of other regions. Returns how much, mm.
+/// Takes weak lines that are not of the subject out. Returns how much, mm.
 fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 {
     let (strong, near) = (plan.lines().full_strength, subject.clone().grown(MARGIN));
     let length = |edges: &Edges| edges.chains().map(|chain| chain.length()).sum::<f32>();

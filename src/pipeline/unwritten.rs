@@ -68,8 +68,12 @@ pub(super) fn in_other_letters(texts: &[&str], translator: &Translator<'_>) -> O
 pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
     let is_on_line = |text: &&&str| translator.translate(text).is_ok_and(|braille| braille.has_script_on_line);
     let has_script = |text: &&&str| text.contains(is_script);
-    let mut named_texts: Vec<&str> = texts.iter().filter(has_script).filter(is_on_line).copied().collect();
-    named_texts.dedup();
+    let mut named_texts: Vec<&str> = Vec::new();
+    for text in texts.iter().filter(has_script).filter(is_on_line) {
+        if !named_texts.contains(text) {
+            named_texts.push(text);
+        }
+    }
     let what = "lowered and raised numbers stand on the line in braille, as in H2O, since this table has no other \
                 cells for them";
     let told = || Note::TakenAs(About::Braille, Reason::NumbersOnLine, format!("{what}: {}", named(&named_texts)));

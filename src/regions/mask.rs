@@ -43,9 +43,9 @@ impl Mask {
         Self { grid, is_in: cells.map(|(x, y)| self.contains(middle(x, y))).collect() }
     }
 
-    /// The cells of both, which are of the same picture.
+    /// The cells of either; both are in the cells of one grid.
     #[must_use]
-    pub fn with(mut self, other: &Self) -> Self {
+    pub fn united(mut self, other: &Self) -> Self {
         self.is_in.iter_mut().zip(&other.is_in).for_each(|(own, other)| *own |= other);
         self
     }

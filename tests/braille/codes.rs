@@ -129,6 +129,8 @@ fn what_a_code_lacks_is_written_in_others() {
         ("it", "1º maggio", "1o maggio", &['º']),
         ("es", "3⅓, ⅓", "3 1/3, 1/3", &['⅓', '⅓']),
         ("de", "10 ℃, Ⅳ", "10 °C, IV", &['℃', 'Ⅳ']),
+        ("cs", "15° 30′", "15° 30'", &['′']),
+        ("pl", "A′B", "A'B", &['′']),
     ] {
         let table = Code::of_language(language).and_then(Code::table).expect("a table");
         let braille = table.translate(text);

@@ -89,6 +89,7 @@ fn a_key_that_fits_no_longer_is_told_and_written_anew() {
     place.put("saved.svg", page.replace("</svg>", " </svg>").as_bytes());
     let told = done(&place, &["render", "saved.svg", "-o", "saved.pdf"]);
     assert!(!told.contains("no longer fits") && told.contains("wrote saved.pdf\n"), "{told}");
+    assert!(told.contains("made with the page is a file of its own: render that file too"), "{told}");
 }
 
 /// Leader lines that a drawing has are lines of its page. On a device with larger gaps they may be cut: then the label

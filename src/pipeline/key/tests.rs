@@ -23,4 +23,11 @@ fn abbreviations_come_in_the_order_in_which_hands_come_to_them() {
     ];
     let shorts: Vec<String> = abbreviations(&braille).into_iter().map(|(short, _)| short).collect();
     assert_eq!(shorts, ["ja", "fe", "ma"]);
+    // steps down to the left, each less than a row below the one before
+    let steps = ["aa", "bb", "cc", "dd", "ee"];
+    let steps = (0_u8..)
+        .zip(steps)
+        .map(|(k, short)| label(short, Some(short), [90.0 - 15.0 * f32::from(k), 40.0 + 4.0 * f32::from(k)]));
+    let shorts: Vec<String> = abbreviations(&steps.collect::<Vec<_>>()).into_iter().map(|(short, _)| short).collect();
+    assert_eq!(shorts, ["bb", "aa", "dd", "cc", "ee"]);
 }

@@ -21,5 +21,5 @@ fn inside_of_a_ring_is_what_it_surrounds() {
     assert!(border.contains(&PxPoint::new(5.5, 10.5)) && !border.contains(&PxPoint::new(7.5, 10.5)));
     // each side but the corner inside, where two meet
     assert_eq!(mask.clone().grown(1.0).cells(), mask.cells() + 10 + 20 + 25 + 5 + 15 + 15 - 1);
-    assert_eq!(mask.with(&Mask::of_ring(grid, &square)).cells(), 10 * 20 + 15 * 5 + 100);
+    assert_eq!(mask.united(&Mask::of_ring(grid, &square)).cells(), 10 * 20 + 15 * 5 + 100);
 }
