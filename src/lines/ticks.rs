@@ -2,6 +2,7 @@
 //! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
 
 pub(super) mod alone;
+mod bases;
 pub(super) mod crossbars;
 
 use super::lead_on::{extend_to, heading};
@@ -15,8 +16,9 @@ use crate::units::{MmPoint, MmRect};
 
 /// The shortest tick, mm: what is shorter may be a crumb. Half a millimetre is more than two pixels.
 const SHORTEST: f32 = 0.5;
-/// The end of a tick lies so near to the line that it stands on, mm: it ends at the side of a broad one.
-const STANDS: f32 = 1.5;
+/// The end of a tick lies so near to the line that it stands on, mm: it ends at the side of a broad one, or a little
+/// inside of the ring of a clock, nearer than two lines may be apart.
+const STANDS: f32 = 2.5;
 /// A tick goes across a line that is so near to its middle, as a share of its length.
 const ACROSS: f32 = 0.15;
 /// A tick is straight: its chord is at least this share of it.
@@ -39,6 +41,8 @@ struct Tick {
     number: usize,
     /// The line that it belongs to.
     base: usize,
+    /// The first piece of that line, where it is in pieces.
+    axis: usize,
     length: f32,
     /// Of its first and its last end: how far it is from its line where it stands on that, mm; none of a free end.
     stands: [Option<f32>; 2],
@@ -46,11 +50,15 @@ struct Tick {
 
 /// Makes the ticks of those scales longer that have room for it: all of a scale by the same length, so that longer ones
 /// stay longer, and the shortest is as long as a line has to be.
-pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
+pub(super) fn lengthen(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) {
     let mut ticks = ticks(polylines, area, params);
-    ticks.sort_by_key(|tick| tick.base);
-    for on_line in ticks.chunk_by(|a, b| a.base == b.base) {
-        let Some(scale) = scale(on_line, polylines, params) else { continue };
+    if bases::join_halves(&ticks, polylines, area) {
+        polylines.retain(|line| !line.vertices.is_empty());
+        ticks = self::ticks(polylines, area, params);
+    }
+    ticks.sort_by_key(|tick| tick.axis);
+    for on_axis in ticks.chunk_by(|a, b| a.axis == b.axis) {
+        let Some(scale) = scale(on_axis, polylines, params) else { continue };
         lengthen_together(&scale, polylines, area, params);
     }
 }
@@ -172,15 +180,22 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
             Some((distance, segment.line as usize))
         };
         if let Some((_, base)) = base(first.lerp(last, 0.5), ACROSS * length) {
-            return Some(Tick { number, base, length, stands: [None, None] });
+            return Some(Tick { number, base, axis: base, length, stands: [None, None] });
         }
         match (base(first, STANDS), base(last, STANDS)) {
-            (Some((gap, base)), None) => Some(Tick { number, base, length: length + gap, stands: [Some(gap), None] }),
-            (None, Some((gap, base))) => Some(Tick { number, base, length: length + gap, stands: [None, Some(gap)] }),
+            (Some((gap, base)), None) => {
+                Some(Tick { number, base, axis: base, length: length + gap, stands: [Some(gap), None] })
+            }
+            (None, Some((gap, base))) => {
+                Some(Tick { number, base, axis: base, length: length + gap, stands: [None, Some(gap)] })
+            }
             _ => None,
         }
     };
-    straight.into_iter().filter_map(tick).collect()
+    let mut ticks: Vec<Tick> = straight.into_iter().filter_map(tick).collect();
+    let first = bases::first_pieces(ticks.iter().map(|tick| tick.base), polylines, area);
+    ticks.iter_mut().for_each(|tick| tick.axis = first.get(&tick.base).copied().unwrap_or(tick.base));
+    ticks
 }
 
 fn is_straight(line: &Polyline<Vertex>) -> bool {

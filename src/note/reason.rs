@@ -34,6 +34,10 @@ reasons! {
     Unreadable => "unreadable",
     /// A document does not say which letters it has.
     UnknownLetters => "unknown-letters",
+    /// Texts of a drawing are not seen in it.
+    NotSeen => "not-seen",
+    /// A drawing has more paths than its lines are taken from: they are found in its pixels.
+    ManyPaths => "many-paths",
     /// A form field or a remark of a document does not say what it looks like.
     NoAppearance => "no-appearance",
     /// Of the same kinds there is more, which is not named.

@@ -75,7 +75,7 @@ fn crossbars(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> V
         let (base, line) = near.next()?;
         let is_only = near.next().is_none() && !line.closed && ends_at(line) && line.length() >= params.min_length;
         let is_tick = of_scales.iter().filter(|tick| tick.base == base).count() > 1;
-        (is_only && !is_tick).then_some(Tick { number, base, length, stands: [None, None] })
+        (is_only && !is_tick).then_some(Tick { number, base, axis: base, length, stands: [None, None] })
     };
     numbers.into_iter().filter_map(stem).collect()
 }

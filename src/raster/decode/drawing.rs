@@ -21,11 +21,12 @@ use super::job::{
 use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Samples};
 use super::{filters, paths, texts};
+use crate::listing::{counted, first_few};
 use crate::raster::crop::PixelPart;
 use crate::raster::planes::Raster;
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
-use crate::{Error, Note, Reason};
+use crate::{About, Error, Note, Reason};
 
 const FORMAT: &str = "SVG";
 
@@ -34,6 +35,9 @@ const LONGEST_SIDE: f32 = 4_000_000.0;
 
 /// What to do about a drawing that takes too much memory where no limit can be raised.
 const FLATTER: &str = "make it smaller, or take groups with an opacity, a mask or a filter apart";
+
+/// Most texts that are named in a remark.
+const MOST_TEXTS: usize = 5;
 
 /// Most remarks on one drawing; a drawing of a thousand links would hide all else.
 const MOST_NOTES: usize = 8;
@@ -87,8 +91,43 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
         Some(tree) => (tree, Some(with_texts)),
         None => (with_texts, None),
     };
-    let texts = |transform, size| with_texts.map_or_else(Vec::new, |tree| texts::of_tree(&tree, transform, size));
-    drawn(&tree, options, texts, left_out)
+    let texts = |transform, size| {
+        let Some(with_texts) = with_texts else { return Vec::new() };
+        let found = texts::of_tree(&with_texts, transform, size);
+        let (seen, unseen) = seen_of(found, [&with_texts, &tree], transform, size);
+        if !unseen.is_empty() {
+            let told = format!(
+                "{} that {} not seen in the drawing (transparent, covered, or of the colour of the ground): {}",
+                counted(unseen.len(), "text"),
+                if unseen.len() == 1 { "is" } else { "are" },
+                first_few(&unseen, MOST_TEXTS, |text| format!("\"{}\"", short(&text.string)))
+            );
+            left_out.add(Reason::NotSeen, told);
+        }
+        texts::sentences(seen)
+    };
+    drawn(&tree, options, texts).map(|decoded| with_notes(decoded, left_out))
+}
+
+/// Texts that are seen in a drawing, and those that are not, by the drawing with its texts and without. All count as
+/// seen where it would cost too much to look.
+fn seen_of(
+    texts: Vec<DrawnText>,
+    [with, without]: [&Tree; 2],
+    transform: tiny_skia::Transform,
+    target: Size,
+) -> (Vec<DrawnText>, Vec<DrawnText>) {
+    let is_cheap = filters::check(with, transform, target, 1).is_ok()
+        && paths::check_length(with, transform, target).is_ok()
+        && check_canvases(with, transform, target).is_ok();
+    let rendered =
+        |tree: &Tree| is_cheap.then(|| unless_beyond_numbers(|| canvas(tree, transform, target)).ok()).flatten();
+    match (rendered(with), rendered(without)) {
+        (Some(Ok(with)), Some(Ok(without))) => {
+            texts.into_iter().partition(|text| texts::is_seen(text, [&with, &without]))
+        }
+        _ => (texts, Vec::new()),
+    }
 }
 
 /// A page of a document that was made a drawing: SVG without texts. `texts` are those of the page on a canvas of this
@@ -105,7 +144,7 @@ pub(super) fn decode_page(
     let document = document(text, complexity::MOST_LEVELS)?;
     let tree = tree_of(&document, &parsing)?;
     drop((parsing, document));
-    drawn(&tree, options, texts, left_out)
+    drawn(&tree, options, texts).map(|decoded| with_notes(decoded, left_out))
 }
 
 /// Renders a drawing, and asks for the texts that are left out of it.
@@ -113,7 +152,6 @@ fn drawn(
     tree: &Tree,
     options: &DecodeOptions<'_>,
     texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
-    left_out: DrawingLosses,
 ) -> Result<Decoded, Error> {
     let whole = nominal_size(tree.size())?;
     let part = job::part(whole, options)?;
@@ -144,8 +182,20 @@ fn drawn(
     let finer = (2..=wanted).rev().find(has_room).unwrap_or(1);
     let raster = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
     let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
-    let texts = texts(transform, target);
-    Ok(Decoded { raster, lossy: None, source, drawing, texts, notes: left_out.notes() })
+    let notes = drawing.is_none().then(|| {
+        let told = format!(
+            "it has more than {} paths, so its lines are found in its pixels, as those of a picture",
+            paths::MOST_PATHS
+        );
+        Note::TakenAs(About::Lines, Reason::ManyPaths, told)
+    });
+    let (texts, notes) = (texts(transform, target), notes.into_iter().collect());
+    Ok(Decoded { raster, lossy: None, source, drawing, texts, notes })
+}
+
+/// The same with what is told of parts that are left out.
+fn with_notes(decoded: Decoded, left_out: DrawingLosses) -> Decoded {
+    Decoded { notes: left_out.notes().into_iter().chain(decoded.notes).collect(), ..decoded }
 }
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
@@ -204,17 +254,24 @@ fn density(group: &usvg::Group, transform: tiny_skia::Transform) -> f32 {
     group.children().iter().map(of_node).chain(of_mask).fold(1.0, f32::max)
 }
 
+const NO_ROOM: Error = Error::NoMemory { what: "the drawing" };
+
+/// A drawing over white on a canvas of a size.
+fn canvas(tree: &Tree, transform: tiny_skia::Transform, size: Size) -> Result<tiny_skia::Pixmap, Error> {
+    let mut canvas = tiny_skia::Pixmap::new(size.width, size.height).ok_or(NO_ROOM)?;
+    canvas.fill(tiny_skia::Color::WHITE);
+    resvg::render(tree, transform, &mut canvas.as_mut());
+    Ok(canvas)
+}
+
 /// Renders a drawing over white: on a canvas so many times finer, of which each pixel is an average.
 fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size, finer: u32) -> Result<Raster, Error> {
-    let room = || Error::NoMemory { what: "the drawing" };
     let size = Size::new(target.width * finer, target.height * finer);
-    let mut canvas = tiny_skia::Pixmap::new(size.width, size.height).ok_or_else(room)?;
-    canvas.fill(tiny_skia::Color::WHITE);
-    resvg::render(tree, transform.post_scale(finer as f32, finer as f32), &mut canvas.as_mut());
+    let canvas = canvas(tree, transform.post_scale(finer as f32, finer as f32), size)?;
     let layout = SampleLayout { kind: ColourKind::Rgb, alpha: true, depth: SampleDepth::Eight };
     let source = Extents::pixels(size.width, PixelPart::whole(size));
     let samples = Samples::new(layout, Meaning::Srgb, source, target, Orientation::NoTransforms);
-    samples.raster(canvas.data()).ok_or_else(room)
+    samples.raster(canvas.data()).ok_or(NO_ROOM)
 }
 
 /// The drawing's size in whole pixels. A size that is no whole number is doubled until rounding leaves its shape alone:

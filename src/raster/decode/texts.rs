@@ -1,18 +1,34 @@
 //! The texts of a drawing. Letters as lines are squiggles under a finger, so texts are left out of the picture, and
 //! kept as data.
 
-use resvg::tiny_skia::Transform;
+use resvg::tiny_skia::{Pixmap, Transform};
 use usvg::{Group, Node, Text, Tree};
 
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 
-/// The texts that are seen in a drawing which is rendered with `transform` at a size, in the order in which they are
-/// painted.
+/// The texts of a drawing which is rendered with `transform` at a size, in the order in which they are painted.
 pub(super) fn of_tree(tree: &Tree, transform: Transform, size: Size) -> Vec<DrawnText> {
     let mut found = Vec::new();
     add_group(tree.root(), transform, size, &mut found);
-    sentences(found)
+    found
+}
+
+/// Letters are seen where they change a value of 0 to 255 by more than this: as many as blending rounds off.
+const SEEN: u8 = 3;
+
+/// Whether letters are seen, by the drawing rendered with and without its texts: not those that are transparent, covered,
+/// clipped, or of the colour of their ground.
+pub(super) fn is_seen(text: &DrawnText, [with, without]: [&Pixmap; 2]) -> bool {
+    let columns = text.min.x.max(0.0) as usize..(text.max.x.ceil() as usize).min(with.width() as usize);
+    let rows = text.min.y.max(0.0) as usize..(text.max.y.ceil() as usize).min(with.height() as usize);
+    let row = |pixmap: &Pixmap, y: usize| {
+        let start = y * pixmap.width() as usize;
+        4 * (start + columns.start)..4 * (start + columns.end)
+    };
+    let differs = |(a, b): (&u8, &u8)| a.abs_diff(*b) > SEEN;
+    !columns.is_empty() && { rows }
+        .any(|y| with.data()[row(with, y)].iter().zip(&without.data()[row(without, y)]).any(differs))
 }
 
 /// Texts of which some are lines of one sentence, as programs write them that know no paragraphs: the lines are one
