@@ -10,6 +10,7 @@
 //! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
 //! group 5                              between groups of three digits
 //! address 6-46                         before an address of mail or of the net
+//! in-address / 256                     characters of addresses with cells of their own, in pairs
 //! letter-after-number 56               before a to j after digits; "any" behind it: before capitals too
 //! superscript 34 356 2 23 25 256 26 235 2356 236 35    before raised numbers, and their digits 0 to 9 if these are
 //!                                      not behind the sign of numbers; "subscript": the same of lowered numbers
@@ -29,6 +30,8 @@
 //! `n` a space with a digit beyond it, `%` (on the left) a sign of percent, degrees, powers or fractions. The first
 //! line that fits counts. What else a sign does: `number`, digits that follow belong to the same number; `<`, `>`: the
 //! space on that side falls out.
+
+use std::collections::BTreeMap;
 
 use super::table::{AfterNumber, CapitalPassage, Capitals, Ordinals, Script, SignRule, Table};
 
@@ -87,13 +90,8 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             let passage = CapitalPassage { words, begin: cells(part(1)?)?, end: cells(part(2)?)?, before_last };
             capitals(table, &|capitals| capitals.passage = Some(passage.clone()));
         }
-        "letters" => {
-            for pair in parts.chunks(2) {
-                let [letter, dots] = pair else { return Err("a letter without dots".into()) };
-                let letter = letter.chars().next().ok_or("no letter")?;
-                table.letters.insert(letter, cells(dots)?);
-            }
-        }
+        "in-address" => pairs(&parts, &mut table.in_address)?,
+        "letters" => pairs(&parts, &mut table.letters)?,
         "sign" => {
             let rule = rule(part(1)?, part(2)?, parts.get(3..).unwrap_or_default())?;
             let sign = part(0)?;
@@ -116,6 +114,15 @@ fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), Str
         }
         ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),
+    }
+    Ok(())
+}
+
+/// Characters, each with its cells.
+fn pairs(parts: &[&str], to: &mut BTreeMap<char, Vec<u8>>) -> Result<(), String> {
+    for pair in parts.chunks(2) {
+        let [letter, dots] = pair else { return Err("a letter without dots".into()) };
+        to.insert(letter.chars().next().ok_or("no letter")?, cells(dots)?);
     }
     Ok(())
 }

@@ -140,13 +140,20 @@ impl Table {
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
         let mut joined = joined::spaces(&text).into_iter().peekable();
         let mut out = Writer { table: self, text: &text, out: Braille::default(), number: Number::None };
-        let mut i = 0;
+        let (mut i, mut is_in_address) = (0, false);
         while i < text.len() {
             while divisions.next_if(|&at| at <= i).is_some_and(|at| at == i) {
                 out.out.divisions.push(out.out.cells.len());
             }
+            is_in_address = is_in_address && text[i] != ' ' || addresses.contains(&i);
             if addresses.contains(&i) {
                 out.out.cells.extend(before_address);
+            }
+            if let Some(cells) = self.in_address.get(&text[i]).filter(|_| is_in_address) {
+                out.out.cells.extend(cells);
+                out.number = Number::None;
+                i += 1;
+                continue;
             }
             out.out.cells.extend(&around[i].before);
             while joined.next_if(|&at| at <= i).is_some_and(|at| at == i) {

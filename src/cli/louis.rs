@@ -1,8 +1,9 @@
 //! Braille by an installed liblouis, for contracted braille: its program `lou_translate`, run for each text.
 //!
 //! It exits with 0 whatever happens: a table that is missing is told on standard error only, and a character that
-//! the table lacks is written as its number in braille. So nothing may stand on standard error, there must be as
-//! many lines as were asked for, and each sign is looked at by itself.
+//! the table lacks is written as its number in braille, as a blank, or as the sign that the table has for all of these.
+//! So nothing may stand on standard error, there must be as many lines as were asked for, and each sign is looked at by
+//! itself, beside one that no table has.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -28,6 +29,8 @@ const CONTRACTED: &[(&str, &str)] = &[
 ];
 /// Longest text, bytes: more than any page has room for.
 const LONGEST: usize = 4000;
+/// A character that no table has: one of those for private use.
+const UNKNOWN: char = '\u{f8fe}';
 /// The word for these tables.
 const BY_LANGUAGE: &str = "contracted";
 
@@ -87,13 +90,23 @@ pub(super) fn translate(table: &str, text: &str) -> Result<Vec<u8>, String> {
         return Err("the text is too long".to_owned());
     }
     let signs: BTreeSet<char> = text.chars().filter(|c| !c.is_ascii_alphanumeric() && *c != ' ').collect();
-    let asked = std::iter::once(text.to_owned()).chain(signs.iter().map(char::to_string));
+    let asked = [text.to_owned(), UNKNOWN.to_string()].into_iter().chain(signs.iter().map(char::to_string));
     let written = lines(table, &asked.collect::<Vec<_>>())?;
-    if let Some((sign, _)) = signs.iter().zip(&written[1..]).find(|(_, cells)| is_number(cells)) {
+    let unknown = &written[1];
+    let lacks = |(sign, cells): &(&char, &String)| {
+        let is_blank = cells.chars().all(|cell| cell == '\u{2800}') && !sign.is_whitespace() && !is_invisible(**sign);
+        is_number(cells) || is_blank || !sign.is_ascii() && *cells == unknown
+    };
+    if let Some((sign, _)) = signs.iter().zip(&written[2..]).find(lacks) {
         return Err(format!("the table {table} has no cells for {sign:?}"));
     }
     let cell = |c: char| u8::try_from(u32::from(c).wrapping_sub(0x2800)).map_err(|_| format!("{c:?} is no braille"));
     written[0].chars().map(cell).collect()
+}
+
+/// Whether a character has no cells of its own in any code: a place where a word may be divided, or joined.
+fn is_invisible(sign: char) -> bool {
+    matches!(sign, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}')
 }
 
 /// Whether the cells of a sign are those of its number, such as '\x65e5' in quotation marks: at least eight, the first

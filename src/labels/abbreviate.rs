@@ -44,10 +44,14 @@ pub(super) fn all(
             let written = known.get(text).and_then(|braille| braille.as_ref().ok());
             let numbered = texts.iter().find_map(|other| numbered(text, other));
             let proposals = written.map(|braille| proposals(&without(text, &braille.lacking)));
-            let short = numbered.into_iter().chain(proposals.into_iter().flatten()).find_map(|letters| {
+            let own_word = texts.iter().find_map(|other| own_word(text, other));
+            let as_numbered = own_word.into_iter().chain(numbered);
+            let short = as_numbered.chain(proposals.into_iter().flatten()).find_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
                 let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
-                let most = MOST_CELLS + of_number.saturating_sub(1);
+                // a letter behind a number may have a sign before it
+                let begins_with_number = usize::from(letters.starts_with(is_of_number) && of_number < letters.len());
+                let most = MOST_CELLS + of_number.saturating_sub(1) + begins_with_number;
                 let is_whole = lacking.is_empty() && (2..=most).contains(&cells.len());
                 (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
             });
@@ -82,6 +86,19 @@ fn numbered(text: &str, other: &str) -> Option<String> {
     let number = of_text.into_iter().zip(of_other).find(|(own, other)| is_alike && own != other)?.0;
     let letter = text.to_lowercase().chars().find(|letter| letter.is_alphabetic())?;
     (number.len() <= MOST_DIGITS).then(|| format!("{letter}{number}"))
+}
+
+/// "5a" for "Class 5a" beside "Class 6b": the one word by which it differs from another text, if that is a number with
+/// letters behind it.
+fn own_word(text: &str, other: &str) -> Option<String> {
+    let words = |text: &str| -> Vec<String> { text.to_lowercase().split_whitespace().map(str::to_owned).collect() };
+    let (of_text, of_other) = (words(text), words(other));
+    let mut differ = of_text.iter().zip(&of_other).filter(|(own, other)| own != other).map(|(own, _)| own);
+    let (own, next) = (differ.next()?, differ.next());
+    let is_numbered = own.starts_with(|letter: char| letter.is_ascii_digit()) && own.ends_with(char::is_alphabetic);
+    let is_alike = of_text.len() == of_other.len() && of_text.len() > 1 && next.is_none();
+    let is_short = own.chars().count() < MOST_DIGITS && own.chars().all(char::is_alphanumeric);
+    (is_alike && is_numbered && is_short).then(|| own.clone())
 }
 
 /// A text without the characters that its code lacks.

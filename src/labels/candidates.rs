@@ -5,7 +5,7 @@ use super::forms::Form;
 use super::placed::{Attachment, PlacedAs, Wanted};
 use super::room::Room;
 use super::surroundings::{AT_END, NEAR, Surroundings, TO_LEADER};
-use crate::geom::polygon::{corners, distance_to_box};
+use crate::geom::polygon::{circle_points, corners, distance_to_box};
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -234,6 +234,9 @@ fn candidate(
         return None;
     }
     let attachment = if label.is_nameless { Attachment::Beside } else { attachment(label, place, around)? };
+    if attachment == Attachment::Beside && !is_at_kept_leader(label, place) {
+        return None;
+    }
     // beside another place of its axis a number says something else, and its leader line would be felt as a tick
     if around.scale.is_some() && !(attachment == Attachment::Beside && around.is_at_tick(place)) {
         return None;
@@ -241,6 +244,15 @@ fn candidate(
     let cost = cost(form.kind.cost(), label, place, attachment, around);
     let (stands, kept_leader) = (PlacedAs::Alone, label.kept_leader);
     Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
+}
+
+/// A finger that comes from a leader line of the drawing finds its label no farther from where it begins, mm: as the check
+/// takes such a line for that of the label.
+const FROM_KEPT_LEADER: f32 = 8.0;
+
+/// Whether a label in a place is found from where its leader line in the drawing begins, if it has one that is on the page.
+pub(super) fn is_at_kept_leader(label: &Wanted, place: MmRect) -> bool {
+    label.kept_leader.is_none_or(|from| distance_to_box(from, place) <= FROM_KEPT_LEADER)
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
@@ -353,6 +365,12 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
     if !around.is_alone_in_shape() {
         return false;
     }
+    let around_end = circle_points(outline, OFF_CORNERS, RAYS).map(|at| around.room.is_ink(at));
+    let is_met: Vec<bool> = around_end.collect();
+    let lines = is_met.iter().zip(is_met.iter().cycle().skip(1)).filter(|(is_met, next)| !**is_met && **next).count();
+    if lines > 2 {
+        return false;
+    }
     let inside = outline + direction * INSIDE_OUTLINE;
     let aside = MmVector::new(-direction.y, direction.x) * OFF_BORDERS;
     [aside, -aside].into_iter().all(|to_side| !around.room.is_parted(inside, inside + to_side, 0.0))
@@ -362,6 +380,10 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
 /// finger that crosses the outline there is in the shape that is named, and not at the border to the next.
 const INSIDE_OUTLINE: f32 = 4.5;
 const OFF_BORDERS: f32 = 3.0;
+/// At the end of such a leader line no more than the outline is so near, mm, looked at in so many directions: at a corner
+/// of several shapes it would lead to all of them.
+const OFF_CORNERS: f32 = 3.5;
+const RAYS: usize = 32;
 /// The line beside a text is met so near to where its leader line would end, mm.
 const BESIDE_TIP: f32 = 6.0;
 

@@ -1,6 +1,6 @@
 //! What labels in rows and columns are placed in, and whether a place in it is free.
 
-use super::candidates::Candidate;
+use super::candidates::{Candidate, is_at_kept_leader};
 use super::forms::Forms;
 use super::placed::{Params, PlacedAs, Unplaced, Wanted};
 use super::room::Room;
@@ -35,7 +35,10 @@ pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>
         Some([from, to]) => {
             context.room.is_free_segment(from, to, around.end.max(AT_END)) && around.leads_to_own(place, [from, to])
         }
-        None => !context.room.is_parted(nearest, anchor, around.end.max(AT_END)) && around.is_own(place),
+        None => {
+            let is_found = is_at_kept_leader(&context.wanted[label], place);
+            is_found && !context.room.is_parted(nearest, anchor, around.end.max(AT_END)) && around.is_own(place)
+        }
     };
     context.params.holds(&place) && context.room.is_free(place) && around.is_in_cell_or_open(place) && is_told()
 }

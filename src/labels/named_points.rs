@@ -4,7 +4,7 @@
 
 use super::placed::Wanted;
 use crate::geom::polygon::distance_to_box;
-use crate::page::Line;
+use crate::page::{Line, Run};
 use crate::units::{MmPoint, MmRect};
 
 /// The largest ring that stands for a point, mm across: twice what a fingertip feels at once would be a shape.
@@ -26,7 +26,7 @@ pub(super) struct SmallRing {
 
 /// The small rings among lines, and the points on them.
 pub(super) fn rings(lines: &[Line]) -> Vec<SmallRing> {
-    let closed = lines.iter().flat_map(|line| &line.runs).filter(|run| run.closed);
+    let closed = lines.iter().flat_map(|line| &line.runs).filter(|run| run.closed || ends_meet(run));
     // filled ones on lines are beads there, and on lines of dots both kinds are dots of these
     let on_dots = lines.iter().flat_map(Line::row_points).map(|point| SmallRing { at: point.at, reach: point.radius });
     let beads = lines.iter().flat_map(Line::beads).filter_map(|run| {
@@ -40,6 +40,17 @@ pub(super) fn rings(lines: &[Line]) -> Vec<SmallRing> {
         is_ring.then(|| SmallRing { at: extent.center(), reach: 0.5 * width.max(height) })
     });
     ring.chain(on_dots).chain(beads).collect()
+}
+
+/// So few dots are no ring.
+const FEWEST_DOTS: usize = 6;
+/// The first and the last dot of a ring are no further apart, mm: across the diagonal of a grid of 2.5 mm.
+const NEXT_DOT: f32 = 3.6;
+
+/// Whether a run of dots comes back to where it begins.
+fn ends_meet(run: &Run) -> bool {
+    let ends = run.points.first().zip(run.points.last());
+    run.points.len() >= FEWEST_DOTS && ends.is_some_and(|(first, last)| (*last - *first).length() <= NEXT_DOT)
 }
 
 /// The place of a ring on a line that the page lacks: what stands beside it in the drawing names it still.

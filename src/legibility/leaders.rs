@@ -10,7 +10,7 @@ use super::rules::LABEL_LINE;
 use crate::geom::crossing;
 use crate::geom::nearby::Nearby;
 use crate::geom::polygon::distance_to_box;
-use crate::page::{BrailleText, Names, Page, Run, TextRole, text_name};
+use crate::page::{BrailleText, Line, Names, Page, Run, TextRole, text_name, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Directions in which it is looked for the sides of a shape around the end of a line.
@@ -32,7 +32,13 @@ pub(crate) const LEADER_STRAIGHT: f32 = 0.95;
 
 /// Of each label whose line ends in the blank, where that is; `index` has the lines of the figure, whose paths these
 /// are.
-pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby) -> Vec<FoundBreach> {
+pub(super) fn findings(
+    page: &Page,
+    names: &Names,
+    paths: &Paths,
+    index: &Nearby,
+    least_strength: f32,
+) -> Vec<FoundBreach> {
     let of = |text: &BrailleText| {
         let (at, leader) = (tip(text)?, text.leader.as_ref()?);
         if index.nearest(at, LEADER_END, |_| true).is_some() || is_in_something(at, page) {
@@ -44,11 +50,42 @@ pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby
         Some(FoundBreach::at(LABEL_LINE, at, extent, 0.0, what).unmeasured().of(&name))
     };
     let of_labels = page.braille.iter().filter_map(of);
-    of_labels.chain((0..paths.paths.len()).filter_map(|path| of_line(path, page, names, paths, index))).collect()
+    let weak = which_are_weak(&page.figure.lines, least_strength);
+    let of_figure = |path| of_line(path, page, names, paths, index, &weak);
+    of_labels.chain((0..paths.paths.len()).filter_map(of_figure)).collect()
+}
+
+/// So many lines of a grid end beside one another.
+const GRID: usize = 3;
+/// A line of a grid is level or upright, and ends where others do, within this, mm.
+const LEVEL: f32 = 0.5;
+
+/// Whether a line that ends here is one of a grid, or a piece of one that a label interrupts: a thin and pale, level or
+/// upright one that ends where others of its kind do.
+fn is_of_grid(line: usize, at: MmPoint, page: &Page, weak: &[bool]) -> bool {
+    let extent = |line: &Line| around(line.runs.iter().flat_map(|run| run.points.iter().copied()));
+    let is_level = |extent: MmRect| (extent.height() < LEVEL).then_some(true);
+    let is_upright = |extent: MmRect| (extent.width() < LEVEL).then_some(false);
+    let way = |line: &Line| extent(line).and_then(|extent| Some((extent, is_level(extent).or(is_upright(extent))?)));
+    let lines = &page.figure.lines;
+    let Some((_, own)) = lines.get(line).filter(|_| weak.get(line) == Some(&true)).and_then(way) else { return false };
+    let ends_there = |of: MmRect| match own {
+        true => (of.min.x - at.x).abs() < LEVEL || (of.max.x - at.x).abs() < LEVEL,
+        false => (of.min.y - at.y).abs() < LEVEL || (of.max.y - at.y).abs() < LEVEL,
+    };
+    let of_grid = lines.iter().zip(weak).filter(|(_, is_weak)| **is_weak).filter_map(|(line, _)| way(line));
+    of_grid.filter(|(extent, way)| *way == own && ends_there(*extent)).count() >= GRID
 }
 
 /// The same of a leader line that is a line of the figure, as drawings have them: a straight one, from a label on.
-fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearby) -> Option<FoundBreach> {
+fn of_line(
+    path: usize,
+    page: &Page,
+    names: &Names,
+    paths: &Paths,
+    index: &Nearby,
+    weak: &[bool],
+) -> Option<FoundBreach> {
     let of = &paths.paths[path];
     let place = page.figure.place;
     let lengths = SHORTEST_LEADER..LONGEST_LEADER * place.width().max(place.height());
@@ -77,7 +114,8 @@ fn of_line(path: usize, page: &Page, names: &Names, paths: &Paths, index: &Nearb
         crosses |= is_other(other.line) && crossing((a, b), (other.a, other.b)).is_some();
     });
     let is_own = label.leader.is_none() && way.dot(ahead) >= BEFORE && !is_near(from, LEADER_FREE);
-    if !is_own || crosses || is_near(at, LEADER_END) || is_in_something(at, page) {
+    let is_something = is_near(at, LEADER_END) || is_in_something(at, page) || is_of_grid(of.line, at, page, weak);
+    if !is_own || crosses || is_something {
         return None;
     }
     let (name, text) = (name_in(&names.lines, of.line), text_name(label));

@@ -191,7 +191,7 @@ fn found<E>(
     found.extend(overview::lacks_much(&felt, names, &paths, limits));
     found.extend(words::findings(&felt, names, limits));
     go_on()?;
-    found.extend(leaders::findings(&felt, names, &paths, &index));
+    found.extend(leaders::findings(&felt, names, &paths, &index, limits.least_strength));
     found.extend(overview::left_out(page));
     go_on()?;
     Ok(found)

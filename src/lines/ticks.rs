@@ -1,5 +1,5 @@
 //! Ticks of a scale, as of an axis, a ruler or a clock, that are shorter than the least line. They are meant all
-//! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
+//! together: where all of a scale have room, but for one at either end, they are drawn longer, and otherwise none is.
 
 pub(super) mod alone;
 mod bases;
@@ -63,16 +63,39 @@ pub(super) fn lengthen(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, para
     }
 }
 
-/// Makes ticks longer by the same length, so that the shortest is as long as a line has to be, if all have room.
+/// Makes ticks longer by the same length, so that the shortest is as long as a line has to be, if all have room, or all
+/// but the first or the last.
 fn lengthen_together(group: &[&Tick], polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
     let shortest = group.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
     let more = params.min_length + MARGIN - shortest;
-    let longer: Vec<Polyline<Vertex>> = group.iter().map(|tick| tick.longer(&polylines[tick.number], more)).collect();
-    if have_room(&longer, group, polylines, area, params) {
-        for (tick, longer) in group.iter().zip(longer) {
+    let longer = |group: &[&Tick]| -> Vec<Polyline<Vertex>> {
+        group.iter().map(|tick| tick.longer(&polylines[tick.number], more)).collect()
+    };
+    let has_room = |group: &[&Tick]| have_room(&longer(group), group, polylines, area, params);
+    let all = in_order(group, polylines);
+    // at its ends an arrowhead or another axis may be in the way of one
+    let ends = |first: usize, last: usize| all.get(first..all.len().saturating_sub(last)).unwrap_or_default();
+    let is_round = group.iter().any(|tick| polylines[tick.base].closed);
+    let parts = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(first, last)| ends(first, last));
+    let mut parts = parts.into_iter().take(if is_round { 1 } else { 4 });
+    if let Some(part) = parts.find(|part| (part.len() == all.len() || part.len() >= SCALE) && has_room(part)) {
+        let longer = longer(part);
+        for (tick, longer) in part.iter().zip(longer) {
             polylines[tick.number] = longer;
         }
     }
+}
+
+/// The ticks of an axis in the order in which they stand on it; those of a ring, which have no ends, as they come.
+fn in_order<'t>(scale: &[&'t Tick], polylines: &[Polyline<Vertex>]) -> Vec<&'t Tick> {
+    let mut scale = scale.to_vec();
+    let way = |line: &Polyline<Vertex>| Some(line.vertices.last()?.at - line.vertices.first()?.at);
+    let axis = scale.first().and_then(|tick| way(&polylines[tick.base]));
+    if let Some(axis) = axis {
+        let along = |tick: &Tick| polylines[tick.number].vertices.first().map_or(0.0, |v| v.at.to_vector().dot(axis));
+        scale.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    }
+    scale
 }
 
 /// Takes the ticks of scales out of the contours of a drawing, to be drawn where its lines become dots: those of each
@@ -182,7 +205,18 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
         if let Some((_, base)) = base(first.lerp(last, 0.5), ACROSS * length) {
             return Some(Tick { number, base, axis: base, length, stands: [None, None] });
         }
-        match (base(first, STANDS), base(last, STANDS)) {
+        let ends = match (base(first, STANDS), base(last, STANDS)) {
+            // of a short one both ends are near: it stands with the nearer one
+            (Some(near), Some(far)) if near.1 == far.1 => {
+                if near.0 < far.0 {
+                    (Some(near), None)
+                } else {
+                    (None, Some(far))
+                }
+            }
+            ends => ends,
+        };
+        match ends {
             (Some((gap, base)), None) => {
                 Some(Tick { number, base, axis: base, length: length + gap, stands: [Some(gap), None] })
             }

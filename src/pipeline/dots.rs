@@ -9,7 +9,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::dots::ShownScale;
 use crate::geom::polygon::holds_box;
-use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
+use crate::lines::{GONE, Line, Lines, Lost, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Parts, Texture, frame, which_are_weak};
 use crate::profile::Plan;
@@ -22,8 +22,6 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, kind: SignKind::Arrowhead }));
         return drawn;
     };
-    // What the grid has no room for counts as crowded out too, by length.
-    let length = |lines: &[Line]| lines.iter().flat_map(|line| line.own_runs()).map(Run::length).sum::<f32>();
     let params = dots::Params { whole_rows: of_paths, ..plan.dots(medium) };
     let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (mut lines, mut shown) = press(&drawn);
@@ -35,8 +33,6 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         (lines, shown) = press(&drawn);
         drawn.lost.without_gridlines(grid.len(), of_grid.iter().map(|(_, line)| line.length()).sum());
     }
-    let whole: f32 = drawn.lines.iter().map(Line::length).sum();
-    let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     // the dots of a line through a small ring are near to all of it, and none of them is its own
     let around = |line: &Line| {
@@ -52,7 +48,7 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         .filter(|(line, share)| **share < WHOLE || !has_own(line))
         .map(|(line, _)| LostSign { at: extent(line).center(), kind: kind(line, &lines) })
         .collect();
-    let mut lost = drawn.lost.keeping(kept);
+    let mut lost = drawn.lost.keeping(kept_of(&drawn.lines, &lines));
     let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
     lost.gone.extend(gone.map(|(line, _)| LostLine {
         extent: extent(line),
@@ -68,6 +64,13 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, kind: SignKind::Arrowhead }));
     lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
+}
+
+/// The share of lines that become dots, by length: what a grid has no room for counts as crowded out too.
+fn kept_of(lines: &[Line], pressed: &[Line]) -> f32 {
+    let own: f32 = pressed.iter().flat_map(Line::own_runs).map(Run::length).sum();
+    let whole: f32 = lines.iter().map(Line::length).sum();
+    if whole > 0.0 { (own / whole).min(1.0) } else { 1.0 }
 }
 
 /// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines.
@@ -119,13 +122,18 @@ const WHOLE_RING: f32 = 0.9;
 const WHOLE: f32 = 0.7;
 
 /// The lines of the overview: all of one width and, where there are heights, high.
-pub(super) fn of_overview(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
+pub(super) fn of_overview(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else { return drawn };
     let heavy_from = if medium.device.has_heights() { 0.0 } else { f32::INFINITY };
     let params = dots::Params { heavy_from, ..plan.dots(medium) };
     let (lines, shown) = dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
-    drawn.lost.rings += shown.points.iter().filter(|is_drawn| !**is_drawn).count();
-    Lines { lines, ..drawn }
+    let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
+    let of = || drawn.lines.iter().zip(&shares);
+    let is_gone = |(line, share): &(&Line, &f32)| line.runs.iter().any(|run| run.closed) && **share < GONE;
+    let (gone, gaps) = (of().filter(is_gone).count(), of().filter_map(gap).collect());
+    let mut lost = drawn.lost.keeping(kept_of(&drawn.lines, &lines));
+    lost.rings += gone + shown.points.iter().filter(|is_drawn| !**is_drawn).count();
+    Lines { lines, lost: Lost { gaps, ..lost }, ..drawn }
 }
 
 /// Textures of dots.

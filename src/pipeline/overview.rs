@@ -249,7 +249,15 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     });
     let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
     let grid = if is_drawn { told_gridlines(lost.gridlines) } else { None };
-    shapes.into_iter().chain(marks).chain(grid).chain(lines)
+    let open = if overview.rings == Rings::Whole { told_open(lost.gaps.len()) } else { None };
+    shapes.into_iter().chain(open).chain(marks).chain(grid).chain(lines)
+}
+
+/// What the maker is told of closed shapes that become dots with a gap.
+fn told_open(count: usize) -> Option<Note> {
+    let shapes = if count == 1 { "1 closed shape is" } else { &format!("{count} closed shapes are") };
+    let told = format!("{shapes} open in the overview, as there is no room for dots beside other lines");
+    (count > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
 }
 
 /// What the maker is told of the closed shapes of an overview that draws them in part.

@@ -134,13 +134,14 @@ fn told_gridlines(lost: &Lost) -> Option<Note> {
 
 /// What the maker is told of dashed lines.
 pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
-    let (lines, they_are) = match edges.dashed {
+    let lines = match edges.dashed {
         0 => return None,
-        1 => ("1 dashed line".to_owned(), "it is"),
-        count => (format!("{count} dashed lines"), "they are"),
+        1 => "1 dashed line: it is".to_owned(),
+        count => format!("{count} dashed lines: they are"),
     };
-    let why = "dashes would be too short for fingers; where the difference matters, say so in the title or a label";
-    Some(Note::TakenAs(About::Lines, Reason::Dashed, format!("{lines}: {they_are} drawn without gaps, as {why}")))
+    let told = "drawn without gaps where dashes and gaps are too short for fingers; where the difference matters, say \
+                so in the title or a label";
+    Some(Note::TakenAs(About::Lines, Reason::Dashed, format!("{lines} {told}")))
 }
 
 /// What the maker is told of lines that run beside those that a person drew and added, for half of their length or

@@ -180,6 +180,8 @@ fn rules_of_the_codes() {
         // an address of mail is announced before its first letter
         ("de", "Post an info@schule.de", "⠏⠕⠎⠞⠀⠁⠝⠀⠠⠨⠊⠝⠋⠕⠈⠜⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
         ("de", "www.schule.de", "⠠⠨⠺⠺⠺⠄⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
+        // and written in computer braille up to the next space
+        ("de", "http://a.de/b2 und 2", "⠠⠨⠓⠞⠞⠏⠒⠲⠲⠁⠄⠙⠑⠲⠃⠣⠀⠥⠝⠙⠀⠼⠃"),
         // Greek letters of the Swedish code, as liblouis has them from 2026 on
         ("sv", "α = 30°, 5 µm, Ω", "⠒⠰⠁⠀⠶⠀⠼⠉⠚⠻⠛⠂⠀⠼⠑⠀⠰⠍⠍⠂⠀⠠⠒⠰⠺"),
         // UEB 7.6: quotation marks inside brackets are those that open and close

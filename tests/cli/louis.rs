@@ -44,6 +44,10 @@ fn a_title_is_contracted_by_liblouis() {
             run.err
         );
         assert!(!place.text("b.svg").contains("braille-title"));
+        // the French table writes a blank for it
+        let skoda = ["convert", "red.svg", "-o", "c.svg", "--title", "\u{160}koda"];
+        let run = place.run(&[&skoda[..], &["--braille-table", "fr-bfu-g2.ctb"]].concat());
+        assert!(run.err.contains("the table fr-bfu-g2.ctb has no cells for '\u{160}'"), "{}", run.err);
         let run = place.run(&[&title[..], &["--braille-table", "no-such.ctb", "--force"]].concat());
         assert_eq!(run.code, 2, "{}", run.err);
         assert!(

@@ -36,6 +36,7 @@ fn what_tells_numbered_things_apart_is_kept() {
     assert_eq!(short(&["Area 12", "Area 123", "Room 2007", "Room 2008"], "en"), ["a12", "a123", "r2007", "r2008"]);
     assert_eq!(short(&["Area 1.2", "Area 2.2", "Cup 1 of 3", "Cup 2 of 3"], "en"), ["a1.2", "a2.2", "c1", "c2"]);
     assert_eq!(short(&["Kante 1,5", "Kante 2,5"], "de"), ["k1,5", "k2,5"]);
+    assert_eq!(short(&["Class 5a", "Class 5b", "Class 6a"], "en"), ["5a", "5b", "6a"]);
 }
 
 /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may

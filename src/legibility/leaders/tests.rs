@@ -28,7 +28,7 @@ fn found(is_own: bool, x: f32, y: f32) -> Vec<String> {
     };
     let page = Page::new(Parts { braille: vec![text], ..Parts::of([210.0, 297.0], figure) }).expect("a page");
     let paths = Paths::whole(&page.figure.lines);
-    let found = findings(&page, &Names::of(&page), &paths, &paths.index(5.0));
+    let found = findings(&page, &Names::of(&page), &paths, &paths.index(5.0), 10.0);
     found.into_iter().map(|found| found.what).collect()
 }
 
@@ -41,4 +41,28 @@ fn a_line_that_leads_to_nothing_is_told() {
     let of_figure = ["line 2, which leads from \"roof\", ends where nothing is within 6 mm"];
     assert_eq!(found(false, 45.0, 50.0), of_figure);
     assert!(found(false, 25.0, 75.0).is_empty(), "it is beside the label, and does not lead from it");
+}
+
+/// A gridline that is interrupted by a label begins beside it too, and leads to nothing.
+#[test]
+fn a_piece_of_a_gridline_is_no_leader_line() {
+    let at = |x: f32, y: f32| MmPoint::new(x, y);
+    let line = |strength: f32, points: [MmPoint; 2]| Line { strength, runs: vec![Run::stroke(1.0, points.to_vec())] };
+    let of = |ends: [f32; 2]| {
+        let grid =
+            ends.map(|x| x + 40.0).into_iter().zip([80.0, 110.0]).map(|(x, y)| line(10.0, [at(15.0, y), at(x, y)]));
+        let piece = line(10.0, [at(25.0, 50.0), at(85.0, 50.0)]);
+        let lines: Vec<Line> = grid.chain([piece, line(100.0, [at(15.0, 20.0), at(180.0, 20.0)])]).collect();
+        let figure = Figure {
+            place: MmRect::new(at(10.0, 10.0), at(190.0, 130.0)),
+            source: Size::new(180, 120),
+            textures: Vec::new(),
+            lines,
+        };
+        let page = Page::new(Parts::of([210.0, 297.0], figure)).expect("a page");
+        let weak = which_are_weak(&page.figure.lines, 10.0);
+        is_of_grid(2, at(85.0, 50.0), &page, &weak)
+    };
+    assert!(of([45.0, 45.0]), "all end at one place");
+    assert!(!of([45.0, 30.0]) && !of([20.0, 30.0]));
 }

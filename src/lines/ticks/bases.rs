@@ -11,8 +11,10 @@ use crate::geom::nearby::Index;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Ends of two pieces of an axis are so near to one another, mm: the half of a broad stroke.
-const ENDS: f32 = 1.5;
+/// Ends of two pieces of an axis are so near to one another, mm: a point of a number line may lie between them.
+const ENDS: f32 = 5.0;
+/// Ends that face one another are no further aside of one another's line than this, mm.
+const ASIDE: f32 = 0.5;
 /// Pieces go straight on in one another: the cosine between their directions (11 degrees).
 const AHEAD: f32 = 0.98;
 
@@ -94,8 +96,7 @@ fn facing(ends: &[End], area: MmRect, reach: f32) -> Vec<(usize, usize)> {
         pairs.extend(near.into_iter().filter(|&other| other > number).filter_map(|other| {
             let (its, its_ahead, its_line) = ends[other];
             let way = its - *at;
-            let aside = way.cross(*ahead).abs();
-            let faces = ahead.dot(its_ahead) <= -AHEAD && way.dot(*ahead) >= -reach && aside <= 0.5 * reach;
+            let faces = ahead.dot(its_ahead) <= -AHEAD && way.cross(*ahead).abs() <= ASIDE;
             (its_line != *line && way.length() <= reach && faces).then_some((number, other))
         }));
     }

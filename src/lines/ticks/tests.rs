@@ -31,6 +31,7 @@ fn lengths(step: f32, ticks: &[(f32, f32)], more: Option<Polyline<Vertex>>) -> V
 #[test]
 fn ticks_across_a_line_and_on_it_are_longer_by_the_same() {
     assert_eq!(lengths(10.0, &[(47.0, 53.0), (46.5, 53.5), (47.0, 53.0)], None), [8.2, 9.2, 8.2]);
+    assert_eq!(lengths(10.0, &[(47.6, 49.4), (47.0, 49.4), (47.6, 49.4)], None), [8.2, 8.8, 8.2], "both ends are near");
     // those that end at the side of a broad line are led on to its middle
     assert_eq!(lengths(10.0, &[(45.0, 49.0), (43.0, 49.0), (45.0, 49.0)], None), [8.2, 10.2, 8.2]);
 }
@@ -41,7 +42,10 @@ fn all_of_a_scale_or_none() {
     assert_eq!(lengths(4.0, &ticks, None), [6.0; 3], "too near to one another");
     assert_eq!(lengths(10.0, &ticks[..2], None), [6.0; 2], "no scale");
     let beside = line((35.0, 57.0), (60.0, 57.0));
-    assert_eq!(lengths(10.0, &ticks, Some(beside)), [6.0; 3], "one is in the way of a line");
+    assert_eq!(lengths(10.0, &ticks, Some(beside.clone())), [6.0; 3], "one is in the way of a line");
+    assert_eq!(lengths(10.0, &[(47.0, 53.0); 5], Some(beside)), [6.0; 5], "two are");
+    let head = line((62.0, 53.0), (70.0, 57.0));
+    assert_eq!(lengths(10.0, &[(47.0, 53.0); 5], Some(head)), [8.2, 8.2, 8.2, 8.2, 6.0], "the last one is");
     assert_eq!(lengths(10.0, &[(60.0, 66.0); 3], None), [6.0; 3], "on no line");
 }
 
