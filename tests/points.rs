@@ -60,6 +60,15 @@ fn a_disc_with_an_outline_of_its_own_colour_is_a_bead_and_one_of_another_colour_
     let (filled, hollow) = (of("#000"), of("#fff"));
     assert_eq!(beads(&filled.page.figure.lines, &filled).len(), 1);
     assert!(beads(&hollow.page.figure.lines, &hollow).is_empty());
+    // as documents paint it
+    let circle = |paint: &str| format!("<circle cx='500' cy='250' r='8' {paint}/>");
+    let apart = |stroke: &str| {
+        let stroke = format!("fill='none' stroke='{stroke}' stroke-width='4'");
+        page_of(&format!("{wire}</g>{}{}", circle("fill='#000'"), circle(&stroke)))
+    };
+    let (filled, ringed) = (apart("#000"), apart("#c00"));
+    assert_eq!(beads(&filled.page.figure.lines, &filled).len(), 1);
+    assert!(beads(&ringed.page.figure.lines, &ringed).is_empty());
 }
 
 #[test]

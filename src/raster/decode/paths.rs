@@ -13,7 +13,7 @@ pub(super) const MOST_PATHS: usize = 20_000;
 /// The paths of a drawing that is rendered with `transform`; none if there are more than [`MOST_PATHS`].
 pub(super) fn of_tree(tree: &Tree, transform: Transform) -> Option<VectorDrawing> {
     let mut found = VectorDrawing::default();
-    add_group(tree.root(), transform, &mut found);
+    add_group(tree.root(), transform, &mut None, &mut found);
     (found.paths.len() <= MOST_PATHS).then_some(found)
 }
 
@@ -77,8 +77,8 @@ fn legs(ends: &mut [Point; 2], segment: PathSegment) -> Option<impl Iterator<Ite
     Some([[points[0], points[1]], [points[1], points[2]], [points[2], points[3]]].into_iter())
 }
 
-/// Adds what is painted by the children of a group.
-fn add_group(group: &Group, transform: Transform, found: &mut VectorDrawing) {
+/// Adds what is painted by the children of a group; `last` is the path that was painted last.
+fn add_group<'t>(group: &'t Group, transform: Transform, last: &mut Option<&'t usvg::Path>, found: &mut VectorDrawing) {
     if group.mask().is_some() || !group.filters().is_empty() {
         let area = group.abs_layer_bounding_box().to_rect();
         found.pixel_areas.extend(pixel_area(area, transform));
@@ -93,20 +93,23 @@ fn add_group(group: &Group, transform: Transform, found: &mut VectorDrawing) {
             return;
         }
         match node {
-            Node::Group(group) => add_group(group, transform, found),
-            Node::Path(path) => add_path(path, transform, found),
+            Node::Group(group) => add_group(group, transform, last, found),
+            Node::Path(path) => {
+                add_path(path, transform, *last, found);
+                *last = Some(path);
+            }
             Node::Image(image) => {
                 let area = image.abs_bounding_box();
                 found.pixel_areas.extend(pixel_area(area, transform));
                 let border = resvg::tiny_skia::PathBuilder::from_rect(area).transform(transform);
                 found.paths.extend(border.map(PaintedPath::filled));
             }
-            Node::Text(text) => add_group(text.flattened(), transform, found),
+            Node::Text(text) => add_group(text.flattened(), transform, last, found),
         }
     }
 }
 
-fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) {
+fn add_path(path: &usvg::Path, transform: Transform, last: Option<&usvg::Path>, found: &mut VectorDrawing) {
     if !path.is_visible() {
         return;
     }
@@ -124,10 +127,16 @@ fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) 
         stroke
     });
     let dashed = path.stroke().is_some_and(|stroke| has_dashes(stroke, path.data().bounds()));
+    let is_last = |painted: &PaintedPath| painted.stroke.is_none() && painted.path == outline;
+    let is_filled_before = last.is_some_and(|fill| is_stroke_of(path, fill)) && found.paths.last().is_some_and(is_last);
+    if is_filled_before {
+        found.paths.pop();
+    }
+    let filled_alike = is_filled_before || is_filled_alike(path);
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
         found.paths.push(PaintedPath::filled(outline));
     } else {
-        found.paths.push(PaintedPath { path: outline, stroke, dashed, filled_alike: is_filled_alike(path) });
+        found.paths.push(PaintedPath { path: outline, stroke, dashed, filled_alike });
     }
 }
 
@@ -136,6 +145,16 @@ fn is_filled_alike(path: &usvg::Path) -> bool {
     let Some((fill, stroke)) = path.fill().zip(path.stroke()) else { return false };
     let is_one_colour = matches!((fill.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
     is_one_colour && [fill.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0)
+}
+
+/// Whether a path is the stroke of one that was filled with its colour before, as documents paint the two.
+fn is_stroke_of(path: &usvg::Path, fill: &usvg::Path) -> bool {
+    let is_alone = path.fill().is_none() && fill.stroke().is_none() && fill.is_visible();
+    let Some((fill_of, stroke)) = fill.fill().zip(path.stroke()) else { return false };
+    let is_one_colour = matches!((fill_of.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
+    let is_opaque = [fill_of.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0);
+    let is_one_path = path.data() == fill.data() && path.abs_transform() == fill.abs_transform();
+    is_alone && is_one_colour && is_opaque && is_one_path
 }
 
 /// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw
