@@ -281,7 +281,8 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     }
     // from beyond the legs of an angle a leader line crosses one of them, though it need not lead far beyond
     if around.angle.is_none_or(|angle| angle.holds_box(place)) {
-        let clear = clear_leader(place, around);
+        let is_of_one = |to: MmPoint| !around.is_shut_in() || label.lost_leader.is_some() || !is_at_corner(to, room);
+        let clear = clear_leader(place, around).filter(|[_, to]| is_of_one(*to));
         if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
             return Some(Attachment::Leader(segment));
         }
@@ -365,15 +366,19 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
     if !around.is_alone_in_shape() {
         return false;
     }
-    let around_end = circle_points(outline, OFF_CORNERS, RAYS).map(|at| around.room.is_ink(at));
-    let is_met: Vec<bool> = around_end.collect();
-    let lines = is_met.iter().zip(is_met.iter().cycle().skip(1)).filter(|(is_met, next)| !**is_met && **next).count();
-    if lines > 2 {
+    if is_at_corner(outline, around.room) {
         return false;
     }
     let inside = outline + direction * INSIDE_OUTLINE;
     let aside = MmVector::new(-direction.y, direction.x) * OFF_BORDERS;
     [aside, -aside].into_iter().all(|to_side| !around.room.is_parted(inside, inside + to_side, 0.0))
+}
+
+/// Whether borders of several shapes meet near to a place on an outline.
+fn is_at_corner(outline: MmPoint, room: &Room) -> bool {
+    let is_met: Vec<bool> = circle_points(outline, OFF_CORNERS, RAYS).map(|at| room.is_ink(at)).collect();
+    let lines = is_met.iter().zip(is_met.iter().cycle().skip(1)).filter(|(is_met, next)| !**is_met && **next).count();
+    lines > 2
 }
 
 /// So far inside of the outline at which a leader line ends there is no other line for so much on either side, mm: a

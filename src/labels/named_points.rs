@@ -3,7 +3,7 @@
 //! near.
 
 use super::placed::Wanted;
-use crate::geom::polygon::distance_to_box;
+use crate::geom::polygon::{corners, distance_to_box};
 use crate::page::{Line, Run};
 use crate::units::{MmPoint, MmRect};
 
@@ -47,10 +47,16 @@ const FEWEST_DOTS: usize = 6;
 /// The first and the last dot of a ring are no further apart, mm: across the diagonal of a grid of 2.5 mm.
 const NEXT_DOT: f32 = 3.6;
 
-/// Whether a run of dots comes back to where it begins.
+/// A dot so near to the corner of a box of dots, mm, is in it.
+const AT_CORNER: f32 = 0.5;
+
+/// Whether a run of dots comes back to where it begins, and has no corners, as the patches of a legend have.
 fn ends_meet(run: &Run) -> bool {
     let ends = run.points.first().zip(run.points.last());
-    run.points.len() >= FEWEST_DOTS && ends.is_some_and(|(first, last)| (*last - *first).length() <= NEXT_DOT)
+    let is_ring = run.points.len() >= FEWEST_DOTS && ends.is_some_and(|(a, b)| (*b - *a).length() <= NEXT_DOT);
+    let corners = corners(MmRect::from_points(run.points.iter().copied()));
+    let is_in_corner = |at: &MmPoint| corners.iter().any(|corner| (*corner - *at).length() <= AT_CORNER);
+    is_ring && !run.points.iter().any(is_in_corner)
 }
 
 /// The place of a ring on a line that the page lacks: what stands beside it in the drawing names it still.

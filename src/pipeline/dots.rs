@@ -9,7 +9,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::dots::ShownScale;
 use crate::geom::polygon::holds_box;
-use crate::lines::{GONE, Line, Lines, Lost, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
+use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Parts, Texture, frame, which_are_weak};
 use crate::profile::Plan;
@@ -109,9 +109,14 @@ fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale
 
 /// What a closed line lacks of which so much becomes dots, if that is a gap.
 fn gap((line, share): (&Line, &f32)) -> Option<LostLine> {
+    gap_or_gone((line, share)).filter(|_| *share >= GONE)
+}
+
+/// The same, also if there is hardly any of it.
+fn gap_or_gone((line, share): (&Line, &f32)) -> Option<LostLine> {
     let is_closed = line.runs.iter().any(|run| run.closed) && !is_small_ring(line);
-    let is_open = is_closed && (GONE..WHOLE_RING).contains(share);
     let length = (1.0 - share) * line.length();
+    let is_open = is_closed && *share < WHOLE_RING;
     is_open.then(|| LostLine { extent: extent(line), length, closed: true, is_faint: false })
 }
 
@@ -122,18 +127,15 @@ const WHOLE_RING: f32 = 0.9;
 const WHOLE: f32 = 0.7;
 
 /// The lines of the overview: all of one width and, where there are heights, high.
-pub(super) fn of_overview(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
+pub(super) fn of_overview(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else { return drawn };
     let heavy_from = if medium.device.has_heights() { 0.0 } else { f32::INFINITY };
     let params = dots::Params { heavy_from, ..plan.dots(medium) };
     let (lines, shown) = dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
-    let of = || drawn.lines.iter().zip(&shares);
-    let is_gone = |(line, share): &(&Line, &f32)| line.runs.iter().any(|run| run.closed) && **share < GONE;
-    let (gone, gaps) = (of().filter(is_gone).count(), of().filter_map(gap).collect());
-    let mut lost = drawn.lost.keeping(kept_of(&drawn.lines, &lines));
-    lost.rings += gone + shown.points.iter().filter(|is_drawn| !**is_drawn).count();
-    Lines { lines, lost: Lost { gaps, ..lost }, ..drawn }
+    drawn.lost.gaps = drawn.lines.iter().zip(&shares).filter_map(gap_or_gone).collect();
+    drawn.lost.rings += shown.points.iter().filter(|is_drawn| !**is_drawn).count();
+    Lines { lines, ..drawn }
 }
 
 /// Textures of dots.

@@ -253,10 +253,10 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     shapes.into_iter().chain(open).chain(marks).chain(grid).chain(lines)
 }
 
-/// What the maker is told of closed shapes that become dots with a gap.
+/// What the maker is told of closed shapes that become dots with a gap, or hardly any.
 fn told_open(count: usize) -> Option<Note> {
     let shapes = if count == 1 { "1 closed shape is" } else { &format!("{count} closed shapes are") };
-    let told = format!("{shapes} open in the overview, as there is no room for dots beside other lines");
+    let told = format!("{shapes} open or missing in the overview, as there is no room for dots beside other lines");
     (count > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
 }
 

@@ -24,3 +24,15 @@ fn a_text_beside_a_small_ring_names_it_and_others_do_not() {
     assert_eq!(is_own, [true, false, true, true], "far, beside a ring, beside one that has a name, in a ring");
     assert!(anchors[1].is_empty() && (anchors[1].min - MmPoint::new(50.0, 50.0)).length() < 0.1);
 }
+
+/// On dots a ring has no closed stroke; a square, as the patch of a legend, is no point.
+#[test]
+fn a_ring_of_dots_is_one_and_a_square_is_none() {
+    let of = |dots: &[(f32, f32)]| {
+        let points = dots.iter().map(|&(x, y)| MmPoint::new(50.0 + 2.5 * x, 50.0 + 2.5 * y)).collect();
+        rings(&[Line { strength: 1.0, runs: vec![Run::stroke(1.5, points)] }]).len()
+    };
+    let round = [(1.0, 0.0), (2.0, 0.0), (3.0, 1.0), (3.0, 2.0), (2.0, 3.0), (1.0, 3.0), (0.0, 2.0), (0.0, 1.0)];
+    let square = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0), (0.0, 2.0), (0.0, 1.0)];
+    assert_eq!([of(&round), of(&square), of(&round[..5])], [1, 0, 0]);
+}
