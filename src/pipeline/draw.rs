@@ -137,7 +137,7 @@ pub(super) fn find(
     if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
         notes.extend(legend::moved_to_key(&mut edges, &legend, (&mut texts, become_labels(words)), &layout));
     }
-    let things = NamedThings::of(given, file, request);
+    let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
