@@ -40,6 +40,7 @@ impl Note {
             | Self::NoRoomForTitle { .. }
             | Self::NoRoomForNumber
             | Self::NoSubject(_)
+            | Self::NothingCalmed
             | Self::NoTexts
             | Self::TextsLeftOut(_)
             | Self::TextsNotRead(_)

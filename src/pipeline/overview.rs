@@ -47,7 +47,7 @@ pub(super) fn draw_overview(
 ) -> DrawnOverview {
     let reason = match layout.overview {
         None => "overview.on is off",
-        Some(_) if edges.is_empty() => "there are no contours",
+        Some(_) if edges.is_empty() && !lines_of.has_subject() => "there are no contours",
         Some(place) => {
             let figure = OverviewSource { edges, regions: lines_of.regions(), layout, plan };
             return run_stage(watch, Stage::Overview, || figure.overview(place, lines_of, size));
