@@ -316,6 +316,13 @@ pub enum Note {
     /// No line has room in an overview, so there is none.
     #[error("there is no overview, as no line of the figure has room in it; spread the figure over several sheets")]
     NoRoomForOverview,
+    /// Few contours were found, so that the figure shows little and there is no overview: their length, mm.
+    #[error(
+        "there is no overview, and little in the figure, as few contours were found in the picture ({0} mm): it has \
+         little contrast; give one with more contrast, say what it is about (a place on it), or lower edges.high and \
+         edges.low"
+    )]
+    FewContours(u32),
     /// Areas that are outlined have textures of several colours, as none of these holds the area clearly.
     #[error("{}", mixed_areas(*.count, .places))]
     MixedAreas {
@@ -390,6 +397,7 @@ impl Note {
         Self::NoRoomForNumber => "no-room-for-number",
         Self::Subject { .. } => "subject",
         Self::NoSubject(..) => "no-subject",
+        Self::FewContours(..) => "few-contours",
         Self::NothingCalmed => "nothing-calmed",
         Self::BackgroundCalmed(..) => "background-calmed",
         Self::Abbreviated(..) => "abbreviated",

@@ -41,6 +41,7 @@ impl Note {
             | Self::NoRoomForNumber
             | Self::NoSubject(_)
             | Self::NothingCalmed
+            | Self::FewContours(_)
             | Self::NoTexts
             | Self::TextsLeftOut(_)
             | Self::TextsNotRead(_)

@@ -184,7 +184,7 @@ pub(super) fn draw(
         notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
-    notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &drawn.lines, &layout)));
+    notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
     notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
