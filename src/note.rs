@@ -10,8 +10,8 @@ use crate::listing::{counted, first_few};
 pub use reason::Reason;
 
 use phrases::{
-    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, shade, short, sides,
-    simplified, turned,
+    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, outline_of_subject,
+    shade, short, sides, simplified, turned, what_if_not_meant,
 };
 
 /// What on a page a remark is about, for programs: its sentence may change.
@@ -189,27 +189,35 @@ pub enum Note {
     NoRoomForNumber,
     /// What was found at the place that was named as the subject.
     #[error(
-        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure{}; if that is not what was meant, name \
-         another place on it, or crop the picture around it",
+        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure{}; {}",
         .at[0], .at[1], .mm[0], .mm[1],
-        if *.is_first { ", and its outline is drawn before other lines" } else { ", inside a closed line" }
+        outline_of_subject(*.is_first, *.drawn),
+        what_if_not_meant(*.fills)
     )]
     Subject {
         /// The place, percent from the left and from the top.
         at: [i32; 2],
         /// Width and height of what was found, mm in the figure.
         mm: [u32; 2],
-        /// Whether it is a region, whose outline is drawn first; otherwise it is what a closed line surrounds, which is
-        /// drawn as any other.
+        /// Whether it is a region, whose outline is drawn first; otherwise it is what closed lines surround, which are
+        /// drawn as any others.
         is_first: bool,
+        /// Percent of its border that have a line in the figure; none if the page has no lines.
+        drawn: Option<u32>,
+        /// Whether it fills most of the figure, or reaches three of its sides, as the ground of a thing does.
+        fills: bool,
     },
     /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
     #[error("{}", no_subject(*.0))]
     NoSubject([i32; 2]),
+    /// The background was to be calm, and no subject was found.
+    #[error("the background is as it would be otherwise, as no subject was found around which it could be calm")]
+    NothingCalmed,
     /// Weak lines and textures around the subject are left out, as was asked: how much of contours, mm on the sheet.
     #[error(
-        "around the subject weak lines ({0} mm of contours), the outlines of other regions and all textures are left \
-         out, as was asked; strong lines stay"
+        "around the subject {}the outlines of other regions and all textures are left out, as was asked; strong lines \
+         stay",
+        if *.0 > 0 { format!("weak lines ({0} mm of contours), ", .0) } else { String::new() }
     )]
     BackgroundCalmed(u32),
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
@@ -308,6 +316,13 @@ pub enum Note {
     /// No line has room in an overview, so there is none.
     #[error("there is no overview, as no line of the figure has room in it; spread the figure over several sheets")]
     NoRoomForOverview,
+    /// Few contours were found, so that the figure shows little and there is no overview: their length, mm.
+    #[error(
+        "there is no overview, and little in the figure, as few contours were found in the picture ({0} mm): it has \
+         little contrast; give one with more contrast, say what it is about (a place on it), or lower edges.high and \
+         edges.low"
+    )]
+    FewContours(u32),
     /// Areas that are outlined have textures of several colours, as none of these holds the area clearly.
     #[error("{}", mixed_areas(*.count, .places))]
     MixedAreas {
@@ -382,6 +397,8 @@ impl Note {
         Self::NoRoomForNumber => "no-room-for-number",
         Self::Subject { .. } => "subject",
         Self::NoSubject(..) => "no-subject",
+        Self::FewContours(..) => "few-contours",
+        Self::NothingCalmed => "nothing-calmed",
         Self::BackgroundCalmed(..) => "background-calmed",
         Self::Abbreviated(..) => "abbreviated",
         Self::NoKey(..) => "no-key",

@@ -308,7 +308,10 @@ fn what_is_around_the_subject_is_left_calm() {
     assert!(of_cat(&options()) != of_cat(&at(50.0, 55.0)), "another outline comes first");
     assert!(subject.notes.iter().all(|note| !matches!(note, Note::NoSubject(_) | Note::BackgroundCalmed(_))));
     let found = subject.notes.iter().find(|note| note.id() == "subject");
-    assert!(matches!(found, Some(Note::Subject { at: [40, 20], mm: [20..120, 20..120], is_first: true })), "{found:?}");
+    assert!(
+        matches!(found, Some(Note::Subject { at: [40, 20], mm: [20..120, 20..120], is_first: true, .. })),
+        "{found:?}"
+    );
     let calm = convert(&at(40.0, 20.0).calm_background(true));
     let left_out = calm.notes.iter().find_map(|note| match note {
         Note::BackgroundCalmed(millimetres) => Some(*millimetres),

@@ -28,6 +28,7 @@ pub(super) fn of_note(note: &Note) -> String {
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
         Note::TooDense { .. } => format!("{note} (--sheets 2x2, --crop)"),
         Note::NoRoomForOverview => format!("{note} (--sheets 2x2)"),
+        Note::FewContours(_) => format!("{note} (--subject X,Y)"),
         Note::LinesNotInOverview { .. } => format!("{note} (--no-overview, --sheets 2x2)"),
         Note::EmptyPage => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),

@@ -64,7 +64,7 @@ impl LineCandidates {
         polylines.extend(of_regions);
         lead_on::extend(&mut polylines, area, params.bridged_gap());
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
-        let ranks = ranks(&polylines, &of_outlines, params);
+        let ranks = ranks(&polylines, &of_outlines, area, params);
         let saliencies = saliency::saliencies(&polylines, params);
         let lines = polylines.into_iter().zip(ranks).collect();
         Self { lines, saliencies, contours, gridlines, short, points, scales, heads }
@@ -128,14 +128,18 @@ fn long_enough(
 }
 
 /// The rank of each line: the last are outlines of regions, of these ranks.
-fn ranks(polylines: &[Polyline<Vertex>], of_outlines: &[Rank], params: &Params) -> Vec<Rank> {
+fn ranks(polylines: &[Polyline<Vertex>], of_outlines: &[Rank], area: MmRect, params: &Params) -> Vec<Rank> {
     let contours = polylines.len() - of_outlines.len();
+    let closed_outlines = nearby(polylines[contours..].iter().filter(|line| line.closed), area, params);
+    let is_ring =
+        |line: &Polyline<Vertex>| Rank::may_be_ring(line, params) && !Rank::is_along(line, &closed_outlines, params);
     // in the figure others have made room for them already
     let is_first = |line: &Polyline<Vertex>| params.part == PagePart::Overview && few::is_of_person(line);
     let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
         _ if is_first(line) => Rank::Person,
         _ if faint::is_faint(line) => Rank::Faint,
         _ if of_outlines.is_empty() => Rank::Ordinary,
+        _ if number < contours && is_ring(line) => Rank::StrokeOrRing,
         _ if number < contours => Rank::of(line),
         _ => of_outlines[number - contours],
     };

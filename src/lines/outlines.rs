@@ -1,10 +1,12 @@
-//! Outlines of regions among the lines: drawn before others, after long strokes only.
+//! Outlines of regions among the lines: drawn before others, after long strokes and clear rings only.
 
 use super::params::Params;
 use super::vertex::{FoundIn, Vertex};
+use crate::geom::nearby::Nearby;
+use crate::geom::polygon::{area, roundness};
 use crate::geom::polyline::Polyline;
 use crate::regions::{RegionOutline, TracePoint};
-use crate::units::{MmVector, PageTransform};
+use crate::units::{MmPoint, MmVector, PageTransform};
 
 /// What is drawn before, and in place of, ordinary lines.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -28,8 +30,11 @@ pub(super) enum Rank {
     Ordinary,
     /// An outline of a region, or what is left of one.
     Outline,
-    /// A long stroke, which no such outline may displace: it is thin, so that no region could have its shape.
-    Stroke,
+    /// A long stroke, which no such outline may displace: it is thin, so that no region could have its shape. Or a
+    /// closed contour that is long, round and clear all along, and that no closed outline stands for: an open one that
+    /// comes near, such as that of a corner of the ground around a disc, may not tear it. Of the two the more salient
+    /// goes first, as of other lines.
+    StrokeOrRing,
     /// An outline of what the picture is about.
     Subject,
     /// A line of an overview that a person drew.
@@ -43,6 +48,14 @@ const STRAIGHTNESS: f32 = 0.97;
 /// Share of its vertices that lie in the middle of a stroke.
 const MOSTLY: f32 = 0.7;
 
+/// Least length of a ring that goes before outlines, mm: a disc as wide as a fingertip.
+const LONG_RING: f32 = 40.0;
+/// Least roundness of such a ring, 1 of a circle: a square has 0.79, a rectangle of 3 to 1 has 0.59. What is less round
+/// often is no thing but the border of light and shadow.
+const ROUND: f32 = 0.6;
+/// A closed outline stands for a ring if it is near this share of the ring's vertices.
+const ALIKE: f32 = 0.7;
+
 impl Rank {
     /// Whether it is that of an outline of a region.
     pub(super) fn is_outline(self) -> bool {
@@ -55,7 +68,25 @@ impl Rank {
         let is_stroke = in_stroke as f32 >= MOSTLY * polyline.vertices.len() as f32;
         let chord = polyline.chord();
         let is_straight = chord >= LONG && chord >= STRAIGHTNESS * polyline.length();
-        if is_stroke && is_straight { Self::Stroke } else { Self::Ordinary }
+        if is_stroke && is_straight { Self::StrokeOrRing } else { Self::Ordinary }
+    }
+
+    /// Whether a contour is a long, round ring, clear all along.
+    pub(super) fn may_be_ring(polyline: &Polyline<Vertex>, params: &Params) -> bool {
+        let length = polyline.length();
+        // few shapes are those of the outlines
+        if !polyline.closed || params.of_drawing || params.most_shapes.is_some() || length < LONG_RING {
+            return false;
+        }
+        let places: Vec<MmPoint> = polyline.vertices.iter().map(|vertex| vertex.at).collect();
+        let strength = polyline.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / places.len() as f32;
+        strength >= params.full_strength && roundness(area(&places), length) >= ROUND
+    }
+
+    /// Whether most of a ring runs along one of these lines.
+    pub(super) fn is_along(ring: &Polyline<Vertex>, lines: &Nearby, params: &Params) -> bool {
+        let is_near = |vertex: &&Vertex| lines.nearest(vertex.at, params.max_spacing(), |_| true).is_some();
+        ring.vertices.iter().filter(is_near).count() as f32 >= ALIKE * ring.vertices.len() as f32
     }
 }
 

@@ -40,6 +40,8 @@ impl Note {
             | Self::NoRoomForTitle { .. }
             | Self::NoRoomForNumber
             | Self::NoSubject(_)
+            | Self::NothingCalmed
+            | Self::FewContours(_)
             | Self::NoTexts
             | Self::TextsLeftOut(_)
             | Self::TextsNotRead(_)

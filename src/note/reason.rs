@@ -151,6 +151,8 @@ reasons! {
     MarksTooShort => "marks-too-short",
     /// The outline of a subject has no room.
     NoRoomForSubject => "no-room-for-subject",
+    /// The outline of a subject is erased.
+    SubjectErased => "subject-erased",
     /// Lines of a page are too short for another one or too near to others.
     ShortOrNear => "short-or-near",
     /// The grid of squared paper is left out: pieces of it would be felt as lines.

@@ -13,10 +13,27 @@ pub(super) struct Decisions {
     pub(super) room_of_added: f32,
     /// Regions whose outlines come before all others.
     pub(super) subjects: Vec<u32>,
-    /// The places along the border of each, px.
-    pub(super) borders: Vec<Vec<PxPoint>>,
+    /// What was found at the places that name subjects.
+    pub(super) found: Vec<FoundSubject>,
     /// The cells of the subjects, where the rest of the picture is calmed: then no other region has an outline.
     pub(super) calmed_around: Option<Mask>,
+    /// How much of weak contours went for it, mm in the figure.
+    pub(super) calmed_mm: u32,
+}
+
+/// What was found at a place that names a subject.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FoundSubject {
+    /// The place, percent from the left and from the top.
+    pub(super) at: [i32; 2],
+    /// Its width and height, mm in the figure.
+    pub(super) mm: [u32; 2],
+    /// Whether it fills most of the picture, as the ground of a thing does.
+    pub(super) fills: bool,
+    /// The region that it is, whose outline comes before others; none where it is the inside of closed lines.
+    pub(super) region: Option<u32>,
+    /// The places along its border, px.
+    pub(super) border: Vec<PxPoint>,
 }
 
 /// Whose lines are drawn.
@@ -43,5 +60,11 @@ impl<'a> LinesOf<'a> {
             Self::Picture(regions) => regions,
             Self::Person => None,
         }
+    }
+
+    /// Whether the outline of what the picture is about is among them: it is drawn even where no contour is strong
+    /// enough for a line.
+    pub(super) fn has_subject(self) -> bool {
+        self.regions().is_some_and(|regions| !regions.decisions.subjects.is_empty())
     }
 }

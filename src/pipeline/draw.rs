@@ -137,7 +137,7 @@ pub(super) fn find(
     if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
         notes.extend(legend::moved_to_key(&mut edges, &legend, (&mut texts, become_labels(words)), &layout));
     }
-    let things = NamedThings::of(given, file, request);
+    let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
     let is_flat = content.is_uniform();
@@ -154,8 +154,9 @@ pub(super) fn draw(
     let plan = request.plan;
     let Found { picture, is_flat, all_erased, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
     let (mut legend, mut notes) = (found.legend, found.notes);
-    let has_lines = plan.profile().figure.lines && !edges.is_empty();
     let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
+    let has_contours = !edges.is_empty() || lines_of(given, regions.as_ref(), &decisions).has_subject();
+    let has_lines = plan.profile().figure.lines && has_contours;
     let follows_figure = has_lines && regions.is_some() && plan.lines().most_shapes.is_some();
     let of_overview = leaders::without_leaders(&edges, &texts, &layout);
     notes.extend(leaders::told_without(of_overview.as_ref(), &edges));
@@ -183,10 +184,10 @@ pub(super) fn draw(
         notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
-    notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &drawn.lines, &layout)));
+    notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
     notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
-    notes.extend(subject::told_lacking(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
+    notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
@@ -397,7 +398,7 @@ pub(super) fn draw_lines(
 ) -> FigureLines {
     let reason = if !plan.profile().figure.lines {
         "figure.lines is off"
-    } else if edges.is_empty() {
+    } else if edges.is_empty() && !lines_of.has_subject() {
         "there are no contours"
     } else {
         let transform = PageTransform::new(edges.size, layout.figure);

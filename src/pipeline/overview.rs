@@ -47,7 +47,7 @@ pub(super) fn draw_overview(
 ) -> DrawnOverview {
     let reason = match layout.overview {
         None => "overview.on is off",
-        Some(_) if edges.is_empty() => "there are no contours",
+        Some(_) if edges.is_empty() && !lines_of.has_subject() => "there are no contours",
         Some(place) => {
             let figure = OverviewSource { edges, regions: lines_of.regions(), layout, plan };
             return run_stage(watch, Stage::Overview, || figure.overview(place, lines_of, size));
@@ -268,10 +268,22 @@ fn told_in_parts(lost: &Lost) -> Option<Note> {
 }
 
 /// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what
-/// is lost.
-pub(super) fn told_without_overview(overview: &DrawnOverview, figure: &[Line], layout: &Layout) -> Option<Note> {
+/// is lost. Contours that are not as long as a line across the figure are few: it is for want of them that nothing is
+/// in the overview.
+pub(super) fn told_without_overview(
+    overview: &DrawnOverview,
+    edges: &Edges,
+    figure: &[Line],
+    layout: &Layout,
+) -> Option<Note> {
     let is_missing = layout.overview.is_some() && overview.marks.is_none() && !figure.is_empty();
-    (is_missing && overview.lost.share() < LACKS).then_some(Note::NoRoomForOverview)
+    let contours = edges.chains().map(|chain| chain.length()).sum::<f32>();
+    let mm = contours * PageTransform::new(edges.size, layout.figure).mm_per_px();
+    let are_few = !edges.of_drawing() && mm < layout.figure.width().max(layout.figure.height());
+    (is_missing && overview.lost.share() < LACKS).then(|| match are_few {
+        true => Note::FewContours(mm.round() as u32),
+        false => Note::NoRoomForOverview,
+    })
 }
 
 /// What the maker is told of gridlines that an overview has not.

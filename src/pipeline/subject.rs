@@ -3,14 +3,15 @@
 use lyon::geom::euclid::Box2D;
 
 use super::cut_contours::take_out;
-use super::decisions::Decisions;
-use super::given::{Given, blank_where};
+use super::decisions::{Decisions, FoundSubject};
+use super::given::{Given, blank_where, is_in};
 use super::lines_of_part::LinesOfPart;
 use super::named::NamedThings;
 use crate::classes::Classes;
-use crate::edges::{Edgel, Edges};
+use crate::edges::{ChainRange, Edgel, Edges};
 use crate::geom::polyline::Located;
 use crate::lines::{Line, PagePart};
+use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
@@ -26,6 +27,11 @@ const MARGIN: f32 = 3.0;
 /// An outline is there if lines run along this share of the border of its region: they cut its thin arms off and go
 /// around no holes.
 const DRAWN: f32 = 0.4;
+/// A thing that has this share of the picture, or more, is mostly the ground of what was meant.
+const MOST_OF_PICTURE: f32 = 0.7;
+/// What lines enclose together is a part of the inside of a closed line if it has less than this share of its cells:
+/// cells along the lines themselves make a few percent of difference.
+const SMALLER: f32 = 0.85;
 
 /// Finds the subjects among regions, or within closed contours, and writes them into the decisions; where a calm
 /// background is asked for, takes what is not of them out of the contours.
@@ -49,78 +55,100 @@ pub(super) fn prepare(
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
         let found = subject_at(edges, share, mm_per_px, things).and_then(|(mask, region)| {
-            let [least, greatest] = mask.extent()?;
-            let side = (greatest - least) * mm_per_px;
-            Some((mask, [side.x, side.y].map(|side| side.round() as u32), region))
+            let extent = mask.extent()?;
+            let side = (extent[1] - extent[0]) * mm_per_px;
+            let mm = [side.x, side.y].map(|side| side.round() as u32);
+            let (fills, border) = (mask.fills(MOST_OF_PICTURE), mask.border());
+            Some((mask, FoundSubject { at: percent, mm, fills, region, border }))
         });
         match found {
-            Some((mask, mm, region)) => {
+            Some((mask, found)) => {
                 all = Some(all.map_or(mask.clone(), |all| all.united(&mask)));
-                if let Some(region) = region.filter(|region| !decisions.subjects.contains(region)) {
-                    decisions.subjects.push(region);
-                    decisions.borders.push(mask.border());
-                }
-                notes.push(Note::Subject { at: percent, mm, is_first: region.is_some() });
+                decisions.subjects.extend(found.region.filter(|region| !decisions.subjects.contains(region)));
+                decisions.found.push(found);
             }
             None => notes.push(Note::NoSubject(percent)),
         }
+    }
+    if given.calm_background && all.is_none() && !given.subjects.is_empty() {
+        notes.push(Note::NothingCalmed);
     }
     decisions.calmed_around = all.filter(|_| given.calm_background);
     if let Some(subject) = &decisions.calmed_around {
         // lines that a person gave are all meant
         let calmed = if given.lines.is_none() { calm(edges, subject, layout, plan) } else { 0.0 };
-        notes.push(Note::BackgroundCalmed(calmed.round() as u32));
+        decisions.calmed_mm = calmed.round() as u32;
     }
     notes
 }
 
-/// What the maker is told of subjects whose outlines are not among the lines of the figure, or of the overview that
-/// lies in a place, or only pieces of them; `picture` is the size of the picture.
-pub(super) fn told_lacking(
+/// What the maker is told of the subjects: what each is, and those whose outlines are not among the lines of the
+/// figure, or of the overview that lies in a place, or only pieces of them; `picture` is the size of the picture.
+pub(super) fn told(
     decisions: &Decisions,
     picture: Size,
     figure: &[Line],
     overview: Option<&(MmRect, Vec<Line>)>,
     layout: &Layout,
     plan: &Plan,
-) -> impl Iterator<Item = Note> {
-    let lacking =
-        |lines: &[Line], place: MmRect, part: PagePart| lacking(decisions, lines, picture, place, layout, plan, part);
+) -> Vec<Note> {
+    if decisions.found.is_empty() {
+        return Vec::new();
+    }
+    let shares = |lines: &[Line], place: MmRect| -> Vec<f32> {
+        let (at, drawn) = (PageTransform::new(picture, place), LinesOfPart::of(lines, place, layout, plan));
+        let of_border = |found: &FoundSubject| drawn.share(found.border.iter().map(|point| at.to_mm(*point)));
+        decisions.found.iter().map(of_border).collect()
+    };
     let has_lines = plan.profile().figure.lines;
-    let of_figure = has_lines.then(|| lacking(figure, layout.figure, PagePart::Figure)).flatten();
-    of_figure.into_iter().chain(overview.and_then(|(place, lines)| lacking(lines, *place, PagePart::Overview)))
+    let of_figure = shares(figure, layout.figure);
+    let what = decisions.found.iter().zip(&of_figure).map(|(found, &drawn)| Note::Subject {
+        at: found.at,
+        mm: found.mm,
+        is_first: found.region.is_some(),
+        drawn: has_lines.then_some((100.0 * drawn) as u32),
+        fills: found.fills,
+    });
+    let in_figure = has_lines.then(|| lacking(decisions, picture, &of_figure, PagePart::Figure, layout)).flatten();
+    let in_overview = overview
+        .and_then(|(place, lines)| lacking(decisions, picture, &shares(lines, *place), PagePart::Overview, layout));
+    let calmed = decisions.calmed_around.as_ref().map(|_| Note::BackgroundCalmed(decisions.calmed_mm));
+    what.chain(calmed).chain(in_figure).chain(in_overview).collect()
 }
 
-/// The same of one part of the page, in which the picture lies at `place`.
-fn lacking(
-    decisions: &Decisions,
-    lines: &[Line],
-    picture: Size,
-    place: MmRect,
-    layout: &Layout,
-    plan: &Plan,
-    part: PagePart,
-) -> Option<Note> {
-    if decisions.borders.is_empty() {
-        return None;
+/// What is told of the regions of which most of the border is not drawn in one part of the page, given the share of
+/// each that is.
+fn lacking(decisions: &Decisions, picture: Size, drawn: &[f32], part: PagePart, layout: &Layout) -> Option<Note> {
+    let is_lacking = |found: &FoundSubject, drawn: f32| found.region.is_some() && drawn < DRAWN;
+    let mut lacking: Vec<&FoundSubject> = Vec::new();
+    for (found, _) in decisions.found.iter().zip(drawn).filter(|(found, drawn)| is_lacking(found, **drawn)) {
+        if !lacking.iter().any(|other| other.region == found.region) {
+            lacking.push(found);
+        }
     }
-    let (at, drawn) = (PageTransform::new(picture, place), LinesOfPart::of(lines, place, layout, plan));
-    let is_drawn = |border: &&Vec<PxPoint>| drawn.share(border.iter().map(|point| at.to_mm(*point))) >= DRAWN;
-    let lacking = decisions.borders.iter().filter(|border| !is_drawn(border)).count();
-    let (about, part, what_to_do) = match part {
-        PagePart::Overview => (About::Overview, "overview", "crop the picture around it"),
-        PagePart::Figure => (About::Lines, "figure", "make the figure larger, or crop the picture around it"),
+    let (about, name) = match part {
+        PagePart::Overview => (About::Overview, "overview"),
+        PagePart::Figure => (About::Lines, "figure"),
     };
-    let subjects = match lacking {
+    let (subjects, them) = match lacking.len() {
         0 => return None,
-        1 => "the outline of the subject".to_owned(),
-        count => format!("the outlines of {count} of the subjects"),
+        1 => ("the outline of the subject".to_owned(), "it"),
+        count => (format!("the outlines of {count} of the subjects"), "them"),
     };
-    Some(Note::NotOnPage(
-        about,
-        Reason::NoRoomForSubject,
-        format!("{subjects} in the {part}, as a whole or for the most part, for want of room; {what_to_do}"),
-    ))
+    let is_erased =
+        |point: &&PxPoint| is_in([point.x / picture.width as f32, point.y / picture.height as f32], &decisions.erased);
+    let mostly_erased = |found: &&FoundSubject| 2 * found.border.iter().filter(is_erased).count() > found.border.len();
+    let (reason, why) = if lacking.iter().all(mostly_erased) {
+        (Reason::SubjectErased, format!("as most of {them} lies in what is erased; erase less"))
+    } else {
+        let larger = match (part, &layout.medium) {
+            (PagePart::Figure, Medium::Print(_)) => "make the figure larger, or ",
+            (PagePart::Figure | PagePart::Overview, _) => "",
+        };
+        let narrow = "parts of it are too near to one another or to other lines, or it is narrower than a line";
+        (Reason::NoRoomForSubject, format!("for want of room: {narrow}; {larger}crop the picture around {them}"))
+    };
+    Some(Note::NotOnPage(about, reason, format!("{subjects} in the {name}, as a whole or for the most part, {why}")))
 }
 
 /// The cells of the subject at a place, in shares of the picture, and which region it is, if it is one, whose outline
@@ -137,21 +165,34 @@ fn subject_at(
         Some((thing, region))
     });
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
-    found.or_else(|| Some((ring_around(edges, at, mm_per_px)?, None)))
+    found.or_else(|| Some((closed_around(edges, at, mm_per_px)?, None)))
 }
 
-/// The inside of the smallest closed contour around a place.
-fn ring_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
+/// The smallest part of the picture around a place that closed lines surround: the inside of one that is closed, or
+/// what several that meet enclose together.
+fn closed_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
     let grid = RegionGrid::new(edges.size);
-    let rings = edges.chains.iter().filter(|range| range.closed).map(|range| edges.chain(range));
-    let inside = rings.filter_map(|ring| {
-        let points: Vec<PxPoint> = ring.vertices.iter().map(Located::at).collect();
-        // a drawing may have thousands
-        Box2D::from_points(&points).contains_inclusive(at).then(|| Mask::of_ring(grid, &points))
-    });
     let cell = mm_per_px * edges.size.width as f32 / grid.cells.width as f32;
     let least = (LEAST_AREA / (cell * cell)) as usize;
-    inside.filter(|mask| mask.contains(at) && mask.cells() >= least).min_by_key(Mask::cells)
+    let is_enough = |mask: &Mask| mask.contains(at) && mask.cells() >= least;
+    let points = |range: &ChainRange| -> Vec<PxPoint> { edges.chain(range).path().map(Located::at).collect() };
+    let rings = edges.chains.iter().filter(|range| range.closed).map(points);
+    let inside = rings.filter_map(|ring| {
+        // a drawing may have thousands
+        Box2D::from_points(&ring).contains_inclusive(at).then(|| Mask::of_ring(grid, &ring))
+    });
+    let ring = inside.filter(is_enough).min_by_key(Mask::cells);
+    // contours of a photograph that meet seldom surround a thing
+    let lines: Vec<Vec<PxPoint>> = match edges.of_drawing() {
+        true => edges.chains.iter().map(points).collect(),
+        false => Vec::new(),
+    };
+    let face = Mask::enclosed(grid, &lines, at).filter(is_enough);
+    match (ring, face) {
+        (Some(ring), Some(face)) if (face.cells() as f32) < SMALLER * ring.cells() as f32 => Some(face),
+        (Some(ring), _) => Some(ring),
+        (None, face) => face,
+    }
 }
 
 /// Takes weak lines that are not of the subject out. Returns how much, mm.

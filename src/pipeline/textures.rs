@@ -188,7 +188,7 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layo
     let (texture, they_are) = if bare.len() == 1 { ("texture", "it is") } else { ("textures", "they are") };
     let told = format!(
         "the {texture} of {areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; \
-         say in labels what matters of the colours, or make the figure larger"
+         say in labels what matters of the colours, make the figure larger, or crop the picture"
     );
     Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }
@@ -238,7 +238,7 @@ fn told_bare_on_dots(
     };
     let told = format!(
         "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
-         (dots.texture_rows){or_unlearned}; a larger figure has"
+         (dots.texture_rows){or_unlearned}; a larger figure has, or one of a part of the picture"
     );
     Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }
@@ -246,7 +246,8 @@ fn told_bare_on_dots(
 /// What the maker of a page that is laid out anew is told of colours whose textures went as they are unlearned.
 pub(super) fn told_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> Option<Note> {
     let why = why_unlearned(colours, plan);
-    let told = format!("the textures of these colours, as {why}; on larger paper there is room");
+    let told =
+        format!("the textures of these colours, as {why}; there is room on larger paper, or for a part of the picture");
     (!colours.is_empty()).then_some(Note::NotOnPage(About::Areas, Reason::ColourTooSmall, told))
 }
 

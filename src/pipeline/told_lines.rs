@@ -25,7 +25,7 @@ const LEAST_TOLD_OF_DOTS: f32 = 0.05;
 
 /// What the maker is told of lines that are left out as there are to be few.
 pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan: &Plan) -> Option<Note> {
-    let most = plan.lines().most_shapes?;
+    let most = plan.lines().most_shapes.filter(|_| plan.profile().figure.lines)?;
     // the outline of a region beyond the most is a closed contour too, and so counts in both
     let shapes = beyond.shapes.max(areas.map_or(0, OutlineAreas::beyond));
     Some(Note::Simplified { shapes, lines: beyond.lines, most })

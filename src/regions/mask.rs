@@ -3,7 +3,7 @@
 use super::grid::RegionGrid;
 use crate::geom::distance::squared_distances;
 use crate::geom::polygon::row_inside;
-use crate::units::PxPoint;
+use crate::units::{PxPoint, Size};
 
 /// Some cells of a picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +30,45 @@ impl Mask {
             }
         }
         Self { grid, is_in }
+    }
+
+    /// What lines enclose together around a place, with whatever lies inside it; none if they do not, so that the edge
+    /// of the picture can be reached from there without crossing a line, or if one runs through the place. Points are
+    /// in pixels of the picture.
+    pub fn enclosed(grid: RegionGrid, lines: &[Vec<PxPoint>], at: PxPoint) -> Option<Self> {
+        let start = grid.cell_at(grid.to_cells(at))?;
+        let mut is_line = vec![false; grid.cells.len()];
+        for (a, b) in lines.iter().flat_map(|line| line.iter().zip(line.iter().skip(1))) {
+            let (a, b) = (grid.to_cells(*a), grid.to_cells(*b));
+            // in steps of half a cell cells follow one another at corners at least, between which no fill passes
+            let steps = (2.0 * (b - a).length()).ceil().max(1.0) as u32;
+            let cells = (0..=steps).filter_map(|step| grid.cell_at(a.lerp(b, step as f32 / steps as f32)));
+            cells.for_each(|cell| is_line[cell] = true);
+        }
+        if is_line[start] {
+            return None;
+        }
+        let inside = filled(grid.cells, [start], |cell| !is_line[cell]);
+        if edge_cells(grid.cells).any(|cell| inside[cell]) {
+            return None;
+        }
+        // with what lies in it, as eyes in a face, and half of the line around it
+        let outside = filled(grid.cells, edge_cells(grid.cells), |cell| !inside[cell]);
+        let all = Self { grid, is_in: outside.into_iter().map(|is_outside| !is_outside).collect() };
+        Some(all.grown(1.0))
+    }
+
+    /// Whether it has this share of the picture or more, or reaches three of its sides.
+    pub fn fills(&self, share: f32) -> bool {
+        let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
+        let is_in = |x: usize, y: usize| self.is_in[y * width + x];
+        let sides = [
+            (0..width).any(|x| is_in(x, 0)),
+            (0..width).any(|x| is_in(x, height - 1)),
+            (0..height).any(|y| is_in(0, y)),
+            (0..height).any(|y| is_in(width - 1, y)),
+        ];
+        self.cells() as f32 >= share * self.is_in.len() as f32 || sides.into_iter().filter(|side| *side).count() > 2
     }
 
     /// The same part of a picture in other cells, of the picture in another size.
@@ -101,6 +140,30 @@ impl Mask {
     pub fn cells(&self) -> usize {
         self.is_in.iter().filter(|is_in| **is_in).count()
     }
+}
+
+/// The cells along the edge of a grid.
+fn edge_cells(size: Size) -> impl Iterator<Item = usize> {
+    let (width, height) = (size.width as usize, size.height as usize);
+    let rows = (0..width).flat_map(move |x| [x, (height - 1) * width + x]);
+    rows.chain((0..height).flat_map(move |y| [y * width, y * width + width - 1]))
+}
+
+/// The cells that can be reached from some through open ones, side by side.
+fn filled(size: Size, from: impl IntoIterator<Item = usize>, is_open: impl Fn(usize) -> bool) -> Vec<bool> {
+    let (width, height) = (size.width as usize, size.height as usize);
+    let mut is_in = vec![false; size.len()];
+    let mut todo: Vec<usize> = from.into_iter().collect();
+    while let Some(cell) = todo.pop() {
+        if !is_open(cell) || std::mem::replace(&mut is_in[cell], true) {
+            continue;
+        }
+        let (x, y) = (cell % width, cell / width);
+        let beside = [(x > 0, cell.wrapping_sub(1)), (x + 1 < width, cell + 1)];
+        let above = [(y > 0, cell.wrapping_sub(width)), (y + 1 < height, cell + width)];
+        todo.extend(beside.into_iter().chain(above).filter(|(is_there, _)| *is_there).map(|(_, cell)| cell));
+    }
+    is_in
 }
 
 #[cfg(test)]

@@ -12,7 +12,8 @@ const COLOUR: f64 = 0.15;
 const MOST_COLOUR: f64 = 30.0;
 /// Regions of this share of the picture, and smaller ones, merge early: crumbs are no regions.
 const NEGLIGIBLE: f64 = 0.003;
-/// How much size counts.
+/// Exponent of the size that a region counts with: at 0 crumbs would be merged as late as what is large, and at 1 any
+/// large region would outlast a small one that is clearly seen. Chosen with the other numbers (see `regions`).
 const POWER: f64 = 0.3;
 
 /// A region: a basin, or two regions merged.

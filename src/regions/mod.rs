@@ -1,8 +1,8 @@
-//! Regions of a picture as a tree over its traced contours, and the outlines of those that tell most.
+//! Regions of a picture as a tree over its traced contours, and the outlines of the most salient ones.
 //!
 //! ```text
 //! traces, colours -> landscape -> watershed (basins) -> arcs (what is seen between them) -> merge -> Tree
-//!                                      Tree -> choose (the most telling) -> label_map -> border -> outlines
+//!                                      Tree -> choose (the most salient) -> label_map -> border -> outlines
 //!                                      Tree -> heights (of borders): how strong contours are
 //! ```
 //!

@@ -1,4 +1,4 @@
-//! Outlines of the most telling regions.
+//! Outlines of the most salient regions.
 
 use super::border::{Border, borders, corner_at};
 use super::choose::{Chosen, Params, choose};

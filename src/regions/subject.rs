@@ -1,42 +1,42 @@
 //! The region that a place of the picture is meant to name.
 
-use super::choose::{Params, choose, score, survives_opening};
+use super::choose::{Params, choose, saliency, survives_opening};
 use super::mask::Mask;
 use super::tree::{Members, Tree};
 use crate::units::PxPoint;
 
-/// Where none of the chosen regions is: the smallest region that tells at least this share of what the most telling one
-/// around the same place does. At the middle of 349 areas that people outlined on eight photographs of BSDS500 (train)
-/// this share gives the greatest overlap with the area, 0.445 (intersection over union); 0.2 gives 0.439, 0.6 gives
-/// 0.411, and the most telling region of all 0.362. With the chosen regions before it the overlap is 0.420, and no
-/// outline breaks up that is whole without a subject.
+/// Where none of the chosen regions is: the smallest region that has at least this share of the saliency of the most
+/// salient one around the same place. At the middle of 349 areas that people outlined on eight photographs of BSDS500
+/// (train) this share gives the greatest overlap with the area, 0.445 (intersection over union); 0.2 gives 0.439, 0.6
+/// gives 0.411, and the most salient region of all 0.362. With the chosen regions before it the overlap is 0.420, and
+/// no outline breaks up that is whole without a subject.
 const SALIENT: f64 = 0.4;
 
 impl Tree {
-    /// All regions that tell enough for an outline, on a sheet with so many millimetres for a pixel, the most telling
-    /// first.
-    pub fn most_telling(&self, mm_per_px: f32, params: &Params) -> Vec<u32> {
+    /// All regions that are salient enough for an outline, on a sheet with so many millimetres for a pixel, the most
+    /// salient first.
+    pub fn most_salient(&self, mm_per_px: f32, params: &Params) -> Vec<u32> {
         choose(self, self.mm_of_cell(mm_per_px), params, &[], &[])
     }
 
-    /// The region that a place of the picture names: the smallest around it of the [most telling](Tree::most_telling)
+    /// The region that a place of the picture names: the smallest around it of the [most salient](Tree::most_salient)
     /// ones, else the smallest salient one. Its number is for [`Tree::outlines`] and [`Tree::mask`].
-    pub fn subject_at(&self, at: PxPoint, mm_per_px: f32, most_telling: &[u32]) -> Option<u32> {
-        let mm = self.mm_of_cell(mm_per_px);
+    pub fn subject_at(&self, at: PxPoint, mm_per_px: f32, most_salient: &[u32]) -> Option<u32> {
+        let mm_per_cell = self.mm_of_cell(mm_per_px);
         let cell = self.grid.cell_at(self.grid.to_cells(at))?;
         let members = Members::of(self);
         let basin = self.basin[cell];
         // regions are numbered in the order in which they are merged, so that the smaller of two comes first
-        let chosen = most_telling.iter().copied().filter(|&node| members.has(node, basin)).min();
+        let chosen = most_salient.iter().copied().filter(|&node| members.has(node, basin)).min();
         chosen.or_else(|| {
             let around: Vec<(u32, f64)> = (0_u32..)
                 .zip(&self.nodes)
                 .filter(|(node, _)| members.has(*node, basin))
-                .map(|(node, of)| (node, score(of, self.basin.len(), mm)))
-                .filter(|(node, score)| *score > 0.0 && survives_opening(self, &members, *node, mm))
+                .map(|(node, of)| (node, saliency(of, self.basin.len(), mm_per_cell)))
+                .filter(|(node, saliency)| *saliency > 0.0 && survives_opening(self, &members, *node, mm_per_cell))
                 .collect();
-            let best = around.iter().map(|(_, score)| *score).fold(0.0, f64::max);
-            around.iter().find(|(_, score)| *score >= SALIENT * best).map(|(node, _)| *node)
+            let best = around.iter().map(|(_, saliency)| *saliency).fold(0.0, f64::max);
+            around.iter().find(|(_, saliency)| *saliency >= SALIENT * best).map(|(node, _)| *node)
         })
     }
 

@@ -12,9 +12,10 @@ use crate::raster::plane::Plane;
 const GRADIENT_SCALE: f32 = 1.5;
 /// Scale at which traces become ridges of the landscape, cells.
 const TRACE_SCALE: f32 = 1.2;
-/// Weights of traces and of the gradient in the landscape.
+/// Weights of traces and of the gradient in the landscape: where a trace runs it is the ridge, and the gradient parts
+/// what lies between traces, such as where an outline fades. Chosen with the other numbers (see `regions`).
 const TRACES: f32 = 3.0;
-const GRADIENT: f32 = 0.25 * 3.75;
+const GRADIENT: f32 = 0.9375;
 
 /// How fine a tree is.
 #[derive(Debug, Clone, Copy, PartialEq)]

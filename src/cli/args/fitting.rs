@@ -39,7 +39,7 @@ pub(in crate::cli) struct Fitting {
     /// For those who are new to tactile graphics: begin with 3 to 5, and draw more when these are known. In a drawing
     /// lines that meet are one shape. The overview of a photo outlines nothing else. What is left out is told. The same
     /// as --set lines.shapes=N. Range: 1 to 100.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=100), conflicts_with = "lines")]
+    #[arg(long, value_name = "N", value_parser = shapes, conflicts_with = "lines")]
     simplify: Option<u8>,
 
     /// Draws contours only, no textures
@@ -127,6 +127,11 @@ impl Fitting {
 fn part(text: &str) -> Result<Crop, String> {
     let crop: Crop = text.parse().map_err(|error: Error| error.to_string())?;
     if crop.is_in_mm() { Err(Error::PartInMm { part: crop.to_string() }.to_string()) } else { Ok(crop) }
+}
+
+fn shapes(text: &str) -> Result<u8, String> {
+    let number = text.parse().ok().filter(|number| (1..=100).contains(number));
+    number.ok_or_else(|| "give a whole number from 1 to 100".into())
 }
 
 fn width(text: &str) -> Result<f32, String> {

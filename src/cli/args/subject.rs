@@ -53,5 +53,31 @@ fn place(text: &str) -> Result<SubjectPoint, String> {
     };
     let wanted = "give how far it is from the left and from the top, such as 50%,40% or, in pixels, 300,220";
     let (x, y) = text.split_once(',').ok_or(wanted)?;
-    Ok(SubjectPoint([within(x).ok_or(wanted)?, within(y).ok_or(wanted)?]))
+    let (x, y) = (within(x).ok_or(wanted)?, within(y).ok_or(wanted)?);
+    let is_percent = |position: Position| matches!(position.length(), Length::Percent(_));
+    if is_percent(x) != is_percent(y) {
+        return Err(
+            "one number is in percent and the other in pixels; give both in percent, such as 50%,40%, or both \
+                    in pixels, such as 300,220"
+                .to_owned(),
+        );
+    }
+    Ok(SubjectPoint([x, y]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+
+    #[test]
+    fn a_place_is_in_percent_or_in_pixels() {
+        assert!(place("50%,40%").is_ok() && place("300, 220").is_ok());
+        let told = |text: &str| place(text).expect_err("it is refused");
+        for mixed in ["40%,20", "40,20%"] {
+            assert!(told(mixed).starts_with("one number is in percent and the other in pixels"), "{mixed}");
+        }
+        for wrong in ["40%", "120%,10%", "-1,5", "a,b"] {
+            assert!(told(wrong).starts_with("give how far it is"), "{wrong}");
+        }
+    }
 }

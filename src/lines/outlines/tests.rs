@@ -1,7 +1,7 @@
 //! Tests of `outlines`.
 
 use super::*;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmRect};
 
 /// A line through these places, mm, a vertex every half millimetre, with this difference of colour.
 fn line(places: &[(f32, f32)], closed: bool, contrast: f32) -> Polyline<Vertex> {
@@ -18,7 +18,7 @@ fn line(places: &[(f32, f32)], closed: bool, contrast: f32) -> Polyline<Vertex> 
 #[test]
 fn only_a_long_straight_open_stroke_goes_before_outlines() {
     let long = [(0.0, 0.0), (LONG + 1.0, 0.0)];
-    assert_eq!(Rank::of(&line(&long, false, 0.0)), Rank::Stroke);
+    assert_eq!(Rank::of(&line(&long, false, 0.0)), Rank::StrokeOrRing);
     assert_eq!(Rank::of(&line(&long, false, 30.0)), Rank::Ordinary, "an edge, with a colour on each side");
     assert_eq!(Rank::of(&line(&[(0.0, 0.0), (LONG - 1.0, 0.0)], false, 0.0)), Rank::Ordinary, "short");
     assert_eq!(Rank::of(&line(&[(0.0, 0.0), (15.0, 10.0), (30.0, 0.0)], false, 0.0)), Rank::Ordinary, "bent");
@@ -33,12 +33,39 @@ fn a_line_that_is_partly_an_edge_is_a_stroke_if_most_of_it_is() {
         all.vertices.extend(line(&[(30.0 * stroke + 0.5, 0.0), (30.0, 0.0)], false, 30.0).vertices);
         Rank::of(&all)
     };
-    assert_eq!([mixed(0.8), mixed(0.6)], [Rank::Stroke, Rank::Ordinary]);
+    assert_eq!([mixed(0.8), mixed(0.6)], [Rank::StrokeOrRing, Rank::Ordinary]);
 }
 
 #[test]
 fn what_comes_first_is_greater() {
-    let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::Stroke, Rank::Subject, Rank::Person];
+    let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::StrokeOrRing, Rank::Subject, Rank::Person];
     assert!(order.is_sorted());
     assert_eq!(order.map(Rank::is_outline), [false, false, true, false, true, false]);
+}
+
+#[test]
+fn a_long_round_clear_ring_goes_before_outlines_unless_one_stands_for_it() {
+    let circle = |radius: f32, high: f32| -> Polyline<Vertex> {
+        let places: Vec<(f32, f32)> = (0..120).map(|k| (k as f32 / 120.0 * std::f32::consts::TAU).sin_cos()).collect();
+        let places: Vec<(f32, f32)> =
+            places.into_iter().map(|(y, x)| (60.0 + radius * x, 60.0 + high * radius * y)).collect();
+        line(&places, true, 30.0)
+    };
+    let may_be = |ring: &Polyline<Vertex>| Rank::may_be_ring(ring, &Params::TEST);
+    assert!(may_be(&circle(30.0, 1.0)) && may_be(&circle(30.0, 0.6)));
+    assert!(!may_be(&circle(5.0, 1.0)), "short");
+    assert!(!may_be(&circle(30.0, 0.2)), "narrow");
+    let weak = |mut ring: Polyline<Vertex>| {
+        ring.vertices.iter_mut().for_each(|vertex| vertex.strength = 20.0);
+        ring
+    };
+    assert!(!may_be(&weak(circle(30.0, 1.0))));
+    let few = Params { most_shapes: Some(3), ..Params::TEST };
+    assert!(!Rank::may_be_ring(&circle(30.0, 1.0), &few), "few shapes are those of the outlines");
+    let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(120.0, 120.0));
+    let along = |outline: &Polyline<Vertex>| {
+        let near = super::super::vertex::nearby(std::iter::once(outline), sheet, &Params::TEST);
+        Rank::is_along(&circle(30.0, 1.0), &near, &Params::TEST)
+    };
+    assert!(along(&circle(32.0, 1.0)) && !along(&circle(20.0, 1.0)));
 }

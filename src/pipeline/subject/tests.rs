@@ -30,7 +30,8 @@ fn prepared(edges: &mut Edges, places: &[[f64; 2]], calm_background: bool) -> (D
     let subjects = places.iter().map(|place| place.map(|at| Position::percent(at).expect("a number"))).collect();
     let given = Given { subjects, calm_background, ..Given::default() };
     let mut decisions = Decisions::default();
-    let notes = prepare(&given, None, edges, &mut decisions, SIZE, &layout, &plan);
+    let mut notes = prepare(&given, None, edges, &mut decisions, SIZE, &layout, &plan);
+    notes.extend(told(&decisions, SIZE, &[], None, &layout, &plan));
     (decisions, notes)
 }
 
@@ -39,14 +40,14 @@ fn without_regions_the_smallest_ring_around_a_place_is_the_subject() {
     let mut edges = rectangles(&[([40.0, 30.0, 320.0, 240.0], 40.0), ([160.0, 120.0, 80.0, 60.0], 40.0)]);
     let before = edges.clone();
     let (decisions, notes) = prepared(&mut edges, &[[50.0, 50.0], [15.0, 15.0], [2.0, 2.0]], false);
-    let [Note::Subject { mm: [inner, _], is_first: false, .. }, Note::Subject { mm: [outer, _], .. }, none] =
+    let [none, Note::Subject { mm: [inner, _], is_first: false, .. }, Note::Subject { mm: [outer, _], .. }] =
         &notes[..]
     else {
         panic!("{notes:?}")
     };
     assert!((*outer as f32 / *inner as f32 - 4.0).abs() < 0.1, "{outer} mm around {inner} mm");
     assert_eq!(*none, Note::NoSubject([2, 2]));
-    assert_eq!(decisions, Decisions::default(), "only regions have an outline that comes first");
+    assert!(decisions.subjects.is_empty(), "only regions have an outline that comes first");
     assert_eq!(edges, before);
 }
 
@@ -88,22 +89,56 @@ fn a_subject_of_which_most_is_not_drawn_is_told() {
     let corners = [(100.0, 100.0), (200.0, 100.0), (200.0, 200.0), (100.0, 200.0), (100.0, 100.0)];
     let corners = corners.map(|(x, y)| PxPoint::new(x, y));
     let border = Mask::of_ring(RegionGrid::new(SIZE), &corners).border();
-    let decisions = Decisions { subjects: vec![7], borders: vec![border], ..Decisions::default() };
+    let found = FoundSubject { at: [50, 50], mm: [40, 40], fills: false, region: Some(7), border };
+    let decisions = Decisions { subjects: vec![7], found: vec![found], ..Decisions::default() };
     let lines = |sides: usize, place: MmRect| {
         let at = PageTransform::new(SIZE, place);
         let points = corners[..=sides].iter().map(|corner| at.to_mm(*corner)).collect();
         vec![Line { strength: 50.0, runs: vec![crate::lines::Run::stroke(1.5, points)] }]
     };
-    let told = |of_figure: usize, of_overview: Option<usize>| {
+    let texts = |of_figure: usize, of_overview: Option<usize>, decisions: &Decisions| {
         let small = MmRect::new(layout.figure.min, layout.figure.min + layout.figure.size().to_vector() * 0.5);
         let overview = of_overview.map(|sides| (small, lines(sides, small)));
         let figure = lines(of_figure, layout.figure);
-        let notes = told_lacking(&decisions, SIZE, &figure, overview.as_ref(), &layout, &plan);
-        notes.map(|note| note.to_string()).collect::<Vec<_>>()
+        let notes = told(decisions, SIZE, &figure, overview.as_ref(), &layout, &plan);
+        notes.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
-    assert!(told(4, Some(4)).is_empty() && told(2, None).is_empty());
-    let [of_overview] = &told(4, Some(1))[..] else { panic!("one note") };
+    let [whole] = &texts(4, Some(4), &decisions)[..] else { panic!("one note") };
+    assert!(whole.contains("and its outline is drawn before other lines"), "{whole}");
+    let [half] = &texts(2, None, &decisions)[..] else { panic!("one note") };
+    assert!(half.contains("percent of its outline is drawn, before other lines"), "{half}");
+    let [_, of_overview] = &texts(4, Some(1), &decisions)[..] else { panic!("two notes") };
     assert!(of_overview.contains("the outline of the subject in the overview, as a whole or for the most part"));
-    let [of_figure] = &told(1, None)[..] else { panic!("one note") };
+    let [most, of_figure] = &texts(1, None, &decisions)[..] else { panic!("two notes") };
+    assert!(most.contains("most of its outline is not drawn"), "{most}");
     assert!(of_figure.contains("the outline of the subject in the figure"), "{of_figure}");
+    assert!(of_figure.contains("for want of room"), "{of_figure}");
+    let erased = Decisions { erased: vec![[0.0, 0.0, 1.0, 1.0]], ..decisions };
+    let [_, of_erased] = &texts(0, None, &erased)[..] else { panic!("two notes") };
+    assert!(of_erased.contains("lies in what is erased") && !of_erased.contains("want of room"), "{of_erased}");
+}
+
+#[test]
+fn where_nothing_is_found_nothing_is_calmed() {
+    let (_, notes) = prepared(&mut rectangles(&[]), &[[50.0, 50.0]], true);
+    assert_eq!(notes, [Note::NoSubject([50, 50]), Note::NothingCalmed]);
+}
+
+#[test]
+fn what_fills_most_of_the_picture_is_told_so() {
+    let (_, notes) = prepared(&mut rectangles(&[([5.0, 5.0, 390.0, 290.0], 40.0)]), &[[50.0, 50.0]], false);
+    let [note @ Note::Subject { fills: true, .. }] = &notes[..] else { panic!("{notes:?}") };
+    assert!(note.to_string().contains("name a place on the thing itself"), "{note}");
+}
+
+#[test]
+fn a_field_between_lines_that_meet_is_a_subject_of_a_drawing() {
+    let mut edges = rectangles(&[]);
+    let kind = ChainKind { of_drawing: true, exact: true, ..ChainKind::default() };
+    push(&mut edges, [40.0, 30.0, 320.0, 240.0], 40.0, kind);
+    let ends = [PxPoint::new(200.0, 30.0), PxPoint::new(200.0, 270.0)];
+    edges.push_as(kind, ends.into_iter().map(|at| Edgel { at, strength: 40.0, contrast: [0.0; 3] }), false);
+    let (_, notes) = prepared(&mut edges, &[[30.0, 50.0]], false);
+    let [Note::Subject { mm: [width, height], .. }] = &notes[..] else { panic!("{notes:?}") };
+    assert!(width < height, "{width} x {height} mm");
 }

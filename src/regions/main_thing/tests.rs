@@ -9,13 +9,13 @@ use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
 /// A disc: its middle and radius, px, and its lightness.
-type Disc = (f32, f32, f32, f32);
+pub(in crate::regions) type Disc = (f32, f32, f32, f32);
 
-const PARAMS: Params =
+pub(in crate::regions) const PARAMS: Params =
     Params { most: 8, drawn: None, least_gain: 0.2, most_near: 0.3, spacing: 4.0, narrowest: 4.0, smoothing: 0.6 };
 
 /// The regions of a picture of 180 x 120 pixels, with discs on a dark ground.
-fn tree(discs: &[Disc]) -> Tree {
+pub(in crate::regions) fn tree(discs: &[Disc]) -> Tree {
     let size = Size::new(180, 120);
     let lightness = |cell: usize| {
         let (x, y) = ((cell % 180) as f32 + 0.5, (cell / 180) as f32 + 0.5);
@@ -49,8 +49,8 @@ fn what_is_in_the_middle_is_the_main_thing_though_others_tell_more() {
     let tree = tree(&[AT_THE_EDGE, IN_A_CORNER, IN_THE_MIDDLE]);
     let main = tree.main_thing(0.5, &PARAMS).expect("there is one");
     assert!(is_disc(&tree, main, IN_THE_MIDDLE));
-    let most_telling = tree.chosen(0.5, &PARAMS, &[], &[]).regions[0];
-    assert!(!is_disc(&tree, most_telling, IN_THE_MIDDLE), "the others are lighter");
+    let most_salient = tree.chosen(0.5, &PARAMS, &[], &[]).regions[0];
+    assert!(!is_disc(&tree, most_salient, IN_THE_MIDDLE), "the others are lighter");
 }
 
 #[test]

@@ -23,3 +23,35 @@ fn inside_of_a_ring_is_what_it_surrounds() {
     assert_eq!(mask.clone().grown(1.0).cells(), mask.cells() + 10 + 20 + 25 + 5 + 15 + 15 - 1);
     assert_eq!(mask.united(&Mask::of_ring(grid, &square)).cells(), 10 * 20 + 15 * 5 + 100);
 }
+
+#[test]
+fn lines_that_meet_enclose_what_no_edge_of_the_picture_can_be_reached_from() {
+    let grid = RegionGrid::new(Size::new(60, 40));
+    let point = |(x, y): (f32, f32)| PxPoint::new(x, y);
+    let frame = [(10.0, 10.0), (50.0, 10.0), (50.0, 30.0), (10.0, 30.0), (10.0, 10.0)].map(point).to_vec();
+    let middle = [(30.0, 10.0), (30.0, 30.0)].map(point).to_vec();
+    let eye = [(18.0, 18.0), (22.0, 18.0), (22.0, 22.0), (18.0, 22.0), (18.0, 18.0)].map(point).to_vec();
+    let lines = [frame, middle, eye];
+    let enclosed = |lines: &[Vec<PxPoint>], at| Mask::enclosed(grid, lines, point(at));
+    let left = enclosed(&lines, (13.0, 13.0)).expect("it is closed");
+    assert!(left.contains(point((20.0, 20.0))), "with what lies in it");
+    assert!(!left.contains(point((40.0, 20.0))), "but not beyond the line across");
+    assert_eq!(left.extent(), Some([point((10.0, 10.0)), point((31.0, 31.0))]), "with the lines around it");
+    assert_eq!(enclosed(&lines, (20.5, 20.5)).map(|eye| eye.contains(point((13.0, 13.0)))), Some(false));
+    assert_eq!(enclosed(&lines, (5.0, 20.0)), None, "outside");
+    assert_eq!(enclosed(&lines, (30.5, 20.0)), None, "on a line");
+    assert_eq!(enclosed(&lines[1..], (40.0, 20.0)), None, "open");
+    assert_eq!(enclosed(&lines, (70.0, 20.0)), None, "beyond the picture");
+}
+
+#[test]
+fn what_is_large_or_reaches_three_sides_fills_a_picture() {
+    let grid = RegionGrid::new(Size::new(40, 40));
+    let mask = |left: f32, top: f32, right: f32, bottom: f32| {
+        let ring = [(left, top), (right, top), (right, bottom), (left, bottom)].map(|(x, y)| PxPoint::new(x, y));
+        Mask::of_ring(grid, &ring)
+    };
+    assert!(mask(0.0, 0.0, 40.0, 20.0).fills(0.7), "three sides");
+    assert!(mask(2.0, 2.0, 38.0, 38.0).fills(0.7), "large");
+    assert!(!mask(0.0, 0.0, 20.0, 20.0).fills(0.7) && !mask(5.0, 5.0, 30.0, 30.0).fills(0.7));
+}

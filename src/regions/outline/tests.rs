@@ -105,16 +105,16 @@ fn a_subject_is_the_smallest_salient_region_and_comes_first() {
     let plane = Plane { size, values: (0..size.len()).map(lightness).collect() };
     let tree = Tree::new(&[square(&large), square(&small)], &[plane], RegionGrid::new(size), Detail::OUTLINES);
     let one = Params { most: 1, ..PARAMS };
-    let most_telling = tree.most_telling(0.5, &one);
+    let most_salient = tree.most_salient(0.5, &one);
     let cells = |x: f32, y: f32| {
-        let subject = tree.subject_at(PxPoint::new(x, y), 0.5, &most_telling).expect("something is there");
+        let subject = tree.subject_at(PxPoint::new(x, y), 0.5, &most_salient).expect("something is there");
         (subject, tree.mask(&[subject]).cells() as f32)
     };
     let (inner, area) = cells(40.0, 40.0);
     assert!((area / 400.0 - 1.0).abs() < 0.15, "{area}");
     let (_, area) = cells(80.0, 60.0);
     assert!(area > 4500.0, "{area}");
-    assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &most_telling), None, "beyond the picture");
+    assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &most_salient), None, "beyond the picture");
     let area_of = |outlines: Vec<TracedContour>| outlines.iter().map(Polyline::length).sum::<f32>();
     assert!(area_of(contours(outlined(&tree, &one, &[], &[]).0)) > 250.0, "the large one tells most");
     let (outlines, _) = outlined(&tree, &one, &[inner], &[]);
@@ -139,8 +139,8 @@ fn of_two_discs_the_larger_is_drawn_where_there_is_to_be_one() {
     let (one, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[], &[]);
     assert_eq!((one.len(), areas.count(), areas.beyond()), (1, 1, 1));
     assert_eq!(places.map(|at| areas.at(at)), [1, 0, 0]);
-    let small = tree.subject_at(places[1], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
-    let large = tree.subject_at(places[0], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
+    let small = tree.subject_at(places[1], 0.5, &tree.most_salient(0.5, &PARAMS)).expect("a disc is there");
+    let large = tree.subject_at(places[0], 0.5, &tree.most_salient(0.5, &PARAMS)).expect("a disc is there");
     let (both, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[small, large], &[]);
     assert_eq!((both.len(), areas.beyond()), (2, 0), "no subject is beyond the most");
     let (two, areas) = outlined(&tree, &PARAMS, &[], &[small]);
