@@ -74,8 +74,10 @@ impl Rank {
     /// Whether a contour is a long, round ring, clear all along.
     pub(super) fn may_be_ring(polyline: &Polyline<Vertex>, params: &Params) -> bool {
         let length = polyline.length();
-        // few shapes are those of the outlines
-        if !polyline.closed || params.of_drawing || params.most_shapes.is_some() || length < LONG_RING {
+        // Few shapes are those of the outlines. On dots lines are too far apart for both: the rim of a cup there takes
+        // the room of its outline.
+        let has_none = params.of_drawing || params.most_shapes.is_some() || params.on_dots();
+        if has_none || !polyline.closed || length < LONG_RING {
             return false;
         }
         let places: Vec<MmPoint> = polyline.vertices.iter().map(|vertex| vertex.at).collect();
