@@ -246,11 +246,11 @@ fn candidate(
     Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
 }
 
-/// A finger that comes from a leader line of the drawing finds its label no farther from where it begins, mm: as the check
-/// takes such a line for that of the label.
+/// A finger that comes from a leader line of the drawing finds its label no farther from where it begins, mm: as the
+/// check takes such a line for that of the label.
 const FROM_KEPT_LEADER: f32 = 8.0;
 
-/// Whether a label in a place is found from where its leader line in the drawing begins, if it has one that is on the page.
+/// Whether a label in a place is found from where its leader line in the drawing begins, if it has one on the page.
 pub(super) fn is_at_kept_leader(label: &Wanted, place: MmRect) -> bool {
     label.kept_leader.is_none_or(|from| distance_to_box(from, place) <= FROM_KEPT_LEADER)
 }
@@ -385,8 +385,8 @@ fn is_at_corner(outline: MmPoint, room: &Room) -> bool {
 /// finger that crosses the outline there is in the shape that is named, and not at the border to the next.
 const INSIDE_OUTLINE: f32 = 4.5;
 const OFF_BORDERS: f32 = 3.0;
-/// At the end of such a leader line no more than the outline is so near, mm, looked at in so many directions: at a corner
-/// of several shapes it would lead to all of them.
+/// At the end of such a leader line no more than the outline is so near, mm, looked at in so many directions: at a
+/// corner of several shapes it would lead to all of them.
 const OFF_CORNERS: f32 = 3.5;
 const RAYS: usize = 32;
 /// The line beside a text is met so near to where its leader line would end, mm.

@@ -5,6 +5,8 @@ pub(super) mod alone;
 mod bases;
 pub(super) mod crossbars;
 
+use bases::Half;
+
 use super::lead_on::{extend_to, heading};
 use super::marks::TickMark;
 use super::params::Params;
@@ -52,7 +54,12 @@ struct Tick {
 /// stay longer, and the shortest is as long as a line has to be.
 pub(super) fn lengthen(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) {
     let mut ticks = ticks(polylines, area, params);
-    if bases::join_halves(&ticks, polylines, area) {
+    let half = |tick: &Tick| match tick.stands {
+        [Some(gap), None] => Some(Half { line: tick.number, foot: Tip::First, gap }),
+        [None, Some(gap)] => Some(Half { line: tick.number, foot: Tip::Last, gap }),
+        _ => None,
+    };
+    if bases::join_halves(&ticks.iter().filter_map(half).collect::<Vec<_>>(), polylines, area) {
         polylines.retain(|line| !line.vertices.is_empty());
         ticks = self::ticks(polylines, area, params);
     }
@@ -227,7 +234,8 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
         }
     };
     let mut ticks: Vec<Tick> = straight.into_iter().filter_map(tick).collect();
-    let first = bases::first_pieces(ticks.iter().map(|tick| tick.base), polylines, area);
+    let straight = ticks.iter().map(|tick| tick.base).filter(|base| is_straight(&polylines[*base]));
+    let first = bases::first_pieces(straight, polylines, area);
     ticks.iter_mut().for_each(|tick| tick.axis = first.get(&tick.base).copied().unwrap_or(tick.base));
     ticks
 }

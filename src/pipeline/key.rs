@@ -150,7 +150,8 @@ impl Item {
     }
 }
 
-/// Texts are in one row if the tops of their dots are less than this below that of the highest, mm: half a row of braille.
+/// Texts are in one row if the tops of their dots are less than this below that of the highest, mm: half a row of
+/// braille.
 const ROW: f32 = 5.0;
 
 /// Texts in the order in which hands come to them: row by row from the top, and from the left.

@@ -6,7 +6,6 @@ use std::collections::BTreeMap;
 use super::super::lead_on::heading;
 use super::super::params::HEADING;
 use super::super::vertex::{Tip, Vertex};
-use super::{Tick, is_straight};
 use crate::geom::nearby::Index;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -21,19 +20,22 @@ const AHEAD: f32 = 0.98;
 /// An end that points at others: where it is, its direction, and of which line.
 type End = (MmPoint, MmVector, usize);
 
-/// Of each of these lines, the first of those straight ones that are pieces of one line with it.
+/// The half of a tick: its line, the end that stands on another, and how far it is from that, mm.
+pub(super) struct Half {
+    pub(super) line: usize,
+    pub(super) foot: Tip,
+    pub(super) gap: f32,
+}
+
+/// Of each of these straight lines, the first of those that are pieces of one line with it.
 pub(super) fn first_pieces(
     bases: impl Iterator<Item = usize>,
     polylines: &[Polyline<Vertex>],
     area: MmRect,
 ) -> BTreeMap<usize, usize> {
     let mut first: BTreeMap<usize, usize> = bases.map(|base| (base, base)).collect();
-    let ends: Vec<End> = first
-        .keys()
-        .filter(|base| is_straight(&polylines[**base]))
-        .flat_map(|&base| Tip::BOTH.map(|which| end(&polylines[base], which, base)))
-        .flatten()
-        .collect();
+    let ends: Vec<End> =
+        first.keys().flat_map(|&base| Tip::BOTH.map(|which| end(&polylines[base], which, base))).flatten().collect();
     for (a, b) in facing(&ends, area, ENDS) {
         let (a, b) = (root(&first, ends[a].2), root(&first, ends[b].2));
         first.insert(a.max(b), a.min(b));
@@ -41,40 +43,33 @@ pub(super) fn first_pieces(
     first.keys().map(|&base| (base, root(&first, base))).collect()
 }
 
+/// Between the feet of two halves is no more than the line on which they stand, mm.
+const BETWEEN: f32 = 1.0;
+
 /// Joins ticks that stand on one line on both sides, at one place, to one across it; the other half is empty then.
 /// Returns whether there were any.
-pub(super) fn join_halves(ticks: &[Tick], polylines: &mut [Polyline<Vertex>], area: MmRect) -> bool {
+pub(super) fn join_halves(halves: &[Half], polylines: &mut [Polyline<Vertex>], area: MmRect) -> bool {
     // where a half stands, pointing at the other
-    let feet: Vec<(End, f32, Tip)> = ticks
-        .iter()
-        .filter_map(|tick| {
-            let (which, gap) = match tick.stands {
-                [Some(gap), None] => (Tip::First, gap),
-                [None, Some(gap)] => (Tip::Last, gap),
-                _ => return None,
-            };
-            Some((end(&polylines[tick.number], which, tick.number)?, gap, which))
-        })
-        .collect();
-    let ends: Vec<End> = feet.iter().map(|(end, ..)| *end).collect();
-    let reach = 2.0 * super::STANDS;
+    let feet = halves.iter().filter_map(|half| Some((end(&polylines[half.line], half.foot, half.line)?, half)));
+    let feet: Vec<(End, &Half)> = feet.collect();
+    let ends: Vec<End> = feet.iter().map(|(end, _)| *end).collect();
+    let reach = 2.0 * halves.iter().map(|half| half.gap).fold(0.0, f32::max) + BETWEEN;
     let mut joined = vec![false; feet.len()];
     for (a, b) in facing(&ends, area, reach) {
-        let ((from, gap, of_a), (to, other_gap, of_b)) = (feet[a], feet[b]);
-        // nothing but the line that both stand on lies between
-        if joined[a] || joined[b] || (to.0 - from.0).length() > gap + other_gap + super::ONE {
+        let ((from, half), (to, other)) = (feet[a], feet[b]);
+        if joined[a] || joined[b] || (to.0 - from.0).length() > half.gap + other.gap + BETWEEN {
             continue;
         }
         (joined[a], joined[b]) = (true, true);
-        let mut half = std::mem::replace(&mut polylines[to.2], Polyline::open(Vec::new()));
-        if of_b == Tip::Last {
-            half.reverse();
+        let mut rest = std::mem::replace(&mut polylines[to.2], Polyline::open(Vec::new()));
+        if other.foot == Tip::Last {
+            rest.reverse();
         }
         let line = &mut polylines[from.2];
-        if of_a == Tip::First {
+        if half.foot == Tip::First {
             line.reverse();
         }
-        line.vertices.append(&mut half.vertices);
+        line.vertices.append(&mut rest.vertices);
     }
     joined.contains(&true)
 }

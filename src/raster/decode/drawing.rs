@@ -20,8 +20,8 @@ use super::job::{
 };
 use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Samples};
+use super::texts::short;
 use super::{filters, paths, texts};
-use crate::listing::{counted, first_few};
 use crate::raster::crop::PixelPart;
 use crate::raster::planes::Raster;
 use crate::raster::vector::DrawnText;
@@ -35,9 +35,6 @@ const LONGEST_SIDE: f32 = 4_000_000.0;
 
 /// What to do about a drawing that takes too much memory where no limit can be raised.
 const FLATTER: &str = "make it smaller, or take groups with an opacity, a mask or a filter apart";
-
-/// Most texts that are named in a remark.
-const MOST_TEXTS: usize = 5;
 
 /// Most remarks on one drawing; a drawing of a thousand links would hide all else.
 const MOST_NOTES: usize = 8;
@@ -95,15 +92,7 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
         let Some(with_texts) = with_texts else { return Vec::new() };
         let found = texts::of_tree(&with_texts, transform, size);
         let (seen, unseen) = seen_of(found, [&with_texts, &tree], transform, size);
-        if !unseen.is_empty() {
-            let told = format!(
-                "{} that {} not seen in the drawing (transparent, covered, or of the colour of the ground): {}",
-                counted(unseen.len(), "text"),
-                if unseen.len() == 1 { "is" } else { "are" },
-                first_few(&unseen, MOST_TEXTS, |text| format!("\"{}\"", short(&text.string)))
-            );
-            left_out.add(Reason::NotSeen, told);
-        }
+        texts::told_unseen(&unseen).into_iter().for_each(|told| left_out.add(Reason::NotSeen, told));
         texts::sentences(seen)
     };
     drawn(&tree, options, texts).map(|decoded| with_notes(decoded, left_out))
@@ -497,14 +486,4 @@ fn font_resolver<'a>(
 /// Finds no font for any text.
 fn no_fonts() -> FontResolver<'static> {
     FontResolver { select_font: Box::new(|_, _| None), select_fallback: FontResolver::default_fallback_selector() }
-}
-
-/// The beginning of a text from a drawing, on one line.
-fn short(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let text = one_line(&text);
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text,
-    }
 }

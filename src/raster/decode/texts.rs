@@ -4,6 +4,8 @@
 use resvg::tiny_skia::{Pixmap, Transform};
 use usvg::{Group, Node, Text, Tree};
 
+use super::colour::one_line;
+use crate::listing::{counted, first_few};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 
@@ -14,11 +16,36 @@ pub(super) fn of_tree(tree: &Tree, transform: Transform, size: Size) -> Vec<Draw
     found
 }
 
+/// Most texts that are named in a remark.
+const MOST_NAMED: usize = 5;
+
+/// What is told of texts that are not seen.
+pub(super) fn told_unseen(unseen: &[DrawnText]) -> Option<String> {
+    let are = if unseen.len() == 1 { "is" } else { "are" };
+    let names = first_few(unseen, MOST_NAMED, |text| format!("\"{}\"", short(&text.string)));
+    let texts = counted(unseen.len(), "text");
+    (!unseen.is_empty()).then(|| {
+        format!(
+            "{texts} that {are} not seen in the drawing (transparent, covered, or of the colour of the ground): {names}"
+        )
+    })
+}
+
+/// The beginning of a text from a drawing, on one line.
+pub(super) fn short(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let text = one_line(&text);
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text,
+    }
+}
+
 /// Letters are seen where they change a value of 0 to 255 by more than this: as many as blending rounds off.
 const SEEN: u8 = 3;
 
-/// Whether letters are seen, by the drawing rendered with and without its texts: not those that are transparent, covered,
-/// clipped, or of the colour of their ground.
+/// Whether letters are seen, by the drawing rendered with and without its texts: not those that are transparent,
+/// covered, clipped, or of the colour of their ground.
 pub(super) fn is_seen(text: &DrawnText, [with, without]: [&Pixmap; 2]) -> bool {
     let columns = text.min.x.max(0.0) as usize..(text.max.x.ceil() as usize).min(with.width() as usize);
     let rows = text.min.y.max(0.0) as usize..(text.max.y.ceil() as usize).min(with.height() as usize);
