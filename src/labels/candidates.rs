@@ -352,6 +352,7 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
     let is_clear = room.is_free_segment(from, outline, end) && around.leads_to_own(place, [from, outline]);
+    let is_clear = is_clear && !is_at_corner(outline, room);
     (is_clear && is_outline_of_one(outline, direction, around) && around.is_open(place)).then_some([from, outline])
 }
 
@@ -364,9 +365,6 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
     }
     // what has several names in it, such as the towns of a country, is not what one of them names
     if !around.is_alone_in_shape() {
-        return false;
-    }
-    if is_at_corner(outline, around.room) {
         return false;
     }
     let inside = outline + direction * INSIDE_OUTLINE;

@@ -31,7 +31,7 @@ use super::words::{Words, become_labels};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
-use crate::page::{Figure, Medium};
+use crate::page::{Figure, Medium, MediumParams};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
@@ -351,9 +351,10 @@ pub(super) fn overview_of(picture: &decode::Decoded, content: &Content, given: &
     if is_photograph && has_regions && given.lines.is_none() { OverviewSize::OfPhotograph } else { OverviewSize::Own }
 }
 
-/// A bitmap has as many pixels on a smaller figure as on one whose longer side is so many mm: in fewer the strokes of a
-/// sharp corner are one blot. Of small pages of drawings 3 px wide, 7 of 10 of a house lost an eave without.
-const SMALL: f32 = 120.0;
+/// A bitmap has as many pixels on a smaller printed figure as on one whose longer side is so many mm: in fewer the
+/// strokes of a sharp corner are one blot. Of the pages of a house on figures of 60 to 90 mm, 6 of 10 lost an eave
+/// without. Dots are too coarse to show it.
+const SMALL: f32 = 110.0;
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
 /// more than there are.
@@ -370,7 +371,8 @@ pub(super) fn working_size(source: Header, layout_of: &LayoutOf<'_>, fit: &Fit, 
             Some(wanted) => Error::NotWideEnough { wanted, side, least },
         });
     }
-    let finer = if is_drawing { 1.0 } else { (SMALL / place.width().max(place.height())).max(1.0) };
+    let is_fine_enough = is_drawing || matches!(plan.medium(), MediumParams::Dots { .. });
+    let finer = if is_fine_enough { 1.0 } else { (SMALL / place.width().max(place.height())).max(1.0) };
     let pixels = |mm: f32, own: u32| {
         let wanted = ((mm * figure.resolution * finer).round() as u32).max(1);
         if is_drawing { wanted } else { wanted.min(own) }

@@ -298,7 +298,7 @@ table! {
         textures: bool;
         /// Whether the ground has a texture: the colour that most of the picture's edge has, where it reaches the edge.
         ground: bool;
-        /// Working resolution, at most the picture's own; bitmaps on figures under 120 mm have as many px as on 120.
+        /// Working resolution, at most the picture's own; bitmaps on smaller prints have as many px as on 110 mm.
         resolution: f32 = 1.0 to 12.0, "px per mm";
         /// A picture whose shorter side would be smaller than this on the sheet is refused.
         min_side: f32 = 3.0 to 100.0, "mm";
