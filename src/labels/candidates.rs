@@ -248,7 +248,7 @@ fn candidate(
 
 /// A finger that comes from a leader line of the drawing finds its label no farther from where it begins, mm: as the
 /// check takes such a line for that of the label.
-const FROM_KEPT_LEADER: f32 = 8.0;
+pub(crate) const FROM_KEPT_LEADER: f32 = 8.0;
 
 /// Whether a label in a place is found from where its leader line in the drawing begins, if it has one on the page.
 pub(super) fn is_at_kept_leader(label: &Wanted, place: MmRect) -> bool {
@@ -351,8 +351,9 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
     let (from, outline) = (nearest + direction * (BEFORE_LEADER + off), nearest + direction * blank);
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
-    let is_clear = room.is_free_segment(from, outline, end) && around.leads_to_own(place, [from, outline]);
-    let is_clear = is_clear && !is_at_corner(outline, room);
+    let is_clear = room.is_free_segment(from, outline, end)
+        && around.leads_to_own(place, [from, outline])
+        && !is_at_corner(outline, room);
     (is_clear && is_outline_of_one(outline, direction, around) && around.is_open(place)).then_some([from, outline])
 }
 

@@ -36,6 +36,7 @@ mod titles;
 
 use std::collections::BTreeSet;
 
+pub(crate) use candidates::FROM_KEPT_LEADER;
 pub use choose::{Choice, choose};
 pub use forms::LONGEST;
 pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted, WrittenLabel};

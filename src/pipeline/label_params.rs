@@ -3,12 +3,16 @@
 use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 use super::label::CLEARANCE;
-use crate::labels::Params;
+use crate::labels::{FROM_KEPT_LEADER, Params};
+use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::page::Medium;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::MmRect;
+
+// labels stand where the check finds their leader lines
+const _: () = assert!(FROM_KEPT_LEADER <= LEADER_FROM_BRAILLE);
 
 /// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
 const TO_DOTS: f32 = 6.0;

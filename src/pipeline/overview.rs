@@ -240,7 +240,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     let (lost, is_drawn) = (&overview.lost, overview.marks.is_some());
     let shapes = match overview.rings {
         Rings::Whole => (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings)),
-        Rings::InParts => told_in_parts(lost),
+        Rings::InParts => told_open(lost.rings, "there is no room in it to draw them whole"),
     };
     let percent = (100.0 * lost.share()).round() as u32;
     let lines = (lost.share() >= LACKS).then(|| match is_drawn {
@@ -249,22 +249,17 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
     });
     let marks = if is_drawn { lost_marks::told_of_overview(&lost.marks) } else { None };
     let grid = if is_drawn { told_gridlines(lost.gridlines) } else { None };
-    let open = if overview.rings == Rings::Whole { told_open(lost.gaps.len()) } else { None };
+    // those that become dots with a gap, or hardly any
+    let why = "there is no room for dots beside other lines";
+    let open = if overview.rings == Rings::Whole { told_open(lost.gaps.len(), why) } else { None };
     shapes.into_iter().chain(open).chain(marks).chain(grid).chain(lines)
 }
 
-/// What the maker is told of closed shapes that become dots with a gap, or hardly any.
-fn told_open(count: usize) -> Option<Note> {
+/// What the maker is told of closed shapes of an overview that are open or missing, and why.
+fn told_open(count: usize, why: &str) -> Option<Note> {
     let shapes = if count == 1 { "1 closed shape is" } else { &format!("{count} closed shapes are") };
-    let told = format!("{shapes} open or missing in the overview, as there is no room for dots beside other lines");
+    let told = format!("{shapes} open or missing in the overview, as {why}");
     (count > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
-}
-
-/// What the maker is told of the closed shapes of an overview that draws them in part.
-fn told_in_parts(lost: &Lost) -> Option<Note> {
-    let shapes = if lost.rings == 1 { "1 closed shape is" } else { &format!("{} closed shapes are", lost.rings) };
-    let told = format!("{shapes} open or missing in the overview, as there is no room in it to draw them whole");
-    (lost.rings > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
 }
 
 /// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what
