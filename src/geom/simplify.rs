@@ -34,6 +34,9 @@ pub fn simplify<U>(polyline: PolylineRef<'_, Point2D<f32, U>>, tolerance: f32) -
 }
 
 /// The indices of the points to keep of an open path, each step over at most `longest` points.
+///
+/// A point is not looked on from where no way by it can be better than one that is known (branch and bound): the fewest
+/// steps that may be left are those over `longest` points each. Of a straight line that leaves next to nothing.
 fn along<U>(points: &[Point2D<f32, U>], tolerance: f32, longest: usize) -> Vec<usize> {
     let n = points.len();
     if n <= 2 {
@@ -42,8 +45,14 @@ fn along<U>(points: &[Point2D<f32, U>], tolerance: f32, longest: usize) -> Vec<u
     // fewest[j]: steps from the first point to point j, the step before it, and how far those steps lie from the points
     let mut fewest = vec![(u32::MAX, 0, 0.0_f32); n];
     fewest[0] = (0, 0, 0.0);
+    let most = greedy_steps(points, tolerance, longest);
     for i in 0..n - 1 {
         let (steps, _, off) = fewest[i];
+        let in_all = steps.saturating_add((n - 1 - i).div_ceil(longest) as u32);
+        let (known, _, known_off) = fewest[n - 1];
+        if in_all > most || in_all > known || (in_all == known && off >= known_off) {
+            continue;
+        }
         each_step(points, i, tolerance, longest, |j, farthest| {
             let (least, _, least_off) = fewest[j];
             // of two ways with as few points the one that stays nearer
@@ -61,6 +70,17 @@ fn along<U>(points: &[Point2D<f32, U>], tolerance: f32, longest: usize) -> Vec<u
     }
     kept.reverse();
     kept
+}
+
+/// How many steps there are if each goes as far as it can: hardly more than the fewest.
+fn greedy_steps<U>(points: &[Point2D<f32, U>], tolerance: f32, longest: usize) -> u32 {
+    let (mut at, mut steps) = (0, 0);
+    while at + 1 < points.len() {
+        let mut farthest = at + 1;
+        each_step(points, at, tolerance, longest, |j, _| farthest = j);
+        (at, steps) = (farthest, steps + 1);
+    }
+    steps
 }
 
 /// Calls `visit` with every point that one step from point `i` may lead to, and how far off the middle of the wedge it

@@ -32,7 +32,7 @@ pub(in crate::lines) fn move_apart(
     };
     let own = places(&lines);
     // which lines join does not change, so junctions are found once, on the lines before they move
-    let at_first = drawn(&lines, area, params);
+    let at_first = drawn(&lines, area, params, Joins::Found);
     let passages: Vec<Passage> = lines
         .par_iter()
         .enumerate()
@@ -42,7 +42,7 @@ pub(in crate::lines) fn move_apart(
     let mut last = f32::MAX;
     let mut has_moved = false;
     for _ in 0..ROUNDS {
-        let drawn = drawn(&lines, area, params);
+        let drawn = drawn(&lines, area, params, Joins::Unknown);
         let all = MovingLines { lines: &lines, own: &own, passages: &passages, reach: &reach, drawn: &drawn };
         let moved: Vec<Vec<MmVector>> = (0..lines.len()).into_par_iter().map(|number| all.moves(number)).collect();
         let total_move: f32 = moved.iter().flatten().map(|push| push.length()).sum();
@@ -63,13 +63,23 @@ pub(in crate::lines) fn move_apart(
     has_moved.then_some(lines)
 }
 
+/// Whether it is known of lines which others they join.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Joins {
+    Found,
+    /// It does not matter: only how near they are to one another is looked at.
+    Unknown,
+}
+
 /// All lines as if they were drawn.
-fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params) -> DrawnLines<'a> {
+fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params, joins: Joins) -> DrawnLines<'a> {
     let mut drawn = DrawnLines::new(area, params);
     for line in lines {
         let number = drawn.begin(line);
-        let junctions = drawn.junctions_with_others(line, number);
-        drawn.finish(line, number, &junctions);
+        if joins == Joins::Found {
+            let junctions = drawn.junctions_with_others(line, number);
+            drawn.finish(line, number, &junctions);
+        }
     }
     drawn
 }

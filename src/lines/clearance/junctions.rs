@@ -25,6 +25,9 @@ const CONTACT: f32 = 0.75;
 /// How round a circle is at least: an ellipse of 3 to 2 has 0.94, a square 0.79.
 const CIRCLE: f32 = 0.95;
 
+/// So many vertices before and after the last one are looked at first.
+const BESIDE_LAST: usize = 8;
+
 /// Whether a path that comes back to its first place is a circle.
 fn is_circle(path: impl Iterator<Item = MmPoint>) -> bool {
     let points: Vec<MmPoint> = path.collect();
@@ -296,10 +299,17 @@ impl DrawnLines<'_> {
         };
         let near_again =
             |at| vertices.iter().zip(&passage.arcs).any(|(vertex, &arc)| is_near(at, vertex) && is_apart(vertex, arc));
+        // the line goes on beside the vertex that the last place of it was near to
+        let mut last = 0_usize;
+        let is_near_any = |at: MmPoint| {
+            let mut around = last.saturating_sub(BESIDE_LAST)..(last + BESIDE_LAST).min(vertices.len());
+            let nearby = around.find(|&i| is_near(at, &vertices[i]));
+            let found = nearby.or_else(|| vertices.iter().position(|vertex| is_near(at, vertex)));
+            last = found.unwrap_or(last);
+            found.is_some()
+        };
         let ends = a.is_own_end() || b.is_own_end();
-        to - from > SPIKE
-            && line().all(|at| vertices.iter().any(|vertex| is_near(at, vertex)))
-            && (!ends || line().any(near_again))
+        to - from > SPIKE && line().all(is_near_any) && (!ends || line().any(near_again))
     }
 
     /// Whether a polyline that joins a line comes so near to it again, before it has been apart from it, that the two
