@@ -44,6 +44,7 @@ mod hysteresis;
 mod junction;
 mod maxima;
 mod noise;
+mod pale_grid;
 mod params;
 mod refine;
 mod ridge;
@@ -253,11 +254,15 @@ impl<'a> Ridges<'a> {
             junction::trim(&mut contours, size);
         }
         junction::extend(&mut contours, size);
+        let weighed = match of_drawing {
+            true => pale_grid::parted(contours, &widths, size),
+            false => contours.into_iter().zip(widths).map(|(contour, width)| (contour, width, false)).collect(),
+        };
         let mut edges = Edges::none(size);
-        for (contour, &stroke) in contours.iter().zip(&widths) {
+        for (contour, stroke, faint) in weighed {
             let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
             edges.push_as(
-                ChainKind { exact: false, of_drawing, stroke, faint: false, added: false },
+                ChainKind { exact: false, of_drawing, stroke, faint, added: false },
                 contour.vertices.iter().map(edgel),
                 contour.closed,
             );

@@ -19,7 +19,7 @@ pub struct LineMarks {
     pub heads: Vec<HeadMark>,
 }
 
-/// A small round shape on a line.
+/// A small round shape on a line, or by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointMark {
     /// Its middle.
@@ -30,6 +30,10 @@ pub struct PointMark {
     pub is_filled: bool,
     /// The number of the series that it is of, as the points of a curve.
     pub series: Option<usize>,
+    /// Whether it lies beside all lines, as those of a scatter plot do.
+    pub is_alone: bool,
+    /// Height of its colour step.
+    pub strength: f32,
 }
 
 /// The head of an arrow at the end of a line.

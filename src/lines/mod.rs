@@ -103,7 +103,8 @@ pub fn draw_with(
     faint::drop_short_faint(&mut cleared, &candidates.lines, &params);
     // Detail comes last and takes whole lines, so that less of it is a subset; what the picture is about, and what a
     // person drew, stays.
-    let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
+    let most = cleared.iter().map(|line| line.saliency).fold(0.0, f32::max);
+    let least = saliency::least(most, &params);
     let is_meant = |line: &Cleared| line.rank == Rank::Subject || few::is_of_person(&line.polyline);
     let stays = |line: &&Cleared| line.saliency >= least || is_meant(line);
     let mut drawn: Vec<_> = cleared.iter().filter(stays).collect();

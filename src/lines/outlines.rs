@@ -35,6 +35,8 @@ pub(super) enum Rank {
     /// comes near, such as that of a corner of the ground around a disc, may not tear it. Of the two the more salient
     /// goes first, as of other lines.
     StrokeOrRing,
+    /// An axis or a wall of a drawing, on which others stand.
+    Axis,
     /// An outline of what the picture is about.
     Subject,
     /// A line of an overview that a person drew.

@@ -13,6 +13,7 @@
 
 mod drawn;
 
+use std::f32::consts::TAU;
 use std::slice;
 
 use super::lead_on::{extend_to, heading};
@@ -53,6 +54,9 @@ const LEAST_ARC: f32 = 0.4;
 const LEAST_PIECE: f32 = 0.1;
 /// The middle line of the ring that is drawn as a disc, in half widths: its stroke fills it.
 const SOLID: f32 = 0.9;
+/// A ring that goes round in steps of a grid of dots, and of which others may hide a part, is at least so many times as
+/// long as the shortest line.
+const LEAST_RING: f32 = 1.5;
 /// Points are of one size if their radii differ by no more than this share.
 const SAME_SIZE: f32 = 0.2;
 
@@ -77,7 +81,8 @@ pub(super) struct Point {
 impl Point {
     /// As it is handed on.
     pub(super) fn mark(&self) -> PointMark {
-        PointMark { at: self.at, radius: self.radius, is_filled: self.is_filled, series: self.series }
+        let Self { at, radius, is_filled, strength, series, is_alone, .. } = *self;
+        PointMark { at, radius, is_filled, series, is_alone, strength }
     }
 }
 
@@ -96,7 +101,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
-        let around = std::f32::consts::TAU * point.radius;
+        let around = TAU * point.radius;
         let has_room = match params.on_dots() {
             // without a hole a disc would be a ring
             true => !point.is_filled && !params.is_dot(around),
@@ -126,6 +131,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     let mut beside = scattered(&mut points, &alone, params);
     alone.retain(|(number, _)| !beside.iter().any(|(disc, _)| disc == number));
     beside.extend(like_those_alone(&mut points, &alone, params));
+    beside.extend(by_themselves(&alone, params));
     beside.retain(|(number, _)| !taken[*number]);
     for (number, point) in beside {
         taken[number] = true;
@@ -253,7 +259,7 @@ fn scattered(points: &mut [Point], alone: &[(usize, Point)], params: &Params) ->
 fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
     let on_lines = points.to_vec();
     let of_alone = || alone.iter().map(|(_, point)| *point);
-    let is_ring = |other: &Point| !params.on_dots() || !params.is_dot(std::f32::consts::TAU * other.radius);
+    let is_ring = |other: &Point| !params.on_dots() || !params.is_dot(TAU * other.radius);
     let are_all_filled = on_lines.iter().copied().chain(of_alone()).all(|point| point.is_filled);
     if are_all_filled {
         for point in points {
@@ -265,6 +271,27 @@ fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Par
         alone.iter().filter(|(_, point)| is_shown(point) && on_lines.iter().any(|other| is_like(point, other)));
     let ring = |(number, point): &(usize, Point)| (*number, Point { is_filled: false, is_alone: true, ..*point });
     if params.on_dots() { Vec::new() } else { beside.map(ring).collect() }
+}
+
+/// The points beside lines that are too short for lines, and are signs of their own. Where lines become dots these are
+/// the smallest rings of dots. On paper they are discs; what is near to another there is a dot of a dotted line or of a
+/// shade.
+fn by_themselves(alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
+    let around = |point: &Point| TAU * point.radius;
+    let is_by_itself = |point: &Point| {
+        let is_apart = |other: &Point| {
+            is_drawn_twice(point, slice::from_ref(other))
+                || (other.at - point.at).length() >= 2.0 * params.max_spacing()
+        };
+        let is_seen = point.is_exact && point.radius >= disc_radius(params) / MAGNIFIED;
+        is_seen && around(point) < params.min_length && alone.iter().all(|(_, other)| is_apart(other))
+    };
+    let is_sign = |point: &Point| match params.on_dots() {
+        true => around(point) < LEAST_RING * params.min_length,
+        false => is_by_itself(point),
+    };
+    let sign = |(number, point): &(usize, Point)| (*number, Point { is_alone: true, is_disc: true, ..*point });
+    alone.iter().filter(|(_, point)| is_sign(point)).map(sign).collect()
 }
 
 /// A line that comes to a point.
@@ -344,7 +371,7 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
 fn of_arc(line: &Polyline<Vertex>) -> Option<(f32, Point)> {
     let (middle, radius) = circle(line.vertices.iter().map(|vertex| vertex.at))?;
     let is_on = |vertex: &Vertex| ((vertex.at - middle).length() / radius - 1.0).abs() <= FROM_CIRCLE;
-    let length = line.length() / (std::f32::consts::TAU * radius);
+    let length = line.length() / (TAU * radius);
     let is_arc = (LEAST_PIECE..=1.0).contains(&length) && line.vertices.iter().all(is_on);
     let point = Point {
         at: middle,

@@ -70,7 +70,14 @@ impl Line {
             // and that inside of one has it around
             let is_in_row = || widest_angle(at, &first.points) <= OPEN;
             let is_mark = is_point && (is_filled || is_hollow) && !is_in_row();
-            is_mark.then_some(PointMark { at, radius, is_filled, series: None })
+            is_mark.then_some(PointMark {
+                at,
+                radius,
+                is_filled,
+                series: None,
+                is_alone: false,
+                strength: self.strength,
+            })
         })
     }
 }

@@ -163,6 +163,8 @@ reasons! {
     BarsJoined => "bars-joined",
     /// A bar is too low for an outline.
     BarTooLow => "bar-too-low",
+    /// The outlines of bars have no room as a whole.
+    BarTorn => "bar-torn",
     /// A bar beside an axis is drawn as standing at it.
     BarAtAxis => "bar-at-axis",
     /// Fingers feel no colours of lines.

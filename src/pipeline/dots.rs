@@ -48,7 +48,10 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         .filter(|(line, share)| **share < WHOLE || !has_own(line))
         .map(|(line, _)| LostSign { at: extent(line).center(), kind: kind(line, &lines) })
         .collect();
-    let mut lost = drawn.lost.keeping(kept_of(&drawn.lines, &lines));
+    let alone = drawn.marks.points.iter().zip(&shown.points).filter(|(point, is_drawn)| point.is_alone && **is_drawn);
+    // points by themselves come last, and are no lines
+    let of_lines = &lines[..lines.len().saturating_sub(alone.count())];
+    let mut lost = drawn.lost.keeping(kept_of(&drawn.lines, of_lines));
     let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
     lost.gone.extend(gone.map(|(line, _)| LostLine {
         extent: extent(line),

@@ -24,6 +24,8 @@ pub(super) struct BarStyle {
     low: usize,
     /// Whether a bar beside an axis is drawn as standing at it.
     is_at_axis: bool,
+    /// How much of the outlines of bars is not drawn all the same, percent, rounded up.
+    torn: u32,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,7 +134,8 @@ pub(super) struct Redraw<'a, T> {
 
 impl<T> Redraw<'_, T> {
     /// Draws a drawing whose bars are torn as `first`, drawn in this `place`, in other variants, until they are whole:
-    /// each variant in each place. Gives what lacks least of them, and how it was drawn if it is not the first.
+    /// each variant in each place. Gives what lacks least of them, and how it was drawn if it is not the first or is
+    /// torn.
     pub(super) fn whole(&self, first: T, place: MmRect) -> (T, Option<BarStyle>) {
         let Self { edges, tolerances, detail, draw, .. } = *self;
         let Some(chart) = Chart::of(edges) else { return (first, None) };
@@ -141,6 +144,7 @@ impl<T> Redraw<'_, T> {
         let at = &PageTransform::new(edges.size, place);
         let mut least = self.lacking(&chart.wanted(tolerances, at), all_lines.as_ref().unwrap_or(&first), at);
         let mut best = None;
+        let mut torn = percent(least);
         'variants: for variant in VARIANTS {
             for &place in self.places.iter().filter(|_| variant.has_gridlines || !chart.gridlines.is_empty()) {
                 if least <= 0.0 {
@@ -155,12 +159,13 @@ impl<T> Redraw<'_, T> {
                 let lacking = self.lacking(&wanted, &drawn, &transform);
                 let share = if lacking > 0.0 { variant.lacks + lacking } else { 0.0 };
                 if share < least {
-                    (least, best) = (share, Some((drawn, edges, place, instead)));
+                    torn = percent(lacking);
+                    (least, best) = (share, Some((drawn, edges, place, BarStyle { torn, ..instead })));
                 }
             }
         }
         match best {
-            None => (first, None),
+            None => (first, (torn > 0).then_some(BarStyle { torn, ..BarStyle::AS_IT_IS })),
             Some((drawn, .., instead)) if detail >= ALL => (drawn, Some(instead)),
             Some((_, edges, place, instead)) => (draw(&edges, place, detail), Some(instead)),
         }
@@ -173,6 +178,10 @@ impl<T> Redraw<'_, T> {
     }
 }
 
+fn percent(share: f32) -> u32 {
+    (100.0 * share).ceil() as u32
+}
+
 /// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
 pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
     // as in the figure is no news
@@ -182,6 +191,8 @@ pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -
 }
 
 impl BarStyle {
+    const AS_IT_IS: Self = Self { bars: Bars::Apart, has_gridlines: true, low: 0, is_at_axis: false, torn: 0 };
+
     fn told(self, part: PagePart) -> Vec<Note> {
         let (about, place, what_to_do) = match part {
             PagePart::Figure => (About::Lines, "", "; a larger figure, or one on several sheets, has more"),
@@ -210,7 +221,14 @@ impl BarStyle {
             let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
             Note::NotOnPage(about, Reason::ChartGrid, told)
         });
-        joined.into_iter().chain(at_axis).chain(grid).chain(low).collect()
+        let torn = (self.torn > 0).then(|| {
+            let what = format!(
+                "{place}{} percent of the outlines of bars of the chart, as there is no room for them{what_to_do}",
+                self.torn
+            );
+            Note::NotOnPage(about, Reason::BarTorn, what)
+        });
+        joined.into_iter().chain(at_axis).chain(grid).chain(low).chain(torn).collect()
     }
 }
 
@@ -306,7 +324,10 @@ impl Chart {
                 kept.push_as(kind, path.vertices.into_iter().map(edgel), false);
             }
         }
-        let instead = BarStyle { bars, has_gridlines, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
+        // those that are far enough apart are drawn anew each by itself
+        let bars = if rows.iter().any(|row| row.bars.len() > 1) { bars } else { Bars::Apart };
+        let is_at_axis = rows.iter().any(is_at_axis);
+        let instead = BarStyle { bars, has_gridlines, low: low.len(), is_at_axis, torn: 0 };
         let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
         let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());

@@ -211,7 +211,7 @@ fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOption
         return None;
     }
     let working_size = |source: Header| Ok(wanted(source));
-    let options = DecodeOptions { working_size: &working_size, ..*options };
+    let options = DecodeOptions { working_size: &working_size, pixels_only: true, ..*options };
     decode::decode_picture(picture, &options).ok().map(|picture| picture.raster)
 }
 

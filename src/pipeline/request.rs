@@ -197,6 +197,15 @@ impl Request<'_> {
     /// How the picture is decoded.
     pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> DecodeOptions<'b> {
         let Fit { crop, page, keep_text, keep_ground, .. } = self.fit;
-        DecodeOptions { limits: self.limits, fonts: self.fonts, crop, page, keep_text, keep_ground, working_size }
+        DecodeOptions {
+            limits: self.limits,
+            fonts: self.fonts,
+            crop,
+            page,
+            keep_text,
+            keep_ground,
+            pixels_only: false,
+            working_size,
+        }
     }
 }

@@ -79,6 +79,20 @@ fn fonts_are_asked_for_once_and_only_by_texts() {
 }
 
 #[test]
+fn where_only_pixels_are_wanted_they_are_the_same_and_no_font_is_asked_for() {
+    let fonts = || -> Arc<usvg::fontdb::Database> { panic!("letters are not drawn") };
+    let mut fonts_of_all = usvg::fontdb::Database::new();
+    fonts_of_all.load_font_data(read("block.ttf"));
+    let fonts_of_all = Arc::new(fonts_of_all);
+    let (working_size, of_all) = (|source: Header| Ok(source.size), || fonts_of_all.clone());
+    let all = DecodeOptions { fonts: &of_all, keep_text: false, ..DecodeOptions::whole(&working_size) };
+    let pixels = DecodeOptions { fonts: &fonts, pixels_only: true, ..all };
+    let (all, pixels) = (decode(&read("text.svg"), &all).unwrap(), decode(&read("text.svg"), &pixels).unwrap());
+    assert_eq!((all.texts.len(), all.drawing.is_some()), (1, true));
+    assert_eq!((pixels.texts.len(), pixels.drawing.is_some(), pixels.raster), (0, false, all.raster));
+}
+
+#[test]
 fn a_text_without_a_font_is_a_remark() {
     let picture = open("text.svg");
     assert!(

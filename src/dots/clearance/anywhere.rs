@@ -30,7 +30,7 @@ pub(in crate::dots) fn anywhere(
     let mut rows = first_rows(lines, part, params);
     let all: Vec<Row> = rows.iter().map(|first| first.row.clone()).collect();
     let free = Lattice::Free { part, pitch: params.pitch };
-    let Placed { runs, hidden, has_points, shown } = marks::place(marks, &all, free, params);
+    let Placed { runs, hidden, has_points, alone, shown } = marks::place(marks, &all, free, params);
     for (own, first) in rows.iter_mut().enumerate() {
         first.row.dots.retain(|dot| !hidden[own].contains(dot));
     }
@@ -50,6 +50,7 @@ pub(in crate::dots) fn anywhere(
         let runs: Vec<_> = dots.into_iter().map(|dots| params.run(dots, params.height(line))).collect();
         out.extend((!runs.is_empty()).then_some(Line { strength: line.strength, runs }));
     }
+    out.extend(alone.into_iter().map(|point| point.line(params)));
     (out, shown)
 }
 

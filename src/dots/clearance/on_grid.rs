@@ -47,7 +47,7 @@ pub(in crate::dots) fn on_grid(
             drawn.push(DrawnPiece { line, piece });
         }
     }
-    let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
+    let Placed { runs, has_points, alone, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
     taken.drop_loose(&mut drawn, &has_points, grid, params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
@@ -68,6 +68,7 @@ pub(in crate::dots) fn on_grid(
         let runs: Vec<_> = rows.map(|row| params.run(row, params.height(line))).collect();
         out.extend((!runs.is_empty()).then_some(Line { strength: line.strength, runs }));
     }
+    out.extend(alone.into_iter().map(|point| point.line(params)));
     (out, shown)
 }
 

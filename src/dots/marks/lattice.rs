@@ -81,6 +81,32 @@ impl Lattice<'_> {
         }
     }
 
+    /// A ring of dots of about this radius, in steps, around the dot nearest to a place on the sheet: that dot, the
+    /// dots of the ring in order, each a step from the next, and those inside.
+    pub(super) fn ring(self, at: MmPoint, radius: i32) -> (GridPoint, DotDisc) {
+        let at = self.to_steps(at);
+        let middle = if let Self::Grid { .. } = self { point(nearest(at)) } else { at };
+        let mut disc = self.disc(middle, MmVector::new(1.0, 0.0), radius);
+        match self {
+            Self::Grid { .. } => {
+                let turn = |dot: &GridPoint| (dot[1] - middle[1]).atan2(dot[0] - middle[0]);
+                disc.around.sort_by(|a, b| turn(a).total_cmp(&turn(b)));
+            }
+            Self::Free { .. } => {
+                // six dots around one would be no ring yet
+                let count = (6 * radius).max(8);
+                let turn = std::f32::consts::TAU / count as f32;
+                let radius = 0.5 / (0.5 * turn).sin();
+                let dot = |k: i32| {
+                    let (sin, cos) = (k as f32 * turn).sin_cos();
+                    [middle[0] + radius * cos, middle[1] + radius * sin]
+                };
+                disc.around = (0..count).map(dot).collect();
+            }
+        }
+        (middle, disc)
+    }
+
     /// The dots of a disc of this radius, in steps: those around it, and those inside.
     pub(super) fn disc(self, middle: GridPoint, along: MmVector, radius: i32) -> DotDisc {
         match self {

@@ -9,7 +9,8 @@
 //!                   . # # # .  # # #
 //! ```
 //!
-//! Points come first, then heads. A line with any has one row of dots, so that they stand out from it.
+//! Points come first, then heads, then ticks. A line with any has one row of dots, so that they stand out from it.
+//! Points beside all lines, such as those of a scatter plot, come last, where they have room.
 
 mod head;
 mod lattice;
@@ -22,7 +23,7 @@ use self::lattice::{DotDisc, MarkField, Owner};
 use super::grid_dot::GridPoint;
 use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
-use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
+use crate::lines::{Line, LineMarks, PointMark, TickMark, whole_series};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use self::lattice::Lattice;
@@ -65,7 +66,24 @@ pub(super) struct Placed {
     pub(super) hidden: Vec<Vec<MmPoint>>,
     /// Which rows have points or heads.
     pub(super) has_points: Vec<bool>,
+    pub(super) alone: Vec<PointAlone>,
     pub(super) shown: Shown,
+}
+
+/// A point beside all rows: the smallest ring, and the dots inside if it is filled.
+pub(super) struct PointAlone {
+    pub(super) runs: Vec<Vec<MmPoint>>,
+    pub(super) strength: f32,
+}
+
+impl PointAlone {
+    /// As a line of its own.
+    pub(super) fn line(self, params: &Params) -> Line {
+        let Self { runs, strength } = self;
+        let line = Line { strength, runs: Vec::new() };
+        let height = params.height(&line);
+        Line { runs: runs.into_iter().map(|dots| params.run(dots, height)).collect(), ..line }
+    }
 }
 
 /// Which marks are drawn.
@@ -148,11 +166,12 @@ fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice
         runs: vec![Vec::new(); rows.len()],
         hidden: vec![Vec::new(); rows.len()],
         has_points: vec![false; rows.len()],
+        alone: Vec::new(),
         shown: Shown::default(),
     };
     let mut places = Places { rows, params, field, points: Vec::new(), placed };
     for (point, wanted) in marks.points.iter().zip(wanted) {
-        let is_drawn = *wanted && places.point(point);
+        let is_drawn = *wanted && !point.is_alone && places.point(point);
         places.placed.shown.points.push(is_drawn);
     }
     for head in &marks.heads {
@@ -162,6 +181,9 @@ fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice
     for (number, scale) in marks.scales.iter().enumerate() {
         let shown = places.scale(number, scale);
         places.placed.shown.scales.push(shown);
+    }
+    for (number, point) in marks.points.iter().enumerate().filter(|(number, point)| point.is_alone && wanted[*number]) {
+        places.placed.shown.points[number] = places.alone(point);
     }
     places.placed
 }
@@ -188,10 +210,9 @@ impl Places<'_> {
         let Some(of_row) = self.nearest(point.at, |_| true) else { return false };
         let RowDot { row, number, at: middle } = of_row;
         let Params { pitch, diameter, .. } = *self.params;
-        let least = ((HOLLOW + diameter) / (2.0 * pitch)).ceil() as i32;
         // the side of a disc is that of its outermost dots, and a ring is drawn along its middle
         let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
-        let radius = least.max((own / pitch).round() as i32).max(1);
+        let radius = self.smallest_radius().max((own / pitch).round() as i32);
         let DotDisc { around, inside } = lattice.disc(middle, self.along(of_row), radius);
         if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
             return false;
@@ -226,6 +247,34 @@ impl Places<'_> {
         self.placed.has_points[row] = true;
         self.points.push(DrawnPoint { middle, radius });
         true
+    }
+
+    /// Draws a point beside all rows if there is room for it.
+    fn alone(&mut self, point: &PointMark) -> bool {
+        let lattice = self.field.lattice;
+        let radius = self.smallest_radius();
+        let (middle, DotDisc { around, inside }) = lattice.ring(point.at, radius);
+        let gap = self.params.line_gap as f32;
+        let is_near_row = |dot: &GridPoint| {
+            self.field.around(*dot, gap + 1.0).any(|(_, other, _)| lattice.are_near(*dot, other, gap))
+        };
+        let is_near =
+            |dot: &GridPoint| is_near_row(dot) || self.points.iter().any(|other| self.is_close_to(*dot, other));
+        if !around.iter().all(|dot| lattice.holds(*dot)) || around.iter().any(is_near) {
+            return false;
+        }
+        let rows = [around, if point.is_filled { inside } else { Vec::new() }];
+        let rows = rows.into_iter().filter(|row| !row.is_empty());
+        let runs = rows.map(|row| row.into_iter().map(|dot| lattice.to_mm(dot)).collect()).collect();
+        self.placed.alone.push(PointAlone { runs, strength: point.strength });
+        self.points.push(DrawnPoint { middle, radius });
+        true
+    }
+
+    /// The least radius of a point, in steps.
+    fn smallest_radius(&self) -> i32 {
+        let Params { pitch, diameter, .. } = *self.params;
+        (((HOLLOW + diameter) / (2.0 * pitch)).ceil() as i32).max(1)
     }
 
     /// Which way a row runs at one of its dots.

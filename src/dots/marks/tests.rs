@@ -28,7 +28,7 @@ fn tick(x: f32, above: f32, below: f32) -> TickMark {
 }
 
 fn point(x: f32, radius: f32, is_filled: bool) -> PointMark {
-    PointMark { at: MmPoint::new(x, 40.4), radius, is_filled, series: None }
+    PointMark { at: MmPoint::new(x, 40.4), radius, is_filled, series: None, is_alone: false, strength: 30.0 }
 }
 
 fn placed(points: &[PointMark], scale: &[TickMark], rows: &[Row]) -> Placed {
@@ -178,7 +178,14 @@ fn a_ring_is_hollow_however_close_dots_lie() {
         let rows = [Row { dots, closed: false, is_heavy: false }];
         let at = MmPoint::new(pitch * 20.0, pitch * 20.0);
         let marks = LineMarks {
-            points: vec![PointMark { at, radius: 0.5, is_filled: false, series: None }],
+            points: vec![PointMark {
+                at,
+                radius: 0.5,
+                is_filled: false,
+                series: None,
+                is_alone: false,
+                strength: 30.0,
+            }],
             ..LineMarks::default()
         };
         let placed =
@@ -186,4 +193,23 @@ fn a_ring_is_hollow_however_close_dots_lie() {
         let nearest = placed.runs[0][0].iter().map(|dot| (*dot - at).length()).fold(f32::INFINITY, f32::min);
         assert!(2.0 * nearest >= HOLLOW + params.diameter - 0.01, "{nearest} mm from the middle at {pitch} mm");
     }
+}
+
+#[test]
+fn a_point_beside_all_rows_is_the_smallest_ring_where_it_has_room() {
+    let alone =
+        |y: f32, is_filled: bool| PointMark { at: MmPoint::new(50.3, y), is_alone: true, ..point(0.0, 1.0, is_filled) };
+    let all = placed(&[alone(60.0, true), alone(74.0, false), alone(44.0, true), alone(66.0, true)], &[], &rows(None));
+    assert_eq!(all.shown.points, [true, true, false, false], "one is too near to the axis, and one to another");
+    let dots: Vec<Vec<usize>> = all.alone.iter().map(|point| point.runs.iter().map(Vec::len).collect()).collect();
+    assert_eq!(dots, [vec![8, 1], vec![8]]);
+    let line = PointAlone { runs: all.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
+    assert!(line.is_ring_of_dots() && line.runs[1].points == [MmPoint::new(50.0, 60.0)], "{line:?}");
+    // where dots can be anywhere it lies at its own place
+    let part = SHEET;
+    let marks = LineMarks { points: vec![alone(60.0, true)], ..LineMarks::default() };
+    let free = place(&marks, &rows(None), Lattice::Free { part, pitch: 2.0 }, &PARAMS);
+    let line = PointAlone { runs: free.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
+    let steps = line.runs[0].points.windows(2).map(|pair| (pair[1] - pair[0]).length());
+    assert!(line.is_ring_of_dots() && steps.into_iter().all(|step| (step - 2.0).abs() < 0.01), "{line:?}");
 }

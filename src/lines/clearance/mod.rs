@@ -76,16 +76,16 @@ enum Decision {
 /// given up.
 const EXTENDED_ROUNDS: u8 = 3;
 
-/// Clears lines of these saliencies, the most salient one first; the result is in that order.
+/// Clears lines of these saliencies, the most salient one first; the result is in that order, after axes.
 pub(super) fn clear(
-    polylines: Vec<(Polyline<Vertex>, Rank)>,
+    mut polylines: Vec<(Polyline<Vertex>, Rank)>,
     saliencies: &[f32],
     area: MmRect,
     params: &Params,
 ) -> Vec<Cleared> {
     let least = if params.of_drawing { links::shortest(params) } else { params.min_length };
     let mut queue = Queue::new(polylines.len(), least, params);
-    let saliencies = bases::raised(saliencies, &polylines, area, params);
+    let saliencies = bases::raised(saliencies, &mut polylines, area, params);
     for ((polyline, rank), saliency) in polylines.into_iter().zip(saliencies) {
         // Where a line comes near itself its earlier part stays.
         let polyline = polyline.stronger_half_first();
@@ -118,7 +118,8 @@ pub(super) fn clear(
     }
     anchor::anchor(&mut cleared, &drawn);
     // what was displaced or shortened may be more salient than before
-    cleared.sort_by(|a, b| b.saliency.total_cmp(&a.saliency));
+    let is_axis = |line: &Cleared| line.rank == Rank::Axis;
+    cleared.sort_by(|a, b| is_axis(b).cmp(&is_axis(a)).then(b.saliency.total_cmp(&a.saliency)));
     cleared
 }
 

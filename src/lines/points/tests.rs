@@ -168,9 +168,17 @@ fn points_beside_lines_are_drawn_like_those_on_them() {
     let [on_line, beside] = lengths[..] else { panic!("one is too near to the axis: {lengths:?}") };
     assert!((on_line - beside).abs() < 0.01 && drawn.lost == 1);
     let on_dots = Params { medium: LineMedium::Dots(HeavyStrokes { from: 40.0, width: 2.5 }), ..PARAMS };
-    let alone = line(&arc((50.0, 70.0), 2.0, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
+    let alone = line(&arc((50.0, 70.0), 1.8, (0.0, 1.0)), true, 0.0, FoundIn::Vector);
     let mut lines = vec![axis(10.0, 90.0), disc(30.0, 0.0), alone];
-    assert_eq!((take(&mut lines, &on_dots).len(), lines.len()), (1, 2), "there it is a shape");
+    assert_eq!((take(&mut lines, &on_dots).len(), lines.len()), (2, 1), "there it is a sign by itself");
+}
+
+#[test]
+fn a_small_disc_by_itself_is_a_sign_and_dots_side_by_side_are_none() {
+    let disc = |x: f32| line(&arc((x, 30.0), 0.8, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
+    let points = take(&mut vec![axis(10.0, 90.0), disc(20.0), disc(60.0)], &PARAMS);
+    assert!(points.len() == 2 && points.iter().all(|point| point.is_disc && point.is_alone), "{points:?}");
+    assert!(take(&mut vec![axis(10.0, 90.0), disc(20.0), disc(24.0)], &PARAMS).is_empty());
 }
 
 #[test]
@@ -222,7 +230,8 @@ fn many_discs_beside_lines_are_discs_at_their_own_places_and_so_are_those_on_a_l
     assert!(cloud(&middles[..3]).0.is_empty(), "three are shapes by themselves");
     let on_dots = Params { medium: LineMedium::Dots(HeavyStrokes { from: 40.0, width: 2.5 }), ..PARAMS };
     let ring = |&at: &(f32, f32)| line(&arc(at, 1.3, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
-    assert!(take(&mut middles[..4].iter().map(ring).collect(), &on_dots).is_empty());
+    let on_dots = take(&mut middles[..4].iter().map(ring).collect(), &on_dots);
+    assert!(on_dots.len() == 4 && on_dots.iter().all(|point| point.is_alone && point.is_filled), "{on_dots:?}");
     let dots = |&at: &(f32, f32)| line(&arc(at, 0.4, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
     assert!(take(&mut middles[..4].iter().map(dots).collect(), &PARAMS).is_empty(), "those of a dotted line");
 }

@@ -124,7 +124,7 @@ fn a_remainder_of_a_bar_goes_unless_it_is_of_the_base() {
 
 #[test]
 fn the_overview_tells_only_what_the_figure_does_not() {
-    let touching = BarStyle { bars: Bars::Touching, has_gridlines: false, low: 1, is_at_axis: false };
+    let touching = BarStyle { bars: Bars::Touching, has_gridlines: false, low: 1, is_at_axis: false, torn: 0 };
     let outline = BarStyle { bars: Bars::Outline, ..touching };
     assert!(told(None, None).is_empty());
     let of_figure = told(Some(touching), None);
@@ -140,4 +140,12 @@ fn the_overview_tells_only_what_the_figure_does_not() {
     };
     assert!(of_both[3..].iter().all(|note| about(note) == Some((About::Overview, true))), "{of_both:?}");
     assert_eq!(of_both.len(), 6);
+}
+
+#[test]
+fn what_of_bars_is_not_drawn_all_the_same_is_told() {
+    let torn = BarStyle { torn: 7, ..BarStyle::AS_IT_IS };
+    let told = told(None, Some(torn));
+    let [Note::NotOnPage(About::Overview, Reason::BarTorn, what)] = &told[..] else { panic!("{told:?}") };
+    assert!(what.contains("in the overview 7 percent"), "{what}");
 }

@@ -6,35 +6,27 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
 
 use image::ImageDecoder;
-use image::metadata::Orientation;
 use resvg::tiny_skia;
 use usvg::fontdb::Database;
 use usvg::roxmltree::{self, Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
-use super::colour::{ColourKind, Meaning, one_line};
+use super::canvas::{FORMAT, MOST_FINER, canvas, canvases, check_canvases, density, render};
+use super::colour::one_line;
 use super::complexity;
 use super::job::{
     self, DecodeOptions, Decoded, FontLoader, Header, Limits, OVER_LIMIT, check_memory, guarded, unpacks_too_far,
     working_bytes,
 };
-use super::light::{SampleDepth, SampleLayout};
-use super::rows::{Extents, Samples};
 use super::texts::short;
 use super::{filters, paths, texts};
 use crate::raster::crop::PixelPart;
-use crate::raster::planes::Raster;
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
 use crate::{About, Error, Note, Reason};
 
-const FORMAT: &str = "SVG";
-
 /// Longest side of a drawing in CSS pixels: a kilometre of paper. Beyond it f32, in which usvg computes, is coarse.
 const LONGEST_SIDE: f32 = 4_000_000.0;
-
-/// What to do about a drawing that takes too much memory where no limit can be raised.
-const FLATTER: &str = "make it smaller, or take groups with an opacity, a mask or a filter apart";
 
 /// Most remarks on one drawing; a drawing of a thousand links would hide all else.
 const MOST_NOTES: usize = 8;
@@ -68,64 +60,71 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
     let text = std::str::from_utf8(bytes).map_err(|_| Error::undecodable(FORMAT, "it is not in UTF-8"))?;
     let left_out = DrawingLosses::default();
     let fonts = OnceLock::new();
-    let parsing = usvg::Options {
-        image_href_resolver: links(&left_out, options.limits),
-        font_resolver: font_resolver(&left_out, options.fonts, &fonts),
-        ..usvg::Options::default()
-    };
     let document = document(text, complexity::MOST_LEVELS)?;
-    let parse = |parsing: &usvg::Options<'_>| tree_of(&document, parsing);
-    let with_texts = parse(&parsing)?;
-    // Without a font a text is not drawn.
-    let tree = if options.keep_text || !texts::has_any(with_texts.root()) {
-        None
-    } else {
+    let parse = |font_resolver| {
         let image_href_resolver = links(&left_out, options.limits);
-        Some(parse(&usvg::Options { image_href_resolver, font_resolver: no_fonts(), ..usvg::Options::default() })?)
+        tree_of(&document, &usvg::Options { image_href_resolver, font_resolver, ..usvg::Options::default() })
     };
-    drop((parsing, document));
-    let (tree, with_texts) = match tree {
-        Some(tree) => (tree, Some(with_texts)),
-        None => (with_texts, None),
+    let with_fonts = || parse(font_resolver(&left_out, options.fonts, &fonts));
+    // Without a font a text is not drawn.
+    let (tree, with_texts) = match (options.keep_text, options.pixels_only) {
+        (true, _) => (with_fonts()?, None),
+        (false, true) => (parse(no_fonts())?, None),
+        (false, false) => {
+            let with_texts = with_fonts()?;
+            match texts::has_any(with_texts.root()) {
+                true => (parse(no_fonts())?, Some(with_texts)),
+                false => (with_texts, None),
+            }
+        }
     };
-    let texts = |transform, size| {
+    drop(document);
+    let texts = |target: Target<'_>| {
         let Some(with_texts) = with_texts else { return Vec::new() };
-        let found = texts::of_tree(&with_texts, transform, size);
-        let (seen, unseen) = seen_of(found, [&with_texts, &tree], transform, size);
+        let found = texts::of_tree(&with_texts, target.transform, target.size);
+        let (seen, unseen) = seen_of(found, &with_texts, &tree, target);
         texts::told_unseen(&unseen).into_iter().for_each(|told| left_out.add(Reason::NotSeen, told));
         texts::sentences(seen)
     };
     drawn(&tree, options, texts).map(|decoded| with_notes(decoded, left_out))
 }
 
+/// The pixels of a drawing.
+#[derive(Clone, Copy)]
+pub(super) struct Target<'a> {
+    /// From the drawing to its pixels.
+    pub(super) transform: tiny_skia::Transform,
+    pub(super) size: Size,
+    /// The drawing over white; none if it was rendered finer.
+    canvas: Option<&'a tiny_skia::Pixmap>,
+}
+
 /// Texts that are seen in a drawing, and those that are not, by the drawing with its texts and without. All count as
 /// seen where it would cost too much to look.
 fn seen_of(
     texts: Vec<DrawnText>,
-    [with, without]: [&Tree; 2],
-    transform: tiny_skia::Transform,
-    target: Size,
+    with: &Tree,
+    without: &Tree,
+    Target { transform, size, canvas: known }: Target<'_>,
 ) -> (Vec<DrawnText>, Vec<DrawnText>) {
-    let is_cheap = filters::check(with, transform, target, 1).is_ok()
-        && paths::check_length(with, transform, target).is_ok()
-        && check_canvases(with, transform, target).is_ok();
-    let rendered =
-        |tree: &Tree| is_cheap.then(|| unless_beyond_numbers(|| canvas(tree, transform, target)).ok()).flatten();
-    match (rendered(with), rendered(without)) {
-        (Some(Ok(with)), Some(Ok(without))) => {
-            texts.into_iter().partition(|text| texts::is_seen(text, [&with, &without]))
-        }
-        _ => (texts, Vec::new()),
+    let is_cheap = filters::check(with, transform, size, 1).is_ok()
+        && paths::check_length(with, transform, size).is_ok()
+        && check_canvases(with, transform, size).is_ok();
+    let rendered = |tree: &Tree| unless_beyond_numbers(|| canvas(tree, transform, size)).ok()?.ok();
+    let Some(with) = is_cheap.then(|| rendered(with)).flatten() else { return (texts, Vec::new()) };
+    let own = if known.is_some() { None } else { rendered(without) };
+    match known.or(own.as_ref()) {
+        Some(without) => texts.into_iter().partition(|text| texts::is_seen(text, [&with, without])),
+        None => (texts, Vec::new()),
     }
 }
 
-/// A page of a document that was made a drawing: SVG without texts. `texts` are those of the page on a canvas of this
-/// size, to which this transform leads from the drawing.
+/// A page of a document that was made a drawing: SVG without texts. `texts` are those of the page.
 #[cfg(feature = "pdf")]
 pub(super) fn decode_page(
     text: &str,
     options: &DecodeOptions<'_>,
-    texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
+    texts: impl FnOnce(Target<'_>) -> Vec<DrawnText>,
 ) -> Result<Decoded, Error> {
     let left_out = DrawingLosses::default();
     let image_href_resolver = links(&left_out, options.limits);
@@ -140,7 +139,7 @@ pub(super) fn decode_page(
 fn drawn(
     tree: &Tree,
     options: &DecodeOptions<'_>,
-    texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
+    texts: impl FnOnce(Target<'_>) -> Vec<DrawnText>,
 ) -> Result<Decoded, Error> {
     let whole = nominal_size(tree.size())?;
     let part = job::part(whole, options)?;
@@ -169,7 +168,10 @@ fn drawn(
     let has_room =
         |finer: &u32| check_memory(FORMAT, target, bytes(*finer), limits).is_ok() && filtered(*finer).is_ok();
     let finer = (2..=wanted).rev().find(has_room).unwrap_or(1);
-    let raster = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
+    let (raster, canvas) = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
+    if options.pixels_only {
+        return Ok(Decoded { raster, lossy: None, source, drawing: None, texts: Vec::new(), notes: Vec::new() });
+    }
     let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
     let notes = drawing.is_none().then(|| {
         let told = format!(
@@ -178,7 +180,8 @@ fn drawn(
         );
         Note::TakenAs(About::Lines, Reason::ManyPaths, told)
     });
-    let (texts, notes) = (texts(transform, target), notes.into_iter().collect());
+    let canvas = Some(&canvas).filter(|_| finer == 1);
+    let (texts, notes) = (texts(Target { transform, size: target, canvas }), notes.into_iter().collect());
     Ok(Decoded { raster, lossy: None, source, drawing, texts, notes })
 }
 
@@ -223,46 +226,6 @@ fn to_pixels(tree: &Tree, whole: Size, part: PixelPart, target: Size) -> tiny_sk
     tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32)
 }
 
-/// Most times finer than the working picture a drawing is rendered.
-const MOST_FINER: f32 = 8.0;
-
-/// How many pixels of a picture inside a drawing lie side by side in a pixel of the canvas, at most. resvg takes the
-/// nearest ones, or the nearest 16, of each place: where they are close, it passes over most of them, and thin lines of
-/// a scan go to pieces.
-fn density(group: &usvg::Group, transform: tiny_skia::Transform) -> f32 {
-    let of_node = |node: &usvg::Node| match node {
-        usvg::Node::Group(group) => density(group, transform),
-        usvg::Node::Image(image) if !matches!(image.kind(), ImageKind::SVG(_)) => {
-            let to_canvas = transform.pre_concat(image.abs_transform());
-            let (across, down) = (to_canvas.sx.hypot(to_canvas.ky), to_canvas.kx.hypot(to_canvas.sy));
-            1.0 / across.min(down).max(1e-6)
-        }
-        _ => 1.0,
-    };
-    let of_mask = group.mask().map(|mask| density(mask.root(), transform));
-    group.children().iter().map(of_node).chain(of_mask).fold(1.0, f32::max)
-}
-
-const NO_ROOM: Error = Error::NoMemory { what: "the drawing" };
-
-/// A drawing over white on a canvas of a size.
-fn canvas(tree: &Tree, transform: tiny_skia::Transform, size: Size) -> Result<tiny_skia::Pixmap, Error> {
-    let mut canvas = tiny_skia::Pixmap::new(size.width, size.height).ok_or(NO_ROOM)?;
-    canvas.fill(tiny_skia::Color::WHITE);
-    resvg::render(tree, transform, &mut canvas.as_mut());
-    Ok(canvas)
-}
-
-/// Renders a drawing over white: on a canvas so many times finer, of which each pixel is an average.
-fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size, finer: u32) -> Result<Raster, Error> {
-    let size = Size::new(target.width * finer, target.height * finer);
-    let canvas = canvas(tree, transform.post_scale(finer as f32, finer as f32), size)?;
-    let layout = SampleLayout { kind: ColourKind::Rgb, alpha: true, depth: SampleDepth::Eight };
-    let source = Extents::pixels(size.width, PixelPart::whole(size));
-    let samples = Samples::new(layout, Meaning::Srgb, source, target, Orientation::NoTransforms);
-    samples.raster(canvas.data()).ok_or(NO_ROOM)
-}
-
 /// The drawing's size in whole pixels. A size that is no whole number is doubled until rounding leaves its shape alone:
 /// a drawing of 1 x 1.414 would become a square otherwise.
 fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
@@ -290,42 +253,6 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
         ));
     }
     Ok(Size::new(width, height))
-}
-
-/// Refuses a drawing that takes more memory than the default limits while it is drawn at `target` pixels, as each group
-/// that is blended as a whole has a canvas of that size; or more work than can be done in some seconds. `transform`
-/// leads to the canvas.
-///
-/// # Errors
-/// [`Error::TooMuchMemory`] and [`Error::TooComplex`].
-pub(crate) fn check_canvases(tree: &Tree, transform: tiny_skia::Transform, target: Size) -> Result<(), Error> {
-    let canvas = target.area().saturating_mul(4);
-    let bytes = (1 + canvases(tree.root())).saturating_mul(canvas);
-    // who looks at a page sets no limits
-    check_memory(FORMAT, target, bytes, Limits::default()).map_err(|error| match error {
-        Error::TooMuchMemory { format, size, needed_mb, limit_mb, .. } => {
-            Error::TooMuchMemory { format, size, needed_mb, limit_mb, remedy: FLATTER }
-        }
-        other => other,
-    })?;
-    filters::check(tree, transform, target, 1).map_err(|why| Error::too_complex(FORMAT, why))
-}
-
-/// Most canvases one inside the other below a group.
-fn canvases(group: &usvg::Group) -> u64 {
-    let below = |node: &usvg::Node| match node {
-        usvg::Node::Group(group) => {
-            // A mask or a filter works on copies.
-            let own = u64::from(group.should_isolate()) + u64::from(group.mask().is_some());
-            own + 3 * u64::from(!group.filters().is_empty()) + canvases(group)
-        }
-        usvg::Node::Image(image) => match image.kind() {
-            ImageKind::SVG(tree) => 1 + canvases(tree.root()),
-            _ => 0,
-        },
-        _ => 0,
-    };
-    group.children().iter().map(below).max().unwrap_or(0)
 }
 
 /// The elements of a drawing, when usvg can take them.

@@ -61,6 +61,8 @@ pub struct DecodeOptions<'a> {
     pub keep_text: bool,
     /// Whether the ground of a scan stays as it is, and is not taken for paper.
     pub keep_ground: bool,
+    /// Whether nothing is wanted but the pixels: of a drawing neither paths nor texts.
+    pub pixels_only: bool,
     /// The working size for a source: never larger than the source unless it is a drawing.
     pub working_size: &'a dyn Fn(Header) -> Result<Size, Error>,
 }
@@ -69,7 +71,16 @@ impl<'a> DecodeOptions<'a> {
     /// All of the first page with its letters, within the default limits, where there are no fonts.
     pub fn whole(working_size: &'a dyn Fn(Header) -> Result<Size, Error>) -> Self {
         let (limits, fonts) = (Limits::default(), &Arc::default);
-        Self { limits, fonts, crop: None, page: None, keep_text: true, keep_ground: true, working_size }
+        Self {
+            limits,
+            fonts,
+            crop: None,
+            page: None,
+            keep_text: true,
+            keep_ground: true,
+            pixels_only: false,
+            working_size,
+        }
     }
 }
 

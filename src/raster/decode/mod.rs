@@ -6,6 +6,7 @@
 //!                          before anything is decoded
 //! ```
 
+mod canvas;
 mod colour;
 mod complexity;
 mod drawing;
@@ -28,8 +29,9 @@ use self::job::guarded;
 use self::sniff::PictureFormat;
 use crate::{Error, picture};
 
+pub(crate) use self::canvas::check_canvases;
 pub(crate) use self::complexity::no_longer_than;
-pub(crate) use self::drawing::{check_canvases, checked_document, start_of_packed, tree_of};
+pub(crate) use self::drawing::{checked_document, start_of_packed, tree_of};
 pub use self::job::{DecodeOptions, Decoded, FontLoader, Header, Limits};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.

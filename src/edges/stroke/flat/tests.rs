@@ -11,7 +11,7 @@ fn picture(every: usize, from: usize) -> Raster {
 
 #[test]
 fn a_drawing_is_mostly_of_flat_areas() {
-    let flatness = Flatness { chroma: 1.0, share: FLAT_SHARE };
+    let flatness = Flatness { chroma: 1.0, share: FLAT_SHARE, line: f32::INFINITY };
     let is_flat = |picture: &Raster| super::is_flat(picture, 1.0, flatness);
     assert!(is_flat(&picture(1000, 0)), "nothing differs");
     assert!(is_flat(&picture(16, 0)), "two of 16 steps");
@@ -19,4 +19,13 @@ fn a_drawing_is_mostly_of_flat_areas() {
     // 0.4 of the rows are full of steps, first or last
     assert!(!is_flat(&picture(2, 38)));
     assert!(is_flat(&picture(2, 52)));
+}
+
+#[test]
+fn strokes_are_no_evidence_where_lines_do_not_count() {
+    let flatness = Flatness { chroma: 1.0, share: FLAT_SHARE, line: LINE };
+    // two of three steps, all of them strong: what is left is flat
+    assert!(super::is_flat(&picture(3, 0), 1.0, flatness));
+    let weak = Raster::grey(Size::new(64, 64), (0..64 * 64).map(|i| if i % 3 == 0 { 0.77 } else { 0.8 }).collect());
+    assert!(!super::is_flat(&weak, 0.5, flatness));
 }

@@ -16,14 +16,12 @@ use hayro_interpret::hayro_syntax::page::Page;
 use hayro_interpret::hayro_syntax::{DecryptionError, LoadPdfError, Pdf};
 use hayro_interpret::{InterpreterSettings, InterpreterWarning};
 use hayro_svg::{RenderCache, SvgRenderSettings};
-use resvg::tiny_skia::Transform;
 use std::sync::{Arc, Mutex};
 
 use self::unpacked::FORMAT;
-use super::drawing;
+use super::drawing::{self, Target};
 use super::job::{DecodeOptions, Decoded};
 use crate::raster::vector::DrawnText;
-use crate::units::Size;
 use crate::{Error, Note, Reason};
 
 /// The page of a document that is asked for; the first if none is.
@@ -52,7 +50,7 @@ fn decode_page(page: &Page<'_>, options: &DecodeOptions<'_>) -> Result<Decoded, 
     let svg = hayro_svg::convert(page, &RenderCache::new(), &settings, &SvgRenderSettings::default());
     let drawing = markup::prepared(&svg, page.render_dimensions(), options.keep_text);
     drop(svg);
-    let texts = |transform: Transform, size: Size| -> Vec<DrawnText> {
+    let texts = |Target { transform, size, .. }: Target<'_>| -> Vec<DrawnText> {
         if options.keep_text { Vec::new() } else { words::on_canvas(&found.texts, transform, size) }
     };
     let mut picture = drawing::decode_page(&drawing, options, texts).map_err(of_pdf)?;
