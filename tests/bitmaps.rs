@@ -1,5 +1,6 @@
 //! Drawings as bitmaps that lost something: their pages have the lines of those that did not.
 
+use tactograph::internals::geom::nearest_on_segment;
 use tactograph::{Note, Options, Page, Profile};
 use tactograph_tools::bitmap::{self, Capture, Light};
 use tactograph_tools::drawn::{Point, shares};
@@ -163,4 +164,38 @@ fn strokes_of_any_thickness_in_a_picture_of_lines_are_one_line() {
         let is_there = lines.iter().any(|line| line.runs.iter().flat_map(|run| &run.points).all(lies));
         assert!(is_there, "a line at {wanted} mm: {lines:?}");
     }
+}
+
+/// A bar that ends on a gridline keeps its top, and nothing as broad leads on from there to the next bar. The gridlines
+/// are thin, and the overview leaves them out.
+#[test]
+fn a_pale_grid_behind_bars_gives_way() {
+    let mut svg = r##"<svg xmlns="http://www.w3.org/2000/svg" width="900" height="600"><rect width="900" height="600" fill="#fff"/>"##.to_owned();
+    for k in 1..=4 {
+        svg += &format!(r##"<path d="M80 {y}H840" stroke="#ddd" stroke-width="2"/>"##, y = 540 - 110 * k);
+    }
+    for (k, height) in [250, 330, 180, 410].into_iter().enumerate() {
+        let (x, y) = (140 + 180 * k, 540 - height);
+        svg += &format!(
+            r##"<rect x="{x}" y="{y}" width="90" height="{height}" fill="#48c" stroke="#111" stroke-width="2"/>"##
+        );
+    }
+    svg += r##"<path d="M80 60V540H840" fill="none" stroke="#000" stroke-width="3"/></svg>"##;
+    let profile = Profile::named("swell-a4").expect("it is built in");
+    let drawing =
+        tactograph::convert(&bitmap::png(&svg, 1200).expect("a PNG"), &Options::new(profile)).expect("a page");
+    let place = drawing.page.figure.place;
+    let broadest = |x: f32, y: f32| {
+        let at = place.min + tactograph::MmPoint::new(x, y).to_vector() * (place.width() / 900.0);
+        let is_near = |run: &&tactograph::marks::Run| {
+            let points: Vec<_> = run.points.iter().chain(run.points.first().filter(|_| run.closed)).collect();
+            points.windows(2).any(|side| nearest_on_segment(at, *side[0], *side[1]).0 < 1.0)
+        };
+        let runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs);
+        runs.filter(is_near).map(|run| run.width).fold(0.0, f32::max)
+    };
+    // the second bar ends on the third gridline
+    let (top, beside) = (broadest(365.0, 210.0), broadest(455.0, 210.0));
+    assert!(top > 1.2 * beside && beside > 0.0, "{top} mm, beside it {beside} mm");
+    assert!(drawing.notes.iter().any(|note| note.to_string().contains("gridlines, are not in the overview")));
 }

@@ -314,3 +314,22 @@ fn a_wheel_on_the_road_is_closed_in_the_figure_and_in_the_overview() {
     let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
     assert_eq!(checked.errors(), 0, "{:#?}", checked.findings);
 }
+
+/// As the towns of a map or the pips of a die: each is the smallest ring of dots, with dots inside if it is filled.
+#[test]
+fn points_beside_all_lines_are_rings_of_dots() {
+    let discs: String =
+        (1..=5).map(|k| format!("<circle cx='{}' cy='120' r='{}' fill='#a00'/>", 150 * k, 4 + 2 * k)).collect();
+    let rings: String = (1..=5)
+        .map(|k| format!("<circle cx='{}' cy='230' r='{}' fill='none' stroke='#000'/>", 150 * k, 4 + 2 * k))
+        .collect();
+    for device in DEVICES {
+        let page = dots_of(&format!("<path d='M60 400H940' stroke='#000' stroke-width='3'/>{discs}{rings}"), device);
+        let signs: Vec<&Line> = page.page.figure.lines.iter().filter(|line| line.runs[0].points.len() <= 12).collect();
+        let filled = signs.iter().filter(|line| line.runs.len() > 1).count();
+        assert_eq!((signs.len(), filled), (10, 5), "{device}: {:?}", told(&page));
+        assert!(!told(&page).iter().any(|note| note.contains("no room")), "{device}: {:?}", told(&page));
+        let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
+        assert_eq!(checked.errors(), 0, "{device}: {:#?}", checked.findings);
+    }
+}

@@ -9,6 +9,9 @@ use crate::units::PxPoint;
 /// A stroke is faint if its width times its contrast is at most this share of that of the drawing's strong ones: one of
 /// a third of their width and three quarters of their contrast, but not a black hairline beside lines of three pixels.
 const FAINT: f32 = 0.25;
+/// The contrast of black on white. Colours may reach more than twice as much, and are no stronger for that: an axis of
+/// two black pixels is not faint beside a curve of four coloured ones.
+const BLACK: f32 = 100.0;
 /// The strong ones are this share of all strokes by length, of which a grid counts as one line: the curve of a chart is
 /// short beside its grid.
 const STRONG: f32 = 0.1;
@@ -38,7 +41,7 @@ pub(super) struct WeighedStroke {
 
 impl WeighedStroke {
     pub(super) fn of(width: f32, on_borders: f32, line: PolylineRef<'_, Edgel>) -> Self {
-        let [weight, palest] = [0.5, PALEST].map(|share| width * contrast(line, share));
+        let [weight, palest] = [0.5, PALEST].map(|share| width * contrast(line, share).min(BLACK));
         Self { width, weight, palest, on_borders, length: line.length(), ends: straight_ends(line) }
     }
 }

@@ -9,9 +9,11 @@ use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
 use crate::units::{PxPoint, Size};
 
-/// A stroke is pale up to this share of the contrast of the strong ones. Light grey on white paper (`#ddd`) has an
-/// eighth of that of black, a grey axis (`#888`) half.
-const PALE: f32 = 0.25;
+/// A stroke is pale up to this share of the contrast of the strong ones. Grey (`#aaa`) on white paper has a third of that
+/// of black, a grey axis (`#888`) half.
+const PALE: f32 = 0.4;
+/// The contrast of black on white: colours may reach more, and are no stronger for that.
+const BLACK: f32 = 100.0;
 /// The strong ones are this share of all contours by length, but no longer than the picture: the lines of a grid are
 /// long beside a curve.
 const STRONG: f32 = 0.1;
@@ -26,7 +28,7 @@ pub(super) type Weighed = (Contour, Option<f32>, bool);
 /// The contours of a drawing of this size, each with the width of its stroke; those that are in part lines of a pale
 /// grid are parted.
 pub(super) fn parted(contours: Vec<Contour>, widths: &[Option<f32>], size: Size) -> Vec<Weighed> {
-    let most = PALE * strong(&contours, size);
+    let most = PALE * strong(&contours, size).min(BLACK);
     let stretches: Vec<Vec<Stretch>> = contours
         .iter()
         .zip(widths)

@@ -322,7 +322,7 @@ fn too_short<'a>(line: &'a Line, limits: &RuleLimits) -> Option<Short<'a>> {
     // of dots, the second row of a broad line is no length of its own
     let dots = line.runs.iter().filter(|run| run.pen != Pen::Stroke).map(Run::length).fold(0.0, f32::max);
     let length = strokes.max(dots) + tips;
-    // a disc stands for a point
-    let is_short = length < limits.line_length - LAST_DIGIT && points(line).next().is_some() && !line.is_disc();
+    let is_point = line.is_disc() || line.is_block_of_dots();
+    let is_short = length < limits.line_length - LAST_DIGIT && points(line).next().is_some() && !is_point;
     is_short.then_some(Short { line, length })
 }

@@ -125,6 +125,8 @@ const SMALLEST_RING: usize = 7;
 /// Where a dot is missing two are no farther apart than so many steps.
 const MISSING: f32 = 2.1;
 
+/// The sides of a square of dots differ by this factor at most: columns and rows may be uneven.
+const SQUARE: f32 = 1.5;
 /// A line whose ends are nearer to one another than this, mm, is a ring; nobody feels such a gap.
 const CLOSED: f32 = 0.05;
 
@@ -168,6 +170,14 @@ impl Line {
         let steps = points.windows(2).map(|pair| (pair[1] - pair[0]).length());
         let (longest, ends) = (steps.fold(0.0, f32::max), points.first().zip(points.last()));
         points.len() >= SMALLEST_RING && ends.is_some_and(|(a, b)| (*b - *a).length() <= MISSING * longest)
+    }
+
+    /// Whether it is a point that has no room for a ring: four dots in a square.
+    pub(crate) fn is_block_of_dots(&self) -> bool {
+        let [a, b, c, d] = self.row().map_or(&[][..], |row| &row.points[..]) else { return false };
+        let sides = [*b - *a, *c - *b, *d - *c, *a - *d].map(|side| side.length());
+        let (least, most) = sides.iter().fold((f32::MAX, 0.0_f32), |(least, most), at| (least.min(*at), most.max(*at)));
+        self.runs.len() == 1 && most <= SQUARE * least && (*c - *a).length() > most
     }
 
     /// The pieces along which it runs: of a heavy line of dots not the second row, which is a part of the first.

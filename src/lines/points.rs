@@ -93,11 +93,17 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
     let mut points: Vec<Point> = Vec::new();
-    let (mut alone, mut pointed_at) = (Vec::new(), Vec::new());
+    let (mut alone, mut pointed_at, mut by_itself) = (Vec::new(), Vec::new(), Vec::new());
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = is_drawn_twice(&point, &points);
         let arms: Vec<PointArm> = if again { Vec::new() } else { arms(&point, polylines, &is_ring) };
+        if !again && arms.is_empty() && is_by_itself(&point, polylines, &is_ring, params) {
+            by_itself.push((number, point));
+        }
+        if is_too_large(&point, params) {
+            continue;
+        }
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
@@ -131,7 +137,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     let mut beside = scattered(&mut points, &alone, params);
     alone.retain(|(number, _)| !beside.iter().any(|(disc, _)| disc == number));
     beside.extend(like_those_alone(&mut points, &alone, params));
-    beside.extend(by_themselves(&alone, params));
+    beside.extend(by_themselves(&by_itself, params));
     beside.retain(|(number, _)| !taken[*number]);
     for (number, point) in beside {
         taken[number] = true;
@@ -147,8 +153,8 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
 /// The round shapes among lines that are as small as points, with their numbers.
 fn found(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<(usize, Point)> {
     let is_size = |point: &Point| {
-        let largest = if point.is_filled { LARGEST } else { LARGEST_HOLLOW };
-        (0.5 * SMALLEST..=0.5 * largest * params.max_spacing()).contains(&point.radius)
+        (0.5 * SMALLEST..=0.5 * LARGEST_HOLLOW * params.max_spacing()).contains(&point.radius)
+            && (params.on_dots() || !is_too_large(point, params))
     };
     let rings = polylines.iter().enumerate().filter(|(_, line)| line.closed);
     let found = rings.filter_map(|(number, ring)| Some((number, of_ring(ring)?)));
@@ -157,6 +163,11 @@ fn found(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<(usize, Point)>
         found.extend(hidden_in_part(polylines, &found));
     }
     found
+}
+
+/// Whether a filled shape is too large for a point on a line: it has room as it is.
+fn is_too_large(point: &Point, params: &Params) -> bool {
+    point.is_filled && point.radius > 0.5 * LARGEST * params.max_spacing()
 }
 
 /// Filled points that others of their kind hide in part, or are one with, as two of a scatter plot that overlap: a
@@ -273,25 +284,33 @@ fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Par
     if params.on_dots() { Vec::new() } else { beside.map(ring).collect() }
 }
 
-/// The points beside lines that are too short for lines, and are signs of their own. Where lines become dots these are
-/// the smallest rings of dots. On paper they are discs; what is near to another there is a dot of a dotted line or of a
-/// shade.
-fn by_themselves(alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
-    let around = |point: &Point| TAU * point.radius;
-    let is_by_itself = |point: &Point| {
+/// Whether a round shape to which no line leads is a sign by itself if there is room for it: apart from all lines, which
+/// may have to move away from them otherwise. Where lines become dots, one too small for a line is that in any case, and
+/// other small shapes do not count, as those of one size are to be alike.
+fn is_by_itself(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool], params: &Params) -> bool {
+    let reach = point.radius + params.max_spacing();
+    let is_own = |line: &Polyline<Vertex>| of_ring(line).is_some_and(|other| is_drawn_twice(&other, &[*point]));
+    let is_near = |line: &Polyline<Vertex>| {
+        line.segments().any(|(a, b)| nearest_on_segment(point.at, a.at, b.at).0 <= reach) && !is_own(line)
+    };
+    let on_dots = params.on_dots();
+    let mut others = polylines.iter().zip(is_ring).filter(|(_, is_ring)| !on_dots || !**is_ring);
+    on_dots && TAU * point.radius < LEAST_RING * params.min_length || !others.any(|(line, _)| is_near(line))
+}
+
+/// The signs among points by themselves. Where lines become dots all are, so that those of one size are alike. On paper
+/// those that are too short for lines are discs; what is near to another there is a dot of a dotted line or of a shade.
+fn by_themselves(points: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
+    let is_disc = |point: &Point| {
         let is_apart = |other: &Point| {
             is_drawn_twice(point, slice::from_ref(other))
                 || (other.at - point.at).length() >= 2.0 * params.max_spacing()
         };
         let is_seen = point.is_exact && point.radius >= disc_radius(params) / MAGNIFIED;
-        is_seen && around(point) < params.min_length && alone.iter().all(|(_, other)| is_apart(other))
+        is_seen && TAU * point.radius < params.min_length && points.iter().all(|(_, other)| is_apart(other))
     };
-    let is_sign = |point: &Point| match params.on_dots() {
-        true => around(point) < LEAST_RING * params.min_length,
-        false => is_by_itself(point),
-    };
-    let sign = |(number, point): &(usize, Point)| (*number, Point { is_alone: true, is_disc: true, ..*point });
-    alone.iter().filter(|(_, point)| is_sign(point)).map(sign).collect()
+    let signs = points.iter().filter(|(_, point)| params.on_dots() || is_disc(point));
+    signs.map(|(number, point)| (*number, Point { is_alone: true, is_disc: true, ..*point })).collect()
 }
 
 /// A line that comes to a point.

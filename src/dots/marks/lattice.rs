@@ -81,10 +81,9 @@ impl Lattice<'_> {
         }
     }
 
-    /// A ring of dots of about this radius, in steps, around the dot nearest to a place on the sheet: that dot, the
-    /// dots of the ring in order, each a step from the next, and those inside.
-    pub(super) fn ring(self, at: MmPoint, radius: i32) -> (GridPoint, DotDisc) {
-        let at = self.to_steps(at);
+    /// A ring of dots of about this radius, in steps, around the dot nearest to a place: that dot, the dots of the ring
+    /// in order, each a step from the next, and those inside.
+    pub(super) fn ring(self, at: GridPoint, radius: i32) -> (GridPoint, DotDisc) {
         let middle = if let Self::Grid { .. } = self { point(nearest(at)) } else { at };
         let mut disc = self.disc(middle, MmVector::new(1.0, 0.0), radius);
         match self {

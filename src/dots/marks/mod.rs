@@ -12,6 +12,7 @@
 //! Points come first, then heads, then ticks. A line with any has one row of dots, so that they stand out from it.
 //! Points beside all lines, such as those of a scatter plot, come last, where they have room.
 
+mod alone;
 mod head;
 mod lattice;
 mod scale;
@@ -23,9 +24,10 @@ use self::lattice::{DotDisc, MarkField, Owner};
 use super::grid_dot::GridPoint;
 use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
-use crate::lines::{Line, LineMarks, PointMark, TickMark, whole_series};
+use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
 use crate::units::{MmPoint, MmVector};
 
+pub(super) use self::alone::PointAlone;
 pub(super) use self::lattice::Lattice;
 
 /// The hollow of a ring is at least this wide, mm, from dot to dot: twice as wide as a groove that a fingertip just
@@ -70,22 +72,6 @@ pub(super) struct Placed {
     pub(super) shown: Shown,
 }
 
-/// A point beside all rows: the smallest ring, and the dots inside if it is filled.
-pub(super) struct PointAlone {
-    pub(super) runs: Vec<Vec<MmPoint>>,
-    pub(super) strength: f32,
-}
-
-impl PointAlone {
-    /// As a line of its own.
-    pub(super) fn line(self, params: &Params) -> Line {
-        let Self { runs, strength } = self;
-        let line = Line { strength, runs: Vec::new() };
-        let height = params.height(&line);
-        Line { runs: runs.into_iter().map(|dots| params.run(dots, height)).collect(), ..line }
-    }
-}
-
 /// Which marks are drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shown {
@@ -125,9 +111,11 @@ struct RowDot {
 }
 
 /// A point that is drawn.
+#[derive(Clone, Copy)]
 struct DrawnPoint {
     middle: GridPoint,
-    radius: i32,
+    /// In steps.
+    radius: f32,
 }
 
 /// A tick in dots.
@@ -182,9 +170,7 @@ fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice
         let shown = places.scale(number, scale);
         places.placed.shown.scales.push(shown);
     }
-    for (number, point) in marks.points.iter().enumerate().filter(|(number, point)| point.is_alone && wanted[*number]) {
-        places.placed.shown.points[number] = places.alone(point);
-    }
+    places.alone(marks.points.iter().enumerate().filter(|(number, point)| point.is_alone && wanted[*number]).collect());
     places.placed
 }
 
@@ -209,10 +195,7 @@ impl Places<'_> {
         let lattice = self.field.lattice;
         let Some(of_row) = self.nearest(point.at, |_| true) else { return false };
         let RowDot { row, number, at: middle } = of_row;
-        let Params { pitch, diameter, .. } = *self.params;
-        // the side of a disc is that of its outermost dots, and a ring is drawn along its middle
-        let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
-        let radius = self.smallest_radius().max((own / pitch).round() as i32);
+        let radius = self.radius(point);
         let DotDisc { around, inside } = lattice.disc(middle, self.along(of_row), radius);
         if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
             return false;
@@ -245,30 +228,16 @@ impl Places<'_> {
         }
         self.placed.runs[row].push(run);
         self.placed.has_points[row] = true;
-        self.points.push(DrawnPoint { middle, radius });
+        self.points.push(DrawnPoint { middle, radius: radius as f32 });
         true
     }
 
-    /// Draws a point beside all rows if there is room for it.
-    fn alone(&mut self, point: &PointMark) -> bool {
-        let lattice = self.field.lattice;
-        let radius = self.smallest_radius();
-        let (middle, DotDisc { around, inside }) = lattice.ring(point.at, radius);
-        let gap = self.params.line_gap as f32;
-        let is_near_row = |dot: &GridPoint| {
-            self.field.around(*dot, gap + 1.0).any(|(_, other, _)| lattice.are_near(*dot, other, gap))
-        };
-        let is_near =
-            |dot: &GridPoint| is_near_row(dot) || self.points.iter().any(|other| self.is_close_to(*dot, other));
-        if !around.iter().all(|dot| lattice.holds(*dot)) || around.iter().any(is_near) {
-            return false;
-        }
-        let rows = [around, if point.is_filled { inside } else { Vec::new() }];
-        let rows = rows.into_iter().filter(|row| !row.is_empty());
-        let runs = rows.map(|row| row.into_iter().map(|dot| lattice.to_mm(dot)).collect()).collect();
-        self.placed.alone.push(PointAlone { runs, strength: point.strength });
-        self.points.push(DrawnPoint { middle, radius });
-        true
+    /// The radius of a point, in steps: the side of a disc is that of its outermost dots, and a ring is drawn along its
+    /// middle.
+    fn radius(&self, point: &PointMark) -> i32 {
+        let Params { pitch, diameter, .. } = *self.params;
+        let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
+        self.smallest_radius().max((own / pitch).round() as i32)
     }
 
     /// The least radius of a point, in steps.
@@ -288,7 +257,7 @@ impl Places<'_> {
     fn is_close_to(&self, dot: GridPoint, point: &DrawnPoint) -> bool {
         let lattice = self.field.lattice;
         let apart = (lattice.to_mm(dot) - lattice.to_mm(point.middle)).length();
-        apart < point.radius as f32 * self.params.pitch + BETWEEN + self.params.diameter
+        apart < point.radius * self.params.pitch + BETWEEN + self.params.diameter
     }
 
     /// Whether a disc is apart from other points, and from the rows that do not lead to it.
@@ -370,7 +339,7 @@ impl Places<'_> {
         };
         let foot = self.nearest(tick.at, is_own)?;
         // behind a point it goes on from that
-        let is_at = |point: &DrawnPoint| lattice.steps(point.middle, foot.at) <= point.radius as f32 + 0.5;
+        let is_at = |point: &DrawnPoint| lattice.steps(point.middle, foot.at) <= point.radius + 0.5;
         let behind = self.points.iter().position(is_at);
         let point = behind.map(|number| &self.points[number]);
         let from = point.map_or(foot.at, |point| point.middle);
@@ -383,9 +352,8 @@ impl Places<'_> {
             let mut dots = lattice.outward(from, way, 2 * count + 2);
             dots.truncate(count + self.second_row(foot, way));
             let own = |dot: GridPoint| self.field.around(dot, 1.0).any(|(_, other, _)| lattice.are_one(dot, other));
-            let is_inside = |dot: GridPoint| {
-                point.is_some_and(|point| lattice.steps(point.middle, dot) <= point.radius as f32 + 0.25)
-            };
+            let is_inside =
+                |dot: GridPoint| point.is_some_and(|point| lattice.steps(point.middle, dot) <= point.radius + 0.25);
             dots.retain(|dot| !own(*dot) && !is_inside(*dot));
             if dots.is_empty() {
                 is_covered |= point.is_some();
@@ -441,7 +409,7 @@ impl Places<'_> {
                 apart <= beside || row.closed && row.dots.len() - apart <= beside
             }
             // what leads to the point behind which it is
-            Owner::Row(..) => own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius as f32 + gap),
+            Owner::Row(..) => own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius + gap),
             Owner::Tick(..) => !self.are_close(dot, other),
         })
     }

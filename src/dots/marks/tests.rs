@@ -195,21 +195,37 @@ fn a_ring_is_hollow_however_close_dots_lie() {
     }
 }
 
+fn alone(y: f32, is_filled: bool) -> PointMark {
+    PointMark { at: MmPoint::new(50.3, y), is_alone: true, ..point(0.0, 1.0, is_filled) }
+}
+
+/// How many dots each run of each point beside all rows has.
+fn counts_alone(placed: &Placed) -> Vec<Vec<usize>> {
+    placed.alone.iter().map(|point| point.runs.iter().map(Vec::len).collect()).collect()
+}
+
 #[test]
 fn a_point_beside_all_rows_is_the_smallest_ring_where_it_has_room() {
-    let alone =
-        |y: f32, is_filled: bool| PointMark { at: MmPoint::new(50.3, y), is_alone: true, ..point(0.0, 1.0, is_filled) };
-    let all = placed(&[alone(60.0, true), alone(74.0, false), alone(44.0, true), alone(66.0, true)], &[], &rows(None));
-    assert_eq!(all.shown.points, [true, true, false, false], "one is too near to the axis, and one to another");
-    let dots: Vec<Vec<usize>> = all.alone.iter().map(|point| point.runs.iter().map(Vec::len).collect()).collect();
-    assert_eq!(dots, [vec![8, 1], vec![8]]);
+    let all = placed(&[alone(60.0, true), alone(74.0, false), alone(41.0, false)], &[], &rows(None));
+    assert_eq!(all.shown.points, [true, true, false], "one is too near to the axis");
+    assert_eq!(counts_alone(&all), [vec![8, 1], vec![8]]);
     let line = PointAlone { runs: all.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
     assert!(line.is_ring_of_dots() && line.runs[1].points == [MmPoint::new(50.0, 60.0)], "{line:?}");
     // where dots can be anywhere it lies at its own place
-    let part = SHEET;
     let marks = LineMarks { points: vec![alone(60.0, true)], ..LineMarks::default() };
-    let free = place(&marks, &rows(None), Lattice::Free { part, pitch: 2.0 }, &PARAMS);
+    let free = place(&marks, &rows(None), Lattice::Free { part: SHEET, pitch: 2.0 }, &PARAMS);
     let line = PointAlone { runs: free.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
-    let steps = line.runs[0].points.windows(2).map(|pair| (pair[1] - pair[0]).length());
-    assert!(line.is_ring_of_dots() && steps.into_iter().all(|step| (step - 2.0).abs() < 0.01), "{line:?}");
+    let mut steps = line.runs[0].points.windows(2).map(|pair| (pair[1] - pair[0]).length());
+    assert!(line.is_ring_of_dots() && steps.all(|step| (step - 2.0).abs() < 0.01), "{line:?}");
+}
+
+#[test]
+fn points_of_one_size_are_blocks_where_not_all_have_room_for_rings() {
+    let blocks = placed(&[alone(60.0, true), alone(66.0, true), alone(74.0, false)], &[], &rows(None));
+    assert_eq!(counts_alone(&blocks), [vec![4], vec![4], vec![8]], "hollow ones are others");
+    let line = PointAlone { runs: blocks.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
+    assert!(line.is_block_of_dots() && !line.is_ring_of_dots(), "{line:?}");
+    // larger ones keep their size, but for a step
+    let large = |y: f32| PointMark { radius: 4.0, ..alone(y, false) };
+    assert_eq!(counts_alone(&placed(&[large(60.0), large(66.0)], &[], &rows(None))), [[12]]);
 }

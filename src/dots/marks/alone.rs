@@ -1,0 +1,146 @@
+//! Points beside all lines, such as those of a scatter plot, the towns of a map or the pips of a die. Each is a ring of
+//! dots, with dots inside if it is filled, or a block of four where rings have no room:
+//!
+//! ```text
+//!   # # #     # # #     # #
+//!   # # #     # . #     # #
+//!   # # #     # # #
+//! ```
+//!
+//! Those that are alike in a picture are alike on a page, so that nobody tells them apart: as large as all have room.
+
+use super::lattice::{DotDisc, Lattice};
+use super::{DrawnPoint, Places};
+use crate::dots::grid_dot::GridPoint;
+use crate::dots::params::Params;
+use crate::lines::{Line, PointMark};
+use crate::units::MmPoint;
+
+/// Points are of one size if their radii differ by no more than this share.
+const SAME_SIZE: f32 = 0.2;
+/// A point may be so many steps beside its place where it has no room there.
+const BESIDE: [[f32; 2]; 9] =
+    [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+/// From the middle of a block to its dots, in steps.
+const OF_BLOCK: f32 = std::f32::consts::FRAC_1_SQRT_2;
+
+/// A point beside all rows.
+pub(in crate::dots) struct PointAlone {
+    pub(super) runs: Vec<Vec<MmPoint>>,
+    pub(super) strength: f32,
+}
+
+impl PointAlone {
+    /// As a line of its own.
+    pub(in crate::dots) fn line(self, params: &Params) -> Line {
+        let Self { runs, strength } = self;
+        let line = Line { strength, runs: Vec::new() };
+        let height = params.height(&line);
+        Line { runs: runs.into_iter().map(|dots| params.run(dots, height)).collect(), ..line }
+    }
+}
+
+/// In what form points are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// A ring of this radius, in steps.
+    Ring(i32),
+    Block,
+}
+
+/// A point in dots.
+struct DotSign {
+    place: DrawnPoint,
+    /// Its ring or block in order, and the dots inside.
+    runs: Vec<Vec<GridPoint>>,
+}
+
+impl Places<'_> {
+    /// Draws numbered points beside all rows, where there is room for them.
+    pub(super) fn alone(&mut self, mut points: Vec<(usize, &PointMark)>) {
+        while let Some(&(_, first)) = points.first() {
+            let is_like = |point: &PointMark| {
+                point.is_filled == first.is_filled && (point.radius / first.radius - 1.0).abs() <= SAME_SIZE
+            };
+            let (group, others) = points.into_iter().partition::<Vec<_>, _>(|(_, point)| is_like(point));
+            points = others;
+            self.group(&group);
+        }
+    }
+
+    /// Draws points that are alike, in the first form for which most of them have room.
+    fn group(&mut self, group: &[(usize, &PointMark)]) {
+        let radius = group.iter().map(|(_, point)| self.radius(point)).max().unwrap_or(1);
+        let smallest = self.smallest_radius();
+        let forms = if radius > smallest {
+            [Form::Ring(radius), Form::Ring(radius - 1)]
+        } else {
+            [Form::Ring(smallest), Form::Block]
+        };
+        let count = |signs: &[Option<DotSign>]| signs.iter().flatten().count();
+        let mut best: Vec<Option<DotSign>> = Vec::new();
+        for form in forms {
+            let signs = self.signs(group, form);
+            if best.is_empty() || count(&signs) > count(&best) {
+                best = signs;
+            }
+            if count(&best) == group.len() {
+                break;
+            }
+        }
+        let lattice = self.field.lattice;
+        for (&(number, point), sign) in group.iter().zip(best) {
+            let Some(DotSign { place, runs }) = sign else { continue };
+            let runs = runs.into_iter().map(|row| row.into_iter().map(|dot| lattice.to_mm(dot)).collect()).collect();
+            self.placed.alone.push(PointAlone { runs, strength: point.strength });
+            self.placed.shown.points[number] = true;
+            self.points.push(place);
+        }
+    }
+
+    /// The points that have room in this form, one after the other.
+    fn signs(&self, group: &[(usize, &PointMark)], form: Form) -> Vec<Option<DotSign>> {
+        let mut taken: Vec<DrawnPoint> = Vec::new();
+        let mut signs = Vec::with_capacity(group.len());
+        for (_, point) in group {
+            let at = self.field.lattice.to_steps(point.at);
+            let beside = BESIDE.iter().map(|[dx, dy]| sign([at[0] + dx, at[1] + dy], form, point, self.field.lattice));
+            let free = beside.into_iter().find(|sign| self.has_room_alone(&sign.runs[0], &taken));
+            taken.extend(free.as_ref().map(|sign| sign.place));
+            signs.push(free);
+        }
+        signs
+    }
+
+    /// Whether dots are apart from all rows and points.
+    fn has_room_alone(&self, dots: &[GridPoint], taken: &[DrawnPoint]) -> bool {
+        let (lattice, gap) = (self.field.lattice, self.params.line_gap as f32);
+        dots.iter().all(|dot| {
+            let mut near = self.field.around(*dot, gap + 1.0);
+            lattice.holds(*dot)
+                && !near.any(|(_, other, _)| lattice.are_near(*dot, other, gap))
+                && !self.points.iter().chain(taken).any(|other| self.is_close_to(*dot, other))
+        })
+    }
+}
+
+/// A point whose middle is at a place, in steps, or at the dot nearest to it.
+fn sign(at: GridPoint, form: Form, point: &PointMark, lattice: Lattice<'_>) -> DotSign {
+    match form {
+        Form::Ring(radius) => {
+            let (middle, DotDisc { around, inside }) = lattice.ring(at, radius);
+            let inside = if point.is_filled { inside } else { Vec::new() };
+            let runs = [around, inside].into_iter().filter(|row| !row.is_empty()).collect();
+            DotSign { place: DrawnPoint { middle, radius: radius as f32 }, runs }
+        }
+        Form::Block => {
+            let corner = match lattice {
+                Lattice::Grid { .. } => at.map(f32::floor),
+                Lattice::Free { .. } => at.map(|at| at - 0.5),
+            };
+            let block = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+            let dots = block.map(|[dx, dy]| [corner[0] + dx, corner[1] + dy]).to_vec();
+            DotSign { place: DrawnPoint { middle: corner.map(|at| at + 0.5), radius: OF_BLOCK }, runs: vec![dots] }
+        }
+    }
+}
