@@ -9,8 +9,8 @@ use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
 use crate::units::{PxPoint, Size};
 
-/// A stroke is pale up to this share of the contrast of the strong ones. Grey (`#aaa`) on white paper has a third of that
-/// of black, a grey axis (`#888`) half.
+/// A stroke is pale up to this share of the contrast of the strong ones. Grey (`#aaa`) on white paper has a third of
+/// that of black, a grey axis (`#888`) half.
 const PALE: f32 = 0.4;
 /// The contrast of black on white: colours may reach more, and are no stronger for that.
 const BLACK: f32 = 100.0;

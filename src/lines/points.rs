@@ -101,9 +101,6 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         if !again && arms.is_empty() && is_by_itself(&point, polylines, &is_ring, params) {
             by_itself.push((number, point));
         }
-        if is_too_large(&point, params) {
-            continue;
-        }
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
@@ -114,6 +111,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             false => around >= params.min_length,
         };
         match arms[..] {
+            _ if is_too_large(&point, params) => continue,
             [arm @ PointArm { kind: Approach::End { .. }, .. }] if has_room && is_on_line => {
                 pointed_at.push((number, point, arm));
                 continue;
@@ -284,9 +282,9 @@ fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Par
     if params.on_dots() { Vec::new() } else { beside.map(ring).collect() }
 }
 
-/// Whether a round shape to which no line leads is a sign by itself if there is room for it: apart from all lines, which
-/// may have to move away from them otherwise. Where lines become dots, one too small for a line is that in any case, and
-/// other small shapes do not count, as those of one size are to be alike.
+/// Whether a round shape to which no line leads is a sign by itself if there is room for it: apart from all lines, as
+/// it may have to move away from them otherwise. Where lines become dots, one too small for a line is that in any case,
+/// and other small shapes do not count, as those of one size are to be alike.
 fn is_by_itself(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool], params: &Params) -> bool {
     let reach = point.radius + params.max_spacing();
     let is_own = |line: &Polyline<Vertex>| of_ring(line).is_some_and(|other| is_drawn_twice(&other, &[*point]));

@@ -10,11 +10,9 @@
 //! Those that are alike in a picture are alike on a page, so that nobody tells them apart: as large as all have room.
 
 use super::lattice::{DotDisc, Lattice};
-use super::{DrawnPoint, Places};
+use super::{DrawnPoint, Places, PointAlone};
 use crate::dots::grid_dot::GridPoint;
-use crate::dots::params::Params;
-use crate::lines::{Line, PointMark};
-use crate::units::MmPoint;
+use crate::lines::PointMark;
 
 /// Points are of one size if their radii differ by no more than this share.
 const SAME_SIZE: f32 = 0.2;
@@ -23,22 +21,6 @@ const BESIDE: [[f32; 2]; 9] =
     [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 /// From the middle of a block to its dots, in steps.
 const OF_BLOCK: f32 = std::f32::consts::FRAC_1_SQRT_2;
-
-/// A point beside all rows.
-pub(in crate::dots) struct PointAlone {
-    pub(super) runs: Vec<Vec<MmPoint>>,
-    pub(super) strength: f32,
-}
-
-impl PointAlone {
-    /// As a line of its own.
-    pub(in crate::dots) fn line(self, params: &Params) -> Line {
-        let Self { runs, strength } = self;
-        let line = Line { strength, runs: Vec::new() };
-        let height = params.height(&line);
-        Line { runs: runs.into_iter().map(|dots| params.run(dots, height)).collect(), ..line }
-    }
-}
 
 /// In what form points are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

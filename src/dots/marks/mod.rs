@@ -24,10 +24,9 @@ use self::lattice::{DotDisc, MarkField, Owner};
 use super::grid_dot::GridPoint;
 use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
-use crate::lines::{LineMarks, PointMark, TickMark, whole_series};
+use crate::lines::{Line, LineMarks, PointMark, TickMark, whole_series};
 use crate::units::{MmPoint, MmVector};
 
-pub(super) use self::alone::PointAlone;
 pub(super) use self::lattice::Lattice;
 
 /// The hollow of a ring is at least this wide, mm, from dot to dot: twice as wide as a groove that a fingertip just
@@ -70,6 +69,22 @@ pub(super) struct Placed {
     pub(super) has_points: Vec<bool>,
     pub(super) alone: Vec<PointAlone>,
     pub(super) shown: Shown,
+}
+
+/// A point beside all rows.
+pub(super) struct PointAlone {
+    runs: Vec<Vec<MmPoint>>,
+    strength: f32,
+}
+
+impl PointAlone {
+    /// As a line of its own.
+    pub(super) fn line(self, params: &Params) -> Line {
+        let Self { runs, strength } = self;
+        let line = Line { strength, runs: Vec::new() };
+        let height = params.height(&line);
+        Line { runs: runs.into_iter().map(|dots| params.run(dots, height)).collect(), ..line }
+    }
 }
 
 /// Which marks are drawn.
