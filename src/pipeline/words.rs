@@ -7,8 +7,8 @@ use super::legend::{self, LegendEntry};
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
-    NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others, of_axes,
-    of_nothing, told, without_texture,
+    self, NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others,
+    of_axes, of_nothing, told,
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
@@ -241,8 +241,10 @@ impl<'a> WrittenWords<'a> {
         notes.extend(of_axes(&wanted, &results));
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
-        let MadeRoom { lines, without_texture: on_textures } = labels::make_room(figure, &placed, &params);
-        notes.extend(without_texture(&on_textures.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>()));
+        let MadeRoom { lines, without_texture, with_half_texture } = labels::make_room(figure, &placed, &params);
+        let texts = |labels: Vec<usize>| labels.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>();
+        notes.extend(told_labels::without_texture(&texts(without_texture)));
+        notes.extend(told_labels::with_half_texture(&texts(with_half_texture)));
         notes.extend(told(&wanted, &results));
         notes.extend(unwritten::on_line(&of_placed, translator));
         notes.extend(unwritten::in_other_letters(&of_placed, translator));
