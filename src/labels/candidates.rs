@@ -324,7 +324,8 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
 }
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands
-/// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it.
+/// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it. In an area of
+/// another colour, such as the sea around a land, it would be the name of that.
 fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> bool {
     let chord = around.anchor - nearest;
     let is_straight = chord.x == 0.0 || chord.y == 0.0;
@@ -333,6 +334,7 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>)
     // one of which the middle lies beside the next shape is taken for the name of that
     let has_middle = || around.room.only_line(place.center(), around.anchor, around.params.widest_outline).is_some();
     is_straight
+        && around.is_in_blank(place)
         && outline().is_some_and(|blank| blank < SHORTEST_LEADER && leads_into_one(blank))
         && has_middle()
         && around.is_own(place)

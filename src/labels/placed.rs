@@ -33,6 +33,9 @@ pub struct Params {
     pub texture_clearance: f32,
     /// Least height of what labels leave of a texture beside them.
     pub least_texture: f32,
+    /// Whether what is drawn stands on an area of its own colour, such as the sea around an island, and not on blank
+    /// paper.
+    pub has_coloured_ground: bool,
     /// Whether leader lines may cross others: among the few pins of a display they are lost.
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
@@ -59,6 +62,7 @@ impl Params {
             line_gap: 3.2,
             least_strength: 7.0,
             texture_clearance: 3.0,
+            has_coloured_ground: false,
             may_cross: true,
             step: 0.5,
             leader_off: 0.0,

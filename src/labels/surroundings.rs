@@ -226,6 +226,11 @@ impl<'a> Surroundings<'a> {
         !self.room.is_in_room(place.center(), FURTHEST_OUTLINE)
     }
 
+    /// Whether a place in the open is on no area that could have a name of its own.
+    pub(super) fn is_in_blank(&self, place: MmRect) -> bool {
+        !self.params.has_coloured_ground && self.room.glyphs(place) == 0.0
+    }
+
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text
     /// that stands in none.
     pub(super) fn is_in_cell_or_open(&self, place: MmRect) -> bool {

@@ -78,6 +78,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         least_strength: lines.least_strength,
         texture_clearance,
         least_texture,
+        has_coloured_ground: false,
         may_cross,
         step,
         leader_off,

@@ -52,6 +52,8 @@ pub struct Words<'a> {
     pub written: &'a [WrittenLabel],
     /// Which of the labels, and then of the texts that are labels too, name nothing.
     pub nameless: &'a [usize],
+    /// Whether the picture's ground is an area of its own colour, such as the sea around an island.
+    pub coloured_ground: bool,
 }
 
 /// Words where they stand, and what they change of the page.
@@ -232,7 +234,8 @@ impl<'a> WrittenWords<'a> {
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
         let leaders = texts.iter().filter_map(|text| text.kept_leader).collect();
         let written = words.written.to_vec();
-        let params = Params { points, leaders, blocked, written, ..params(layout, tiles, plan) };
+        let has_coloured_ground = words.coloured_ground;
+        let params = Params { points, leaders, blocked, written, has_coloured_ground, ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
