@@ -2,8 +2,10 @@
 
 use super::cost::cost;
 use super::forms::Form;
+use super::interrupted::SCRAP;
 use super::placed::{Attachment, PlacedAs, Wanted};
 use super::room::Room;
+use super::scale;
 use super::surroundings::{AT_END, NEAR, Surroundings, TO_LEADER};
 use crate::geom::polygon::{circle_points, corners, distance_to_box};
 use crate::geom::segment_distance;
@@ -241,6 +243,11 @@ fn candidate(
     if around.scale.is_some() && !(attachment == Attachment::Beside && around.is_at_tick(place)) {
         return None;
     }
+    // and at the end of a gridline one that is of no axis is taken for that of the line
+    let is_other_number = || around.scale.is_none() && scale::is_number(&label.text);
+    if is_other_number() && around.room.ends_gridline(place, around.params.clearance, SCRAP) {
+        return None;
+    }
     let cost = cost(form.kind.cost(), label, place, attachment, around);
     let (stands, kept_leader) = (PlacedAs::Alone, label.kept_leader);
     Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
@@ -351,6 +358,10 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
         .only_line(nearest, anchor, around.params.widest_outline)
         .filter(|blank| *blank >= SHORTEST_LEADER + off)?;
     let (from, outline) = (nearest + direction * (BEFORE_LEADER + off), nearest + direction * blank);
+    // at a gridline it would be felt as a tick of that
+    if room.is_gridline(outline) {
+        return None;
+    }
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
     let is_clear = room.is_free_segment(from, outline, end)
