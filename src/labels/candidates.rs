@@ -248,7 +248,13 @@ fn candidate(
     if is_other_number() && around.room.ends_gridline(place, around.params.clearance, SCRAP) {
         return None;
     }
-    let cost = cost(form.kind.cost(), label, place, attachment, around);
+    let near_corner = match attachment {
+        Attachment::Leader([_, to]) if to != around.tip && is_at_corner(to, WELL_OFF_CORNERS, around.room) => {
+            NEAR_CORNER
+        }
+        _ => 0.0,
+    };
+    let cost = cost(form.kind.cost(), label, place, attachment, around) + near_corner;
     let (stands, kept_leader) = (PlacedAs::Alone, label.kept_leader);
     Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
 }
@@ -288,7 +294,8 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     }
     // from beyond the legs of an angle a leader line crosses one of them, though it need not lead far beyond
     if around.angle.is_none_or(|angle| angle.holds_box(place)) {
-        let is_of_one = |to: MmPoint| !around.is_shut_in() || label.lost_leader.is_some() || !is_at_corner(to, room);
+        let is_of_one =
+            |to: MmPoint| !around.is_shut_in() || label.lost_leader.is_some() || !is_at_corner(to, OFF_CORNERS, room);
         let clear = clear_leader(place, around).filter(|[_, to]| is_of_one(*to));
         if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
             return Some(Attachment::Leader(segment));
@@ -366,7 +373,7 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
     let end = (outline - from).length().min(AT_END);
     let is_clear = room.is_free_segment(from, outline, end)
         && around.leads_to_own(place, [from, outline])
-        && !is_at_corner(outline, room);
+        && !is_at_corner(outline, OFF_CORNERS, room);
     (is_clear && is_outline_of_one(outline, direction, around) && around.is_open(place)).then_some([from, outline])
 }
 
@@ -386,9 +393,9 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
     [aside, -aside].into_iter().all(|to_side| !around.room.is_parted(inside, inside + to_side, 0.0))
 }
 
-/// Whether borders of several shapes meet near to a place on an outline.
-fn is_at_corner(outline: MmPoint, room: &Room) -> bool {
-    let is_met: Vec<bool> = circle_points(outline, OFF_CORNERS, RAYS).map(|at| room.is_ink(at)).collect();
+/// Whether borders of several shapes meet so near to a place on an outline.
+fn is_at_corner(outline: MmPoint, near: f32, room: &Room) -> bool {
+    let is_met: Vec<bool> = circle_points(outline, near, RAYS).map(|at| room.is_ink(at)).collect();
     let lines = is_met.iter().zip(is_met.iter().cycle().skip(1)).filter(|(is_met, next)| !**is_met && **next).count();
     lines > 2
 }
@@ -401,6 +408,9 @@ const OFF_BORDERS: f32 = 3.0;
 /// corner of several shapes it would lead to all of them.
 const OFF_CORNERS: f32 = 3.5;
 const RAYS: usize = 32;
+/// Where there is room it ends further off, mm: half a fingertip. What an end that is nearer costs beside that, mm.
+const WELL_OFF_CORNERS: f32 = 6.0;
+const NEAR_CORNER: f32 = 6.0;
 /// The line beside a text is met so near to where its leader line would end, mm.
 const BESIDE_TIP: f32 = 6.0;
 
