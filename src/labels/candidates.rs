@@ -48,8 +48,11 @@ const SHORTEST_LEADER: f32 = 2.0 * BEFORE_LEADER;
 /// tells a leader line from its own label.
 const BETWEEN_LEADERS: f32 = BEFORE_LEADER;
 /// Most places that are kept for a form, and how far apart they are, mm: enough to choose from, and not all in one
-/// spot.
+/// spot. Of those with a leader line some are kept beside, further apart: where others take all places near by, these
+/// are left.
 const MOST: usize = 48;
+const MOST_LED: usize = 36;
+const APART_LED: f32 = 8.0;
 const APART: f32 = 4.0;
 
 /// Blank between labels, mm.
@@ -308,11 +311,16 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear =
         around.is_clear_of_blocked(segment) && (label.lost_leader.is_none() || around.leads_to_own(place, segment));
+    let is_along = || label.lost_leader.is_none() && room.along(segment[0], segment[1], around.end) > MOST_ALONG;
     // across the lines of a table it would come into other cells first; within another shape, such as the next sector
     // of a pie, a label is taken for the name of that
     let is_in_other = || label.lost_leader.is_none() && around.is_shut_in() && !around.is_open(place);
-    (is_clear && around.cell.is_none() && !is_in_other()).then_some(Attachment::LeaderAcross(segment))
+    (is_clear && around.cell.is_none() && !is_in_other() && !is_along()).then_some(Attachment::LeaderAcross(segment))
 }
+
+/// Of a leader line across others that the drawing has not, most that lies near to lines, mm: across two lines. One
+/// that goes along them, or through a small shape, is felt as a part of that.
+const MOST_ALONG: f32 = 12.0;
 
 /// A leader line from a point of a label to its tip, whose marks lie up to `off` mm off it; none if it would be too
 /// short to be felt as a line.
@@ -447,10 +455,15 @@ const WORTH_A_MOVE: f32 = 0.1;
 /// The best of the places, some distance apart.
 fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {
     all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    let mut kept: Vec<Candidate> = Vec::new();
+    let (mut kept, mut led): (Vec<Candidate>, usize) = (Vec::new(), 0);
     for candidate in all {
-        let is_new = |other: &Candidate| (other.place.min - candidate.place.min).length() >= APART;
-        if kept.len() < MOST && kept.iter().all(is_new) {
+        let is_led = candidate.leader().is_some();
+        // far from what they name another row is more of a choice than the next place in it
+        let is_more = kept.len() >= MOST;
+        let least = if is_more { APART_LED } else { APART };
+        let is_new = |other: &Candidate| (other.place.min - candidate.place.min).length() >= least;
+        if (!is_more || is_led && led < MOST_LED) && kept.iter().all(is_new) {
+            led += usize::from(is_led);
             kept.push(candidate);
         }
     }

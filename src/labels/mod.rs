@@ -53,8 +53,9 @@ use crate::units::{MmPoint, MmRect};
 use candidates::{Candidate, Spacing};
 use forms::{Form, FormKind, Forms};
 use groups::Group;
+use named_points::SmallRing;
 use room::Room;
-use surroundings::{LabelsAt, Surroundings};
+use surroundings::{AROUND_RING, LabelsAt, Surroundings};
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
@@ -193,7 +194,8 @@ fn around<'a>(
     let is_on_line = |at: &&MmPoint| room.line_beside(MmRect::new(**at, **at), OFF_LINE, OFF_LINE).is_some();
     let missing = params.points.iter().filter(is_on_line).map(|&at| named_points::missing(at));
     let rings: Vec<_> = room.rings().iter().copied().chain(missing).collect();
-    let anchors = named_points::anchors(wanted, &rings);
+    let is_seen = |text: MmPoint, ring: &SmallRing| !room.is_parted(text, ring.at, ring.reach + AROUND_RING);
+    let anchors = named_points::anchors(wanted, &rings, is_seen);
     let labels = LabelsAt { wanted, anchors: &anchors };
     let around = |(number, forms)| Surroundings::of(number, labels, longest(forms), room, params);
     forms.iter().enumerate().map(around).collect()
