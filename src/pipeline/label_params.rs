@@ -74,6 +74,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         blocked: Vec::new(),
         clearance: CLEARANCE,
         more_aside: more_aside(layout, plan),
+        among_cells: matches!(&layout.medium, Medium::Dots(dots) if dots.device.cell_dots().is_some()),
         line_gap: lines.min_gap,
         least_strength: lines.least_strength,
         texture_clearance,
