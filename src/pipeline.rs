@@ -194,7 +194,8 @@ fn compose(
         marks;
     let legend = if words.own_texts { legend } else { words.legend.to_vec() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
-    let words = &Words { legend: &legend, lost_points: &lost_points, ..*words };
+    let coloured_ground = textures::has_coloured_ground(&notes);
+    let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

@@ -271,7 +271,11 @@ impl<'t> Writer<'t> {
 
     fn space(&mut self, i: usize) {
         match &self.table.group {
-            Some(group) if self.number == Number::GoesOn && is_group(self.text, i) => self.out.cells.extend(group),
+            Some(group)
+                if self.number == Number::GoesOn && (is_group(self.text, i) || is_in_phone_number(self.text, i)) =>
+            {
+                self.out.cells.extend(group);
+            }
             _ => {
                 self.out.cells.push(0);
                 self.number = Number::None;
@@ -324,6 +328,23 @@ fn is_group(text: &[char], i: usize) -> bool {
     let before = digits(&mut text[..i].iter().rev());
     (1..=3).contains(&before) && digits(&mut text[i + 1..].iter()) == 3
 }
+
+/// Whether the space at `i` parts groups of a telephone number, as in 020 7946 0018: one that begins with a zero before
+/// other digits, or with a plus, and has at least so many digits in all.
+fn is_in_phone_number(text: &[char], i: usize) -> bool {
+    let is_of_number = |at: usize| {
+        let is_digit = |at: Option<usize>| at.and_then(|at| text.get(at)).is_some_and(char::is_ascii_digit);
+        is_digit(Some(at)) || text[at] == ' ' && is_digit(at.checked_sub(1)) && is_digit(Some(at + 1))
+    };
+    let from = (0..i).rev().take_while(|&at| is_of_number(at)).last().unwrap_or(i);
+    let number: Vec<char> = (from..text.len()).take_while(|&at| is_of_number(at)).map(|at| text[at]).collect();
+    let is_international = from.checked_sub(1).is_some_and(|before| text[before] == '+');
+    let begins = is_international || number.starts_with(&['0']) && number.get(1).is_some_and(char::is_ascii_digit);
+    is_of_number(i) && begins && number.iter().filter(|letter| **letter != ' ').count() >= FEWEST_OF_PHONE_NUMBER
+}
+
+/// Fewest digits of a telephone number with its code; dates have eight at most, and no zero before a year.
+const FEWEST_OF_PHONE_NUMBER: usize = 9;
 
 /// Whether a hyphen stands between two letters.
 fn is_hyphen_in_word(text: &[char], i: usize) -> bool {

@@ -2,8 +2,10 @@
 
 use super::cost::cost;
 use super::forms::Form;
+use super::interrupted::SCRAP;
 use super::placed::{Attachment, PlacedAs, Wanted};
 use super::room::Room;
+use super::scale;
 use super::surroundings::{AT_END, NEAR, Surroundings, TO_LEADER};
 use crate::geom::polygon::{circle_points, corners, distance_to_box};
 use crate::geom::segment_distance;
@@ -46,8 +48,11 @@ const SHORTEST_LEADER: f32 = 2.0 * BEFORE_LEADER;
 /// tells a leader line from its own label.
 const BETWEEN_LEADERS: f32 = BEFORE_LEADER;
 /// Most places that are kept for a form, and how far apart they are, mm: enough to choose from, and not all in one
-/// spot.
+/// spot. Of those with a leader line some are kept beside, further apart: where others take all places near by, these
+/// are left.
 const MOST: usize = 48;
+const MOST_LED: usize = 36;
+const APART_LED: f32 = 8.0;
 const APART: f32 = 4.0;
 
 /// Blank between labels, mm.
@@ -241,7 +246,18 @@ fn candidate(
     if around.scale.is_some() && !(attachment == Attachment::Beside && around.is_at_tick(place)) {
         return None;
     }
-    let cost = cost(form.kind.cost(), label, place, attachment, around);
+    // and at the end of a gridline one that is of no axis is taken for that of the line
+    let is_other_number = || around.scale.is_none() && scale::is_number(&label.text);
+    if is_other_number() && around.room.ends_gridline(place, around.params.clearance, SCRAP) {
+        return None;
+    }
+    let near_corner = match attachment {
+        Attachment::Leader([_, to]) if to != around.tip && is_at_corner(to, WELL_OFF_CORNERS, around.room) => {
+            NEAR_CORNER
+        }
+        _ => 0.0,
+    };
+    let cost = cost(form.kind.cost(), label, place, attachment, around) + near_corner;
     let (stands, kept_leader) = (PlacedAs::Alone, label.kept_leader);
     Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
 }
@@ -281,7 +297,8 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     }
     // from beyond the legs of an angle a leader line crosses one of them, though it need not lead far beyond
     if around.angle.is_none_or(|angle| angle.holds_box(place)) {
-        let is_of_one = |to: MmPoint| !around.is_shut_in() || label.lost_leader.is_some() || !is_at_corner(to, room);
+        let is_of_one =
+            |to: MmPoint| !around.is_shut_in() || label.lost_leader.is_some() || !is_at_corner(to, OFF_CORNERS, room);
         let clear = clear_leader(place, around).filter(|[_, to]| is_of_one(*to));
         if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
             return Some(Attachment::Leader(segment));
@@ -294,11 +311,16 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear =
         around.is_clear_of_blocked(segment) && (label.lost_leader.is_none() || around.leads_to_own(place, segment));
+    let is_along = || label.lost_leader.is_none() && room.along(segment[0], segment[1], around.end) > MOST_ALONG;
     // across the lines of a table it would come into other cells first; within another shape, such as the next sector
     // of a pie, a label is taken for the name of that
     let is_in_other = || label.lost_leader.is_none() && around.is_shut_in() && !around.is_open(place);
-    (is_clear && around.cell.is_none() && !is_in_other()).then_some(Attachment::LeaderAcross(segment))
+    (is_clear && around.cell.is_none() && !is_in_other() && !is_along()).then_some(Attachment::LeaderAcross(segment))
 }
+
+/// Of a leader line across others that the drawing has not, most that lies near to lines, mm: across two lines. One
+/// that goes along them, or through a small shape, is felt as a part of that.
+const MOST_ALONG: f32 = 12.0;
 
 /// A leader line from a point of a label to its tip, whose marks lie up to `off` mm off it; none if it would be too
 /// short to be felt as a line.
@@ -324,7 +346,8 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
 }
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands
-/// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it.
+/// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it. In an area of
+/// another colour, such as the sea around a land, it would be the name of that.
 fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> bool {
     let chord = around.anchor - nearest;
     let is_straight = chord.x == 0.0 || chord.y == 0.0;
@@ -333,6 +356,7 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>)
     // one of which the middle lies beside the next shape is taken for the name of that
     let has_middle = || around.room.only_line(place.center(), around.anchor, around.params.widest_outline).is_some();
     is_straight
+        && around.is_in_blank(place)
         && outline().is_some_and(|blank| blank < SHORTEST_LEADER && leads_into_one(blank))
         && has_middle()
         && around.is_own(place)
@@ -349,11 +373,15 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Opt
         .only_line(nearest, anchor, around.params.widest_outline)
         .filter(|blank| *blank >= SHORTEST_LEADER + off)?;
     let (from, outline) = (nearest + direction * (BEFORE_LEADER + off), nearest + direction * blank);
+    // at a gridline it would be felt as a tick of that
+    if room.is_gridline(outline) {
+        return None;
+    }
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
     let is_clear = room.is_free_segment(from, outline, end)
         && around.leads_to_own(place, [from, outline])
-        && !is_at_corner(outline, room);
+        && !is_at_corner(outline, OFF_CORNERS, room);
     (is_clear && is_outline_of_one(outline, direction, around) && around.is_open(place)).then_some([from, outline])
 }
 
@@ -373,9 +401,9 @@ fn is_outline_of_one(outline: MmPoint, direction: MmVector, around: &Surrounding
     [aside, -aside].into_iter().all(|to_side| !around.room.is_parted(inside, inside + to_side, 0.0))
 }
 
-/// Whether borders of several shapes meet near to a place on an outline.
-fn is_at_corner(outline: MmPoint, room: &Room) -> bool {
-    let is_met: Vec<bool> = circle_points(outline, OFF_CORNERS, RAYS).map(|at| room.is_ink(at)).collect();
+/// Whether borders of several shapes meet so near to a place on an outline.
+fn is_at_corner(outline: MmPoint, near: f32, room: &Room) -> bool {
+    let is_met: Vec<bool> = circle_points(outline, near, RAYS).map(|at| room.is_ink(at)).collect();
     let lines = is_met.iter().zip(is_met.iter().cycle().skip(1)).filter(|(is_met, next)| !**is_met && **next).count();
     lines > 2
 }
@@ -388,6 +416,9 @@ const OFF_BORDERS: f32 = 3.0;
 /// corner of several shapes it would lead to all of them.
 const OFF_CORNERS: f32 = 3.5;
 const RAYS: usize = 32;
+/// Where there is room it ends further off, mm: half a fingertip. What an end that is nearer costs beside that, mm.
+const WELL_OFF_CORNERS: f32 = 6.0;
+const NEAR_CORNER: f32 = 6.0;
 /// The line beside a text is met so near to where its leader line would end, mm.
 const BESIDE_TIP: f32 = 6.0;
 
@@ -424,10 +455,15 @@ const WORTH_A_MOVE: f32 = 0.1;
 /// The best of the places, some distance apart.
 fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {
     all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    let mut kept: Vec<Candidate> = Vec::new();
+    let (mut kept, mut led): (Vec<Candidate>, usize) = (Vec::new(), 0);
     for candidate in all {
-        let is_new = |other: &Candidate| (other.place.min - candidate.place.min).length() >= APART;
-        if kept.len() < MOST && kept.iter().all(is_new) {
+        let is_led = candidate.leader().is_some();
+        // far from what they name another row is more of a choice than the next place in it
+        let is_more = kept.len() >= MOST;
+        let least = if is_more { APART_LED } else { APART };
+        let is_new = |other: &Candidate| (other.place.min - candidate.place.min).length() >= least;
+        if (!is_more || is_led && led < MOST_LED) && kept.iter().all(is_new) {
+            led += usize::from(is_led);
             kept.push(candidate);
         }
     }

@@ -10,6 +10,9 @@
 //!              read as a letter: more than a step of a grid of dots (2 to 2.5 mm)
 //!  8           a gridline that is interrupted: a value above its bar stands there rather than with a leader line
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
+//!  30          for each point of another over or under which a label of a point stands: rather in two lines, or with a
+//!              leader line
+//!  60          a line of cells right beside a label, which is read as a letter of it
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
 //!  1000        an abbreviation, which has to be looked up in the key (`forms`)
 //!  2000        any other leader line across lines: rather the abbreviation
@@ -29,6 +32,9 @@ const OFF_MIDDLE: f32 = 0.5;
 /// For a label of such a point elsewhere than below it: what stands beside a bar is taken for a name of its side, so
 /// that a label below it with a leader line is a little better.
 const NOT_BELOW: f32 = LEADER + 2.0;
+/// For each point of another over or under which the label of a point stands as well: more than a leader line and a
+/// divided word together.
+const OVER_ANOTHER: f32 = 30.0;
 /// For a label of a point that is left of it, next to one on the right, where reading goes on: more than a step of a
 /// grid of dots, so that the grid does not decide.
 const ON_THE_LEFT: f32 = 3.0;
@@ -72,6 +78,9 @@ const FELT_BEFORE_LINE: f32 = 6.0;
 const TOO_SHORT: f32 = 10.0;
 /// For a line that stands beside a label where a next cell would be.
 pub(super) const LIKE_A_CELL: f32 = 3.0;
+/// The same where lines are cells themselves: the label is read with a letter more, so rather with a leader line, or in
+/// two lines. Less than an abbreviation.
+const A_CELL: f32 = 60.0;
 /// For gridlines that are interrupted: a title stands above them where there is room.
 const ON_A_GRID: f32 = 8.0;
 /// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
@@ -88,6 +97,10 @@ pub(super) fn cost(
     let &Surroundings { room, params, end, anchor, .. } = around;
     let distance = distance(place, around);
     let elsewhere = if around.is_at_lower_side() && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
+    let over_others = match attachment {
+        Attachment::Beside => OVER_ANOTHER * around.over_others(place) as f32,
+        Attachment::Leader(_) | Attachment::LeaderAcross(_) => 0.0,
+    };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance));
     let leader = match attachment {
         Attachment::Beside => 0.0,
@@ -103,8 +116,12 @@ pub(super) fn cost(
     let aside = label.lost_leader.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
     // the end of the line that leads to it is no letter
     let is_read_alone = label.kept_leader.is_some() || room.is_free_aside(place, params.more_aside);
-    let beside = if is_read_alone { 0.0 } else { LIKE_A_CELL };
-    of_form + distance + aside + elsewhere + GLYPH * glyphs + grid + leader + beside
+    let beside = match is_read_alone {
+        true => 0.0,
+        false if params.among_cells => A_CELL,
+        false => LIKE_A_CELL,
+    };
+    of_form + distance + aside + elsewhere + over_others + GLYPH * glyphs + grid + leader + beside
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.

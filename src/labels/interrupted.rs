@@ -10,7 +10,7 @@ use crate::units::{MmPoint, MmRect};
 const STRAIGHTNESS: f32 = 0.9999;
 /// What is left of such a line between labels, or beside one, and is shorter than this, mm, goes too: it would be felt
 /// as a tick. The least length of lines on grids of 2.5 mm.
-const SCRAP: f32 = 12.0;
+pub(super) const SCRAP: f32 = 12.0;
 /// Step in which a stroke is interrupted, mm.
 const STEP: f32 = 0.25;
 /// Two lines that end beside one another are nearer than this, mm, or they meet.

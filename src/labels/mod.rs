@@ -53,8 +53,9 @@ use crate::units::{MmPoint, MmRect};
 use candidates::{Candidate, Spacing};
 use forms::{Form, FormKind, Forms};
 use groups::Group;
+use named_points::SmallRing;
 use room::Room;
-use surroundings::{LabelsAt, Surroundings};
+use surroundings::{AROUND_RING, LabelsAt, Surroundings};
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
@@ -193,7 +194,8 @@ fn around<'a>(
     let is_on_line = |at: &&MmPoint| room.line_beside(MmRect::new(**at, **at), OFF_LINE, OFF_LINE).is_some();
     let missing = params.points.iter().filter(is_on_line).map(|&at| named_points::missing(at));
     let rings: Vec<_> = room.rings().iter().copied().chain(missing).collect();
-    let anchors = named_points::anchors(wanted, &rings);
+    let is_seen = |text: MmPoint, ring: &SmallRing| !room.is_parted(text, ring.at, ring.reach + AROUND_RING);
+    let anchors = named_points::anchors(wanted, &rings, is_seen);
     let labels = LabelsAt { wanted, anchors: &anchors };
     let around = |(number, forms)| Surroundings::of(number, labels, longest(forms), room, params);
     forms.iter().enumerate().map(around).collect()
@@ -378,20 +380,28 @@ pub struct MadeRoom {
     pub lines: Vec<usize>,
     /// For each texture of which none is left, which of the labels lies nearest to its middle.
     pub without_texture: Vec<usize>,
+    /// The same for each of which less than half is left.
+    pub with_half_texture: Vec<usize>,
 }
+
+/// A texture of which less than this share is left is told of: an area that is mostly blank seems to be two.
+const MOSTLY_BLANK: f32 = 0.5;
 
 /// Takes the glyphs out of a figure that labels and their leader lines need blank, and interrupts gridlines.
 pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> MadeRoom {
     let lines = interrupted::interrupt(&mut figure.lines, placed, params);
-    let mut gone = Vec::new();
+    let (mut gone, mut halved) = (Vec::new(), Vec::new());
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
+        let before = texture.glyphs.len();
         cut_textures::make_room(texture, placed, params);
-        if texture.glyphs.is_empty() {
+        let left = texture.glyphs.len();
+        if (left as f32) < MOSTLY_BLANK * before as f32 {
             let far = |label: &usize| placed[*label].distance(extent.center());
-            gone.extend((0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b))));
+            let nearest = (0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b)));
+            if left == 0 { gone.extend(nearest) } else { halved.extend(nearest) }
         }
-        !texture.glyphs.is_empty()
+        left > 0
     });
-    MadeRoom { lines, without_texture: gone }
+    MadeRoom { lines, without_texture: gone, with_half_texture: halved }
 }

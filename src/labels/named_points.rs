@@ -16,12 +16,19 @@ const ROUND: f32 = 2.6;
 /// Farthest that a ring lies from the text that names it, mm: print stands up to 4 mm beside it, as beside the end of a
 /// line, and large print as far as it is high.
 const FARTHEST_RING: f32 = 5.0;
+/// Texts of a column have their middles so near to that of the ring between them, mm: they were centred on it.
+const IN_COLUMN: f32 = 1.5;
+/// Farthest that the second text of a ring lies from it, mm: two lines of large print, as where the names along a time
+/// line stand at two heights.
+const FARTHEST_SECOND: f32 = 20.0;
+/// Fewest rings with two texts: one alone may stand between two texts by chance.
+const FEWEST_WITH_TWO: usize = 2;
 
 /// A small ring: its middle, and how far it reaches from there, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SmallRing {
     pub(super) at: MmPoint,
-    reach: f32,
+    pub(super) reach: f32,
 }
 
 /// The small rings among lines, and the points on them.
@@ -65,8 +72,13 @@ pub(super) fn missing(at: MmPoint) -> SmallRing {
 }
 
 /// What each label names: the middle of the ring that it stands beside, as an empty box, or else its own anchor. Each
-/// ring has one label, the nearest.
-pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
+/// ring has one label, the nearest; those along a time line have a second one on their other side, if it `is_seen` from
+/// there.
+pub(super) fn anchors(
+    wanted: &[Wanted],
+    rings: &[SmallRing],
+    is_seen: impl Fn(MmPoint, &SmallRing) -> bool,
+) -> Vec<MmRect> {
     let gap = |label: &Wanted, ring: &SmallRing| {
         let far = distance_to_box(ring.at, label.anchor);
         // a ring around a text is a shape with a text in it
@@ -81,14 +93,47 @@ pub(super) fn anchors(wanted: &[Wanted], rings: &[SmallRing]) -> Vec<MmRect> {
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let mut anchors: Vec<MmRect> = wanted.iter().map(|label| label.anchor).collect();
-    let mut has_name = vec![false; rings.len()];
+    let mut names = vec![None; rings.len()];
     for (_, number, ring) in pairs {
-        if !anchors[number].is_empty() && !has_name[ring] {
+        if !anchors[number].is_empty() && names[ring].is_none() {
             anchors[number] = MmRect::new(rings[ring].at, rings[ring].at);
-            has_name[ring] = true;
+            names[ring] = Some(number);
         }
     }
+    let is_free = |number: &usize| !anchors[*number].is_empty();
+    let free: Vec<usize> = (0..wanted.len()).filter(is_free).collect();
+    let named = rings.iter().zip(&names).filter_map(|(ring, name)| Some((ring, wanted[(*name)?].anchor)));
+    let seconds: Vec<(usize, MmPoint)> =
+        named.filter_map(|(ring, first)| Some((second(ring, first, &free, wanted, &is_seen)?, ring.at))).collect();
+    if seconds.len() >= FEWEST_WITH_TWO {
+        seconds.into_iter().for_each(|(number, at)| anchors[number] = MmRect::new(at, at));
+    }
     anchors
+}
+
+/// The text that names a ring too, beside the one in the box `first`: both stand in its column, one above and one below
+/// it, as the name and the year of an event on a time line.
+fn second(
+    ring: &SmallRing,
+    first: MmRect,
+    free: &[usize],
+    wanted: &[Wanted],
+    is_seen: &impl Fn(MmPoint, &SmallRing) -> bool,
+) -> Option<usize> {
+    let off = |place: MmRect| place.center() - ring.at;
+    let is_in_column = |place: MmRect| off(place).x.abs() <= IN_COLUMN && off(place).y.abs() > ring.reach;
+    if !is_in_column(first) {
+        return None;
+    }
+    let far = |number: usize| distance_to_box(ring.at, wanted[number].anchor);
+    let is_opposite = |number: &usize| {
+        let Wanted { anchor, lost_leader, kept_leader, .. } = &wanted[*number];
+        let is_led = lost_leader.is_some() || kept_leader.is_some();
+        let is_beyond = is_in_column(*anchor) && off(*anchor).y * off(first).y < 0.0;
+        !is_led && is_beyond && far(*number) <= FARTHEST_SECOND
+    };
+    let nearest = free.iter().copied().filter(is_opposite).min_by(|a, b| far(*a).total_cmp(&far(*b)))?;
+    is_seen(wanted[nearest].anchor.center(), ring).then_some(nearest)
 }
 
 #[cfg(test)]

@@ -25,6 +25,8 @@ pub struct Params {
     /// How much more there should be on the left and on the right where there is room, as on a grid the dots of a line
     /// that stand where those of a next cell would are read as a letter.
     pub more_aside: f32,
+    /// Whether all dots are those of cells, so that a line right beside a label is read as its letters.
+    pub among_cells: bool,
     /// Blank between lines.
     pub line_gap: f32,
     /// The least strength that contours must have: lines as strong are weak ones.
@@ -33,6 +35,9 @@ pub struct Params {
     pub texture_clearance: f32,
     /// Least height of what labels leave of a texture beside them.
     pub least_texture: f32,
+    /// Whether what is drawn stands on an area of its own colour, such as the sea around an island, and not on blank
+    /// paper.
+    pub has_coloured_ground: bool,
     /// Whether leader lines may cross others: among the few pins of a display they are lost.
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
@@ -56,9 +61,11 @@ impl Params {
             least_texture: 0.0,
             clearance: 3.0,
             more_aside: 0.0,
+            among_cells: false,
             line_gap: 3.2,
             least_strength: 7.0,
             texture_clearance: 3.0,
+            has_coloured_ground: false,
             may_cross: true,
             step: 0.5,
             leader_off: 0.0,

@@ -194,6 +194,35 @@ impl Room {
         self.grid.within(place, &self.squares) > 0
     }
 
+    /// Whether a gridline that gives way to a box would stay on one side of it only: so the number of a gridline stands
+    /// at its end. One above or below the box has its number on the left. It stays where so much of it is left, mm,
+    /// beyond the clearance and up to the next line.
+    pub(super) fn ends_gridline(&self, place: MmRect, clearance: f32, least: f32) -> bool {
+        if !self.interrupts_grid(place) {
+            return false;
+        }
+        let far = clearance - SQUARE;
+        let rows = (0..).map(|step| place.min.y - far + 0.5 * SQUARE * step as f32);
+        // what lies in a box that is free of lines is a gridline
+        let is_in_column = |y: &f32| self.is_ink(MmPoint::new(place.center().x, *y));
+        let Some(y) = rows.take_while(|y| *y <= place.max.y + far).find(is_in_column) else { return false };
+        let stays = |from: f32, direction: f32| {
+            let steps = 0..=(least / (0.5 * SQUARE)).ceil() as u32;
+            let far = steps.map(|step| direction * (clearance + 0.5 * SQUARE * step as f32));
+            let is_at = |far: f32, down: f32| self.is_gridline(MmPoint::new(from + far, y + down));
+            far.into_iter().all(|far| [0.0, SQUARE].iter().any(|&down| is_at(far, down)))
+        };
+        let (left, right) = (stays(place.min.x, -1.0), stays(place.max.x, 1.0));
+        let goes_through = (place.min.y..=place.max.y).contains(&y);
+        right && !left || goes_through && left && !right
+    }
+
+    /// Whether a weak line lies at a point, such as a gridline, and no other.
+    pub(super) fn is_gridline(&self, at: MmPoint) -> bool {
+        let is_weak = self.strong.as_ref().is_some_and(|strong| !strong.holds(at, &self.squares));
+        is_weak && self.is_ink(at)
+    }
+
     /// Whether a line lies at a point.
     pub(super) fn is_ink(&self, at: MmPoint) -> bool {
         self.ink.holds(at, &self.squares)

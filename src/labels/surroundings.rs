@@ -26,7 +26,7 @@ const BESIDE_TEXT: f32 = 5.0;
 /// no leader line either.
 const LARGEST_RING: f32 = 9.0;
 /// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
-const AROUND_RING: f32 = 2.0;
+pub(super) const AROUND_RING: f32 = 2.0;
 /// Nearer to the place where two lines meet, mm, a point names that and no angle between them.
 const AT_VERTEX: f32 = 6.0;
 /// Breadth of the arc of an angle across it, at most, mm: twice the widest line, for a slanted way.
@@ -113,6 +113,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) scale: Option<GroupDirection>,
     /// What labels beside it name.
     others: Vec<MmPoint>,
+    /// Which of that are points.
+    points: Vec<MmPoint>,
 }
 
 impl<'a> Surroundings<'a> {
@@ -127,6 +129,9 @@ impl<'a> Surroundings<'a> {
         // a ring without a name is one for which readers take the name beside it
         let rings = room.rings().iter().map(|ring| ring.at).filter(|ring| is_point && (*ring - at).length() > SAME);
         let near = |other: &MmPoint| (*other - at).length() < reach;
+        let is_point_of_other = |(other, of): (usize, &MmRect)| (other != number && of.is_empty()).then(|| of.center());
+        let points =
+            anchors.iter().enumerate().filter_map(is_point_of_other).chain(rings.clone()).filter(near).collect();
         let mut others: Vec<MmPoint> = others.chain(rings).filter(near).collect();
         // of labels of one place one is enough
         others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -169,6 +174,7 @@ impl<'a> Surroundings<'a> {
             angle,
             scale: None,
             others,
+            points,
         }
     }
 
@@ -226,6 +232,11 @@ impl<'a> Surroundings<'a> {
         !self.room.is_in_room(place.center(), FURTHEST_OUTLINE)
     }
 
+    /// Whether a place in the open is on no area that could have a name of its own.
+    pub(super) fn is_in_blank(&self, place: MmRect) -> bool {
+        !self.params.has_coloured_ground && self.room.glyphs(place) == 0.0
+    }
+
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text
     /// that stands in none.
     pub(super) fn is_in_cell_or_open(&self, place: MmRect) -> bool {
@@ -265,6 +276,24 @@ impl<'a> Surroundings<'a> {
             let to_side = |i: usize| segment_distance((from, to), (corners[i], corners[(i + 1) % 4]));
             !place.contains(from) && (0..4).all(|side| to_side(side) >= far)
         })
+    }
+
+    /// Over or under how many points of others a label of a point stands that lies above or below its own: as near to
+    /// them, so that a finger that comes from one of them takes it for theirs.
+    pub(super) fn over_others(&self, place: MmRect) -> usize {
+        let is_in_columns = |at: MmPoint| (place.min.x..=place.max.x).contains(&at.x);
+        let gap = |at: MmPoint| distance_to_box(at, place);
+        let own = gap(self.anchor) + TO_OTHERS;
+        let is_over =
+            |other: &&MmPoint| (**other - self.anchor).length() > SAME && is_in_columns(**other) && gap(**other) <= own;
+        if !self.is_point() || !is_in_columns(self.anchor) {
+            return 0;
+        }
+        // two names of one point are one
+        let mut over: Vec<&MmPoint> = self.points.iter().filter(is_over).collect();
+        over.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        over.dedup_by(|a, b| (**a - **b).length() <= SAME);
+        over.len()
     }
 
     /// How far the marks of a leader line lie off its straight segment, mm.

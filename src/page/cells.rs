@@ -93,6 +93,13 @@ impl<'m> CellGrid<'m> {
         Some(MmVector::new(step(&steps.grid.columns, steps.start[0]), step(&steps.grid.rows, steps.start[1])))
     }
 
+    /// Blank that keeps braille off the cells of other marks, mm: where all dots are those of cells, a whole cell
+    /// wherever it comes to stand among them, or what stands beside a text is read as a part of it.
+    pub(super) fn blank_before_cells(&self) -> f32 {
+        let is_of_cells = self.on.as_ref().is_some_and(|steps| steps.start[0] == steps.cell);
+        if is_of_cells { 1.5 * self.size.cell } else { 0.0 }
+    }
+
     /// Width and height of lines of so many cells, from the edges of the outermost dots.
     pub fn extent(&self, cells: usize, lines: usize) -> MmVector {
         let line = self.size.extent(cells, self.diameter);

@@ -30,7 +30,7 @@ pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, med
     let size_of_usable = [usable.width(), usable.height()];
     let heading = params.heading.and_then(|heading| {
         let cells = CellGrid::of_dots(&medium, heading.cell);
-        Heading::on(&heading, &cells, size_of_usable, params.margin, beside(params.mark))
+        Heading::on(&heading, &cells, size_of_usable, params.margin, beside(params.mark, &cells))
     });
     let sheet = Sheet::new(size_of_usable, &params, heading.as_ref());
     let place = |widest: f32| {

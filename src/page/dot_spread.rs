@@ -33,7 +33,7 @@ pub(super) fn fit(
     let size = [usable.width(), usable.height()];
     let heading = params.heading.and_then(|heading| {
         let cells = CellGrid::of_dots(&medium, heading.cell);
-        let heading = Heading::on(&heading, &cells, size, margin, beside(params.mark))?;
+        let heading = Heading::on(&heading, &cells, size, margin, beside(params.mark, &cells))?;
         Some(heading.after_label(&cells).translated(origin))
     });
     let label = CellGrid::of_dots(&medium, CellSize::MARBURG).extent(1, 1).y;

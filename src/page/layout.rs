@@ -40,7 +40,8 @@ pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
 fn fit_print(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params, print: Print) -> Layout {
     let on = |size: [f32; 2]| {
         let heading = params.heading.and_then(|heading| {
-            Heading::on(&heading, &CellGrid::printed(heading.cell), size, params.margin, beside(params.mark))
+            let cells = CellGrid::printed(heading.cell);
+            Heading::on(&heading, &cells, size, params.margin, beside(params.mark, &cells))
         });
         (Sheet::new(size, params, heading.as_ref()), heading)
     };

@@ -2,6 +2,7 @@
 
 use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
+use super::cells::CellGrid;
 use super::heading::{Heading, HeadingParams};
 use super::medium::{Medium, MediumParams};
 use super::parts::Run;
@@ -217,9 +218,9 @@ pub(super) fn reach(mark: MarkParams) -> f32 {
 /// Least blank between the title and the mark, mm: as other programs leave around braille on graphics.
 const BESIDE_MARK: f32 = 3.0;
 
-/// How far from the corner of what can be printed a title has to end, because of the mark.
-pub(super) fn beside(mark: Option<MarkParams>) -> f32 {
-    mark.map_or(0.0, |mark| reach(mark) + mark.gap.max(BESIDE_MARK))
+/// How far from the corner of what can be printed a title in these cells has to end, because of the mark.
+pub(super) fn beside(mark: Option<MarkParams>, cells: &CellGrid<'_>) -> f32 {
+    mark.map_or(0.0, |mark| reach(mark) + mark.gap.max(BESIDE_MARK).max(cells.blank_before_cells()))
 }
 
 /// The bar that cuts off a corner of what can be printed; all of its ink lies within.

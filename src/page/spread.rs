@@ -59,7 +59,7 @@ pub fn fit(aspect: f32, widest: f32, grid: SheetGrid, overlap: f32, params: &Par
 fn fit_printed(sheet: [f32; 2], picture: SpreadPicture, params: &Params, print: Print) -> Option<Spread> {
     let heading = params.heading.and_then(|heading| {
         let cells = CellGrid::printed(heading.cell);
-        let heading = Heading::on(&heading, &cells, sheet, params.margin, beside(params.mark))?;
+        let heading = Heading::on(&heading, &cells, sheet, params.margin, beside(params.mark, &cells))?;
         Some(heading.after_label(&cells))
     });
     let label = CellSize::MARBURG.extent(1, braille::PRINTED).y;

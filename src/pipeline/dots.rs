@@ -48,10 +48,7 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         .filter(|(line, share)| **share < WHOLE || !has_own(line))
         .map(|(line, _)| LostSign { at: extent(line).center(), kind: kind(line, &lines) })
         .collect();
-    let alone = drawn.marks.points.iter().zip(&shown.points).filter(|(point, is_drawn)| point.is_alone && **is_drawn);
-    // points by themselves come last, and are no lines
-    let of_lines = &lines[..lines.len().saturating_sub(alone.count())];
-    let mut lost = drawn.lost.keeping(kept_of(&drawn.lines, of_lines));
+    let mut lost = drawn.lost.keeping(kept_of((&drawn.lines, &shares), &lines, area, medium.pitch));
     let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
     lost.gone.extend(gone.map(|(line, _)| LostLine {
         extent: extent(line),
@@ -69,11 +66,15 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }
 
-/// The share of lines that become dots, by length: what a grid has no room for counts as crowded out too.
-fn kept_of(lines: &[Line], pressed: &[Line]) -> f32 {
-    let own: f32 = pressed.iter().flat_map(Line::own_runs).map(Run::length).sum();
+/// The share of lines that become dots, by length: what a grid has no room for counts as crowded out too. `shares` are
+/// those of each line by its own dots. These are shorter than the line by a step of `pitch` mm where it ends at another
+/// one, and cut its corners, which is no loss: there are dots no further from it than a step.
+fn kept_of((lines, shares): (&[Line], &[f32]), pressed: &[Line], area: MmRect, pitch: f32) -> f32 {
     let whole: f32 = lines.iter().map(Line::length).sum();
-    if whole > 0.0 { (own / whole).min(1.0) } else { 1.0 }
+    let covered = kept_lines::covered(lines, pressed, area, pitch);
+    let of_line = |((line, own), covered): ((&Line, &f32), f32)| own.max(covered).min(1.0) * line.length();
+    let kept: f32 = lines.iter().zip(shares).zip(covered).map(of_line).sum();
+    if whole > 0.0 { kept / whole } else { 1.0 }
 }
 
 /// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines.

@@ -75,6 +75,30 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
     (stand_for, before.iter().zip(lengths).map(share).collect())
 }
 
+/// What share of each line of `before` has some line of `after` within `reach`, mm: dots of others too, at which it
+/// ends where it meets them. Both are lines of one figure.
+pub(super) fn covered(before: &[Line], after: &[Line], area: MmRect, reach: f32) -> Vec<f32> {
+    let mut near = Nearby::new(area, reach);
+    for (line, of) in (0..).zip(after) {
+        for (a, b) in of.runs.iter().flat_map(steps_of) {
+            near.insert(Segment { a, b, half_width: 0.0, line, index: 0, arc: 0.0 });
+        }
+    }
+    let share = |line: &Line| {
+        let (mut all, mut met) = (0_u32, 0_u32);
+        for (a, b) in path_of(line) {
+            let count = ((b - a).length() / STEP).ceil().max(1.0);
+            for k in 0..count as u32 {
+                let at = a.lerp(b, (k as f32 + 0.5) / count);
+                all += 1;
+                met += u32::from(near.nearest(at, reach, |_| true).is_some());
+            }
+        }
+        if all > 0 { met as f32 / all as f32 } else { 1.0 }
+    };
+    before.iter().map(share).collect()
+}
+
 /// The segments of a run; of one point, that point.
 fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
     match run.points[..] {

@@ -84,8 +84,8 @@ pub(super) fn whole_or_none(
         }
         let lines = draw(edges);
         let index = index_of_pieces(&lines, layout.figure);
-        let (whole, torn): (Vec<Leader>, Vec<Leader>) =
-            leaders.into_iter().partition(|leader| is_whole(&leader.path, &index, gap));
+        let leads = |leader: &Leader| is_whole(&leader.path, &index, gap) && !leads_to_other(&leader.path, &index);
+        let (whole, torn): (Vec<Leader>, Vec<Leader>) = leaders.into_iter().partition(leads);
         to_nothing = whole.iter().filter(|of| !leads_on_page(&of.path, &index)).map(|of| of.text).collect();
         texts.iter_mut().for_each(|text| text.kept_leader = None);
         whole.iter().for_each(|of| texts[of.text].kept_leader = of.path.first().copied());
@@ -114,6 +114,21 @@ fn leads_on_page(path: &[MmPoint], drawn: &Nearby) -> bool {
     let steps = ((tip - last).length() / STEP).ceil().max(1.0) as u32;
     let places = (0..=steps).map(|step| last.lerp(tip, step as f32 / steps as f32));
     places.into_iter().any(|at| drawn.nearest(at, ON_PAGE, |segment| segment.line != own.line).is_some())
+}
+
+/// Whether a leader line ends short of its tip on the page, and nearer to another line than to the one at its tip: a
+/// finger that goes on from its end comes to that one.
+fn leads_to_other(path: &[MmPoint], drawn: &Nearby) -> bool {
+    let (from, tip) = (path[0], path[path.len() - 1]);
+    let Some((_, _, own)) = drawn.nearest(from.lerp(tip, 0.5), DRAWN, |_| true) else { return false };
+    let nearest = |at: MmPoint| drawn.nearest(at, LAST, |segment| segment.line != own.line);
+    let steps = ((tip - from).length() / STEP).ceil().max(1.0) as u32;
+    let mut back = (0..=steps).map(|step| tip.lerp(from, step as f32 / steps as f32));
+    let is_own = |segment: &Segment| segment.line == own.line;
+    let Some(end) = back.find(|at| drawn.nearest(*at, OFF_LEADER, is_own).is_some()) else { return false };
+    let is_short = (tip - end).length() > AT_TIP;
+    let lines = nearest(end).zip(nearest(tip)).map(|((_, _, at_end), (_, _, at_tip))| (at_end.line, at_tip.line));
+    is_short && lines.is_some_and(|(at_end, at_tip)| at_end != at_tip)
 }
 
 /// What is told of leader lines that lead to nothing on the page.

@@ -21,6 +21,9 @@ use crate::units::{MmPoint, MmRect, MmVector, PageTransform, PxPoint, Size};
 /// Most room on one side, as a share of the drawing's width or height: beyond it the drawing would lose more than
 /// abbreviations cost. Words that need more get none.
 const MOST: f32 = 0.25;
+/// Two rows of labels have room above or below any drawing, as below the axis of a time line: a low drawing loses
+/// little by it. The blank beside each, mm.
+const BESIDE_ROW: f32 = CLEARANCE + MOVED;
 /// Least distance of a heading to the middle of the print that it stands for, mm: print is set about as near to a line
 /// as braille, but half as high.
 const LOWER: f32 = 2.0;
@@ -111,7 +114,9 @@ pub(super) fn with_room_for(
         return layout;
     }
     // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
-    let most = [layout.figure.width(), layout.figure.height()].map(|side| MOST * side);
+    let [across, down] = [layout.figure.width(), layout.figure.height()].map(|side| MOST * side);
+    let row = CellGrid::of(&layout.medium, plan.profile().braille.cell).extent(1, 1).y;
+    let most = [across, down.max(2.0 * (row + BESIDE_ROW + layout.medium.pitch()))];
     let lacks = |layout: &Layout| lacks(&wants(layout), &contours_at(layout), written, layout, most, plan);
     let bounds = TextBounds { most, min_side: plan.profile().figure.min_side };
     widened(layout, source, bounds, lacks, layout_of)

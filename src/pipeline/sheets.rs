@@ -7,6 +7,7 @@ use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run_stage};
 use super::request::{Request, SLACK};
+use super::textures;
 use super::words::{OnPage, Words, WrittenWords};
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
@@ -70,7 +71,8 @@ pub fn convert<'p>(
         marks;
     let legend = if words.own_texts { legend } else { Vec::new() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
-    let words = &Words { legend: &legend, lost_points: &lost_points, ..*words };
+    let coloured_ground = textures::has_coloured_ground(&notes);
+    let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

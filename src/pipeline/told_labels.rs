@@ -14,9 +14,9 @@ use crate::{About, Note, Reason};
 /// Why labels are left out, or there is no key: for programs and for the maker.
 pub(super) type Why = (Reason, &'static str);
 
-pub(super) const OUTSIDE: Why = (Reason::LabelOutside, "they lie outside of the picture");
+pub(super) const OUTSIDE: Why = (Reason::LabelOutside, "what lies outside of the picture is not drawn");
 pub(super) const OFF: Why = (Reason::BrailleOff, "braille is off (braille=false)");
-pub(super) const NO_CODE: Why = (Reason::NoCode, "there is no braille code for their language");
+pub(super) const NO_CODE: Why = (Reason::NoCode, "there is no braille code for this language");
 pub(super) const NO_CODE_OF_WORDS: Why = (Reason::NoCode, "there is no braille code for the language of the words");
 pub(super) const NOTHING_TO_TELL: Why = (
     Reason::NothingToTell,
@@ -33,9 +33,11 @@ const _: () =
     assert!(EVERY[0].0 == labels::EVERY[0] && EVERY[1].0 == labels::EVERY[1] && EVERY[2].0 == labels::EVERY[2]);
 /// The same where only those stand that have a tick on the page.
 const AT_TICKS: &str = "there is room for the numbers at the ticks of the page only";
-const NO_CELLS: Why = (Reason::NoCells, "their code has no cells for them");
-const MISLEADING: Why =
-    (Reason::Misleading, "without characters that their code has no cells for they would say something else");
+const NO_CELLS: Why = (Reason::NoCells, "the braille code has no cells for such a text");
+const MISLEADING: Why = (
+    Reason::Misleading,
+    "without characters that the braille code has no cells for such a text would say something else",
+);
 const TOO_MANY: Why = (Reason::TooManyLabels, "a page takes 300 labels at most");
 pub(super) const TOO_LONG: Why = (Reason::TextTooLong, "a text of a page has 1000 characters at most");
 const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
@@ -167,6 +169,21 @@ pub(super) fn without_texture(labels: &[&str]) -> Option<Note> {
     };
     let told = format!(
         "{areas} ({}), as {they_stand}; make the figure larger, or say in the labels what the colours mean",
+        named(labels)
+    );
+    Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
+}
+
+/// The same of textures of which less than half is left beside labels.
+pub(super) fn with_half_texture(labels: &[&str]) -> Option<Note> {
+    let (areas, they_stand) = match labels.len() {
+        0 => return None,
+        1 => ("the texture of 1 area".to_owned(), "the label stands"),
+        count => (format!("each of the textures of {count} areas"), "labels stand"),
+    };
+    let told = format!(
+        "more than half of {areas} ({}), where {they_stand} and in what is too narrow beside; make the \
+         figure larger, or say in the labels what the colours mean",
         named(labels)
     );
     Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))

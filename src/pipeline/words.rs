@@ -7,8 +7,8 @@ use super::legend::{self, LegendEntry};
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
-    NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others, of_axes,
-    of_nothing, told, without_texture,
+    self, NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others,
+    of_axes, of_nothing, told,
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
@@ -52,6 +52,8 @@ pub struct Words<'a> {
     pub written: &'a [WrittenLabel],
     /// Which of the labels, and then of the texts that are labels too, name nothing.
     pub nameless: &'a [usize],
+    /// Whether the picture's ground is an area of its own colour, such as the sea around an island.
+    pub coloured_ground: bool,
 }
 
 /// Words where they stand, and what they change of the page.
@@ -232,7 +234,8 @@ impl<'a> WrittenWords<'a> {
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
         let leaders = texts.iter().filter_map(|text| text.kept_leader).collect();
         let written = words.written.to_vec();
-        let params = Params { points, leaders, blocked, written, ..params(layout, tiles, plan) };
+        let has_coloured_ground = words.coloured_ground;
+        let params = Params { points, leaders, blocked, written, has_coloured_ground, ..params(layout, tiles, plan) };
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure, words.before));
@@ -241,8 +244,10 @@ impl<'a> WrittenWords<'a> {
         notes.extend(of_axes(&wanted, &results));
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
-        let MadeRoom { lines, without_texture: on_textures } = labels::make_room(figure, &placed, &params);
-        notes.extend(without_texture(&on_textures.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>()));
+        let MadeRoom { lines, without_texture, with_half_texture } = labels::make_room(figure, &placed, &params);
+        let texts = |labels: Vec<usize>| labels.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>();
+        notes.extend(told_labels::without_texture(&texts(without_texture)));
+        notes.extend(told_labels::with_half_texture(&texts(with_half_texture)));
         notes.extend(told(&wanted, &results));
         notes.extend(unwritten::on_line(&of_placed, translator));
         notes.extend(unwritten::in_other_letters(&of_placed, translator));

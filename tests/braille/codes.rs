@@ -220,6 +220,14 @@ fn rules_of_the_codes() {
         ("es", "6·7", "⠼⠋⠦⠼⠛"),
         // UEB 6.6: a numeric space joins groups of three digits only
         ("en", "12 345, 3 40", "⠼⠁⠃⠐⠉⠙⠑⠂⠀⠼⠉⠀⠼⠙⠚"),
+        // as liblouis has telephone numbers; a list of numbers is none
+        ("en", "Tel. 020 7946 0018", "⠠⠞⠑⠇⠲⠀⠼⠚⠃⠚⠐⠛⠊⠙⠋⠐⠚⠚⠁⠓"),
+        ("en", "+44 20 7946 0018", "⠐⠖⠼⠙⠙⠐⠃⠚⠐⠛⠊⠙⠋⠐⠚⠚⠁⠓"),
+        ("en", "0 10 20 30 40 50", "⠼⠚⠀⠼⠁⠚⠀⠼⠃⠚⠀⠼⠉⠚⠀⠼⠙⠚⠀⠼⠑⠚"),
+        ("en", "1914 1918 1939", "⠼⠁⠊⠁⠙⠀⠼⠁⠊⠁⠓⠀⠼⠁⠊⠉⠊"),
+        // CBFU: four words and more are a passage of capitals, of which the last one has a mark too
+        ("fr", "LES PARTIES D'UNE FLEUR", "⠒⠨⠇⠑⠎⠀⠏⠁⠗⠞⠊⠑⠎⠀⠙⠄⠥⠝⠑⠀⠨⠋⠇⠑⠥⠗"),
+        ("fr", "DISTANCE AU SOLEIL", "⠨⠨⠙⠊⠎⠞⠁⠝⠉⠑⠀⠨⠨⠁⠥⠀⠨⠨⠎⠕⠇⠑⠊⠇"),
         ("en", "SEA LEVEL RISE, 2 m", "⠠⠠⠠⠎⠑⠁⠀⠇⠑⠧⠑⠇⠀⠗⠊⠎⠑⠂⠠⠄⠀⠼⠃⠀⠍"),
         // a minus sign is one at the beginning too
         ("de", "-5 °C", "⠈⠤⠼⠑⠈⠴⠉"),

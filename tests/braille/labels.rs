@@ -308,7 +308,7 @@ fn labels_that_are_not_there_are_told() {
         drawing.notes.iter().filter_map(of_note).collect()
     };
     let told = |text: &str, why: &'static str| (vec![text.to_owned()], why);
-    let outside = || told("outside", "they lie outside of the picture");
+    let outside = || told("outside", "what lies outside of the picture is not drawn");
     let picture = samples::read("bars.svg");
     let labels = vec![at(120.0, 50.0, "outside"), at(50.0, 50.0, "in")];
     let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
@@ -316,7 +316,7 @@ fn labels_that_are_not_there_are_told() {
     assert_eq!(labels_of(&drawing).len(), 1);
     // without a code
     let drawing = convert(&picture, &options("swell-a4").labels(labels.clone()).language("ja")).expect("a page");
-    assert_eq!(left_out(&drawing), [outside(), told("in", "there is no braille code for their language")]);
+    assert_eq!(left_out(&drawing), [outside(), told("in", "there is no braille code for this language")]);
     assert!(drawing.notes.contains(&Note::NoBrailleCode("ja".into())));
     // without braille
     let mut off = Profile::named("swell-a4").expect("it is built in");
@@ -326,8 +326,8 @@ fn labels_that_are_not_there_are_told() {
     // of a text without cells, and of one that is abbreviated, every character is told
     let labels = vec![at(50.0, 50.0, "\u{65e5}\u{672c}"), at(20.0, 50.0, &"long\u{65e5}".repeat(40))];
     let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
-    let misleading = "without characters that their code has no cells for they would say something else";
-    let no_cells = told("\u{65e5}\u{672c}", "their code has no cells for them");
+    let misleading = "without characters that the braille code has no cells for such a text would say something else";
+    let no_cells = told("\u{65e5}\u{672c}", "the braille code has no cells for such a text");
     assert_eq!(left_out(&drawing), [no_cells, told(&labels[1].text, misleading)]);
     let told: Vec<String> =
         drawing.notes.iter().map(Note::to_string).filter(|note| note.contains("left out of the braille")).collect();

@@ -117,6 +117,18 @@ fn a_file_of_cells_has_title_and_key_as_text() {
     }
 }
 
+/// Among cells the page number has a blank one before the orientation mark, whose dots are cells too.
+#[test]
+fn a_page_number_among_cells_keeps_off_the_mark() {
+    let drawing = drawn("braille-cells", &[]);
+    let files = write_dots(TITLE, &[drawing.page], DotFormat::Brf, Default::default()).expect("its format");
+    let text = unicode_of_brf(&String::from_utf8(files[0].clone()).expect("ASCII"));
+    let first = text.lines().next().expect("a line").trim_end_matches('\u{2800}');
+    let words: Vec<&str> = first.split('\u{2800}').filter(|word| !word.is_empty()).collect();
+    let number = words.iter().rposition(|word| word.starts_with('\u{283c}')).expect("the sign of a number");
+    assert_eq!(number + 2, words.len(), "the mark stands by itself behind it: {first}");
+}
+
 fn unicode_of_brf(file: &str) -> String {
     let mut text = String::new();
     for matrix in dots::brf(file) {

@@ -238,3 +238,50 @@ fn a_leader_line_across_others_begins_so_far_before_them_that_it_is_felt() {
     assert!(near.attachment.crosses() && far.attachment.crosses());
     assert!(far.cost < near.cost, "{} {}", far.cost, near.cost);
 }
+
+#[test]
+fn the_name_of_a_point_stands_over_no_other_point() {
+    let (room, params) = (room(&[], false), params());
+    let cost = |others: &[Wanted]| {
+        let wanted = [&[at(100.0, 100.0)], others].concat();
+        placed(&wanted, box_at(90.0, 88.0), &room, &params).expect("it stands above its point").cost
+    };
+    let alone = cost(&[]);
+    assert!((cost(&[at(109.0, 100.0)]) - alone - 30.0).abs() < 0.01, "rather elsewhere with a leader line");
+    assert!((cost(&[at(112.0, 100.0)]) - alone).abs() < 0.01, "beside the other");
+    assert!((cost(&[at(109.0, 110.0)]) - alone).abs() < 0.01, "the other is farther below");
+}
+
+#[test]
+fn a_leader_line_along_a_line_is_none() {
+    let label = [at(100.0, 100.0)];
+    let found = |points: &[(f32, f32)]| placed(&label, box_at(75.0, 122.0), &room(points, false), &params());
+    // from the label at 95, 122 to the point
+    assert!(found(&[(80.0, 112.0), (120.0, 112.0)]).is_some_and(|found| found.attachment.crosses()));
+    assert_eq!(found(&[(98.0, 90.0), (96.0, 120.0)]), None, "beside which it runs");
+}
+
+#[test]
+fn a_label_beside_the_outline_of_its_shape_stands_on_blank_ground() {
+    let shape = room(&[(90.0, 90.0), (110.0, 90.0), (110.0, 110.0), (90.0, 110.0)], true);
+    let label = [named(MmRect::new(MmPoint::new(97.0, 98.0), MmPoint::new(103.0, 102.0)))];
+    let found = |has_coloured_ground: bool| {
+        let params = Params { may_cross: false, has_coloured_ground, ..params() };
+        placed(&label, box_at(114.0, 97.0), &shape, &params).map(|found| found.attachment)
+    };
+    assert_eq!(found(false), Some(Attachment::Beside));
+    assert_eq!(found(true), None, "in the sea it would be a name of that");
+}
+
+#[test]
+fn places_with_leader_lines_are_left_where_many_are_near_by() {
+    let near = (0..60)
+        .map(|k| Candidate::of_row(k, box_at(5.0 * k as f32, 0.0), Attachment::Beside, k as f32, PlacedAs::Alone));
+    let far = (0..40).map(|k| Candidate {
+        cost: 100.0 + k as f32,
+        ..at_leader(box_at(5.0 * k as f32, 20.0), [(0.0, 9.0), (0.0, 0.0)])
+    });
+    let kept = apart(near.chain(far).collect());
+    let led = kept.iter().filter(|candidate| candidate.leader().is_some()).count();
+    assert_eq!((kept.len(), led), (68, 20), "8 mm apart");
+}

@@ -19,7 +19,7 @@ fn a_text_beside_a_small_ring_names_it_and_others_do_not() {
     let rings = rings(&[ring(50.0, 50.0, 2.5), ring(100.0, 100.0, 20.0), ring(102.0, 60.0, 4.0)]);
     assert_eq!(rings.len(), 2, "the large ring is a shape");
     let texts = [text("far", 10.0, 90.0), text("Quell", 55.0, 49.0), text("River", 57.0, 55.0), text("B", 97.0, 58.0)];
-    let anchors = anchors(&texts, &rings);
+    let anchors = anchors(&texts, &rings, |_, _| true);
     let is_own: Vec<bool> = anchors.iter().zip(&texts).map(|(anchor, text)| *anchor == text.anchor).collect();
     assert_eq!(is_own, [true, false, true, true], "far, beside a ring, beside one that has a name, in a ring");
     assert!(anchors[1].is_empty() && (anchors[1].min - MmPoint::new(50.0, 50.0)).length() < 0.1);
@@ -35,4 +35,23 @@ fn a_ring_of_dots_is_one_and_a_square_is_none() {
     let round = [(1.0, 0.0), (2.0, 0.0), (3.0, 1.0), (3.0, 2.0), (2.0, 3.0), (1.0, 3.0), (0.0, 2.0), (0.0, 1.0)];
     let square = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0), (0.0, 2.0), (0.0, 1.0)];
     assert_eq!([of(&round), of(&square), of(&round[..5])], [1, 0, 0]);
+}
+
+/// The years below the points of a time line are nearer to them than the names of what happened, which stand at two
+/// heights above.
+#[test]
+fn points_of_a_time_line_have_a_name_and_a_year() {
+    let at = [50.0, 90.0];
+    let rings = rings(&at.map(|x| ring(x, 50.0, 2.5)));
+    let above = |x: f32, y: f32| text("Name", x - 5.0, y);
+    let years = at.map(|x| text("1804", x - 5.0, 55.0));
+    let of = |names: [Wanted; 2], is_seen: bool| {
+        let texts = [years.to_vec(), names.to_vec()].concat();
+        anchors(&texts, &rings, |_, _| is_seen).iter().map(|anchor| anchor.is_empty()).collect::<Vec<_>>()
+    };
+    let names = [above(50.0, 41.0), above(90.0, 33.0)];
+    assert_eq!(of(names.clone(), true), [true; 4]);
+    assert_eq!(of(names.clone(), false), [true, true, false, false], "a line lies between");
+    assert_eq!(of([names[0].clone(), above(93.0, 33.0)], true), [true, true, false, false], "beside the column of one");
+    assert_eq!(of([names[0].clone(), above(90.0, 20.0)], true), [true, true, false, false], "far above one");
 }

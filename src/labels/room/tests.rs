@@ -107,3 +107,24 @@ fn dots_of_a_texture_cost_a_label_less_than_printed_signs() {
     assert!((on_dots(1.4) - 4.0).abs() < 0.01, "{}", on_dots(1.4));
     assert!((on_dots(2.5) - 7.1).abs() < 0.1, "{}", on_dots(2.5));
 }
+
+#[test]
+fn a_box_at_the_end_of_a_gridline_is_known() {
+    let line = |[from, to]: [(f32, f32); 2], strength: f32| Line {
+        strength,
+        runs: vec![Run::stroke(1.0, vec![from.into(), to.into()])],
+    };
+    let level = |y: f32| line([(10.0, y), (90.0, y)], 3.0);
+    let lines = [level(30.0), level(50.0), level(70.0), line([(10.0, 20.0), (10.0, 80.0)], 100.0)];
+    let room = Room::new(&lines, &[], &params());
+    let ends = |x: f32, y: f32| {
+        let place = MmRect::new(MmPoint::new(x, y - 3.0), MmPoint::new(x + 14.0, y + 3.0));
+        room.ends_gridline(place, 3.0, 12.0)
+    };
+    assert!(ends(16.0, 50.0), "too little of the line is left before the axis");
+    assert!(!ends(40.0, 50.0), "it goes on on both sides");
+    assert!(ends(70.0, 50.0), "at its other end");
+    assert!(ends(16.0, 45.0) && !ends(70.0, 45.0), "above the left end, where its number stands");
+    assert!(!ends(16.0, 40.0), "between two lines");
+    assert!(room.is_gridline(MmPoint::new(50.0, 50.0)) && !room.is_gridline(MmPoint::new(10.0, 40.0)));
+}

@@ -183,9 +183,12 @@ impl ContentWriter<'_> {
         self.content.fill_nonzero();
     }
 
-    /// Words in braille, which a screen reader reads as text.
+    /// Words in braille, which a screen reader reads as text. Programs take the height of words from the font that is
+    /// set where these end, so that it stays set until then.
     fn braille(&mut self, text: &BrailleText) {
         let words = plain(&text.spoken());
+        let width = self.width;
+        self.content.save_state();
         let mut content = self.content.begin_marked_content_with_properties(Name(b"Span"));
         content.properties().actual_text(TextStr(&words));
         drop(content);
@@ -193,6 +196,8 @@ impl ContentWriter<'_> {
         self.unseen(&text.dots);
         text.leader.iter().for_each(|run| self.run(run));
         self.content.end_marked_content();
+        self.content.restore_state();
+        self.width = width;
     }
 
     /// A blank in place of dots, which takes no ink: programs look for words, and copy them, only where a letter
@@ -200,11 +205,11 @@ impl ContentWriter<'_> {
     fn unseen(&mut self, dots: &Dots) {
         let Some(place) = dots.bounds() else { return };
         let (width, size) = (units(place.width()), units(place.height()));
-        self.content.save_state().begin_text().set_text_rendering_mode(TextRenderingMode::Invisible);
+        self.content.begin_text().set_text_rendering_mode(TextRenderingMode::Invisible);
         self.content.set_font(FONT, size).set_horizontal_scaling((100.0 * width / (BLANK * size)).round());
         self.content.set_text_matrix([1.0, 0.0, 0.0, -1.0, units(place.min.x), units(place.max.y)]);
         self.content.show(Str(b" "));
-        self.content.end_text().restore_state();
+        self.content.end_text();
     }
 
     /// Words in print, in a font that every viewer has.

@@ -22,3 +22,24 @@ fn a_squared_grid_that_is_torn_is_known_as_such() {
     let only_level: Vec<Line> = places().map(|y| level(y, 90.0)).collect();
     assert_eq!(torn_gridlines(&only_level, &[], area, 7.0), [0; 0], "gridlines of a chart are each told");
 }
+
+/// Of a bar on a grid the dots begin a step above the axis that it stands on, and its corners are cut.
+#[test]
+fn a_line_that_ends_at_the_dots_of_another_is_whole() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let line = |points: &[(f32, f32)]| Line {
+        strength: 50.0,
+        runs: vec![Run::stroke(1.0, points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect())],
+    };
+    let axis = [(10.0, 90.0), (90.0, 90.0)];
+    let bar = line(&[(40.0, 90.0), (40.0, 60.0), (47.5, 60.0), (47.5, 90.0)]);
+    let kept = |pressed: &[Line]| {
+        let lines = [line(&axis), bar.clone()];
+        let (_, shares) = kept_lines::matched(&lines, area, pressed, area);
+        kept_of((&lines, &shares), pressed, area, 2.5)
+    };
+    let pressed = line(&[(40.0, 87.5), (40.0, 62.5), (42.5, 60.0), (45.0, 60.0), (47.5, 62.5), (47.5, 87.5)]);
+    assert!((kept(&[line(&axis), pressed]) - 1.0).abs() < 1e-3);
+    let half = line(&[(40.0, 87.5), (40.0, 62.5)]);
+    assert!((0.7..0.8).contains(&kept(&[line(&axis), half])));
+}

@@ -43,3 +43,20 @@ fn those_left_out_are_told_by_their_texts() {
     assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");
     assert_eq!(told_lost(&[text("vacuole", false)]), None);
 }
+
+#[test]
+fn a_leader_line_that_ends_at_another_thing_leads_there() {
+    let line = |points: &[(f32, f32)]| Line {
+        strength: 1.0,
+        runs: vec![Run::stroke(1.0, points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect())],
+    };
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let tip = MmPoint::new(40.0, 50.0);
+    let leads = |end: f32| {
+        let own = line(&[(0.0, 50.0), (20.0, 50.0), (end, 50.0)]);
+        let lines = [own, line(&[(41.0, 40.0), (41.0, 60.0)]), line(&[(20.0, 46.0), (32.0, 46.0)])];
+        leads_to_other(&[MmPoint::new(0.0, 50.0), tip], &index_of_pieces(&lines, area))
+    };
+    assert!(leads(33.0), "it ends 4 mm from one and 8 mm from the other");
+    assert!(!leads(38.0), "short of its tip by the blank before a line");
+}

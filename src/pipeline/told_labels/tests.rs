@@ -18,3 +18,12 @@ fn a_label_that_stands_at_what_another_names_is_told() {
     assert!(told.contains("than to their own: \"11\" near \"6\"; make the figure larger"), "{told}");
     assert_eq!(nearer_to_others(&all, &[placed(25.0), placed(80.0)]), None);
 }
+
+#[test]
+fn textures_that_labels_cut_by_half_are_told() {
+    assert_eq!(with_half_texture(&[]), None);
+    let told = with_half_texture(&["North"]).expect("a note").to_string();
+    assert!(told.contains("more than half of the texture of 1 area (\"North\"), where the label stands"), "{told}");
+    let told = with_half_texture(&["North", "South"]).expect("a note").to_string();
+    assert!(told.contains("more than half of each of the textures of 2 areas"), "{told}");
+}
