@@ -43,6 +43,7 @@ mod subject;
 mod text_reader;
 mod texts;
 mod textures;
+mod told_bars;
 mod told_labels;
 mod told_lines;
 mod too_near;

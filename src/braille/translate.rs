@@ -340,7 +340,12 @@ fn is_in_phone_number(text: &[char], i: usize) -> bool {
     let number: Vec<char> = (from..text.len()).take_while(|&at| is_of_number(at)).map(|at| text[at]).collect();
     let is_international = from.checked_sub(1).is_some_and(|before| text[before] == '+');
     let begins = is_international || number.starts_with(&['0']) && number.get(1).is_some_and(char::is_ascii_digit);
-    is_of_number(i) && begins && number.iter().filter(|letter| **letter != ' ').count() >= FEWEST_OF_PHONE_NUMBER
+    // a list of hours has none of three
+    let has_long = number.split(|letter| *letter == ' ').any(|group| group.len() >= 3);
+    is_of_number(i)
+        && begins
+        && has_long
+        && number.iter().filter(|letter| **letter != ' ').count() >= FEWEST_OF_PHONE_NUMBER
 }
 
 /// Fewest digits of a telephone number with its code; dates have eight at most, and no zero before a year.

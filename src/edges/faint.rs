@@ -11,10 +11,10 @@ use crate::units::PxPoint;
 const FAINT: f32 = 0.25;
 /// The contrast of black on white. Colours may reach more than twice as much, and are no stronger for that: an axis of
 /// two black pixels is not faint beside a curve of four coloured ones.
-const BLACK: f32 = 100.0;
+pub(super) const BLACK: f32 = 100.0;
 /// The strong ones are this share of all strokes by length, of which a grid counts as one line: the curve of a chart is
 /// short beside its grid.
-const STRONG: f32 = 0.1;
+pub(super) const STRONG: f32 = 0.1;
 /// Strokes are of one width if they differ by less than this, px: drawings give it exactly.
 const ONE_WIDTH: f32 = 0.01;
 /// A line of a grid that lies under another stroke for most of its length is as pale as the grid at this share of its

@@ -4,6 +4,7 @@
 //! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar.
 
 use super::contour::Contour;
+use super::faint::{BLACK, STRONG};
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
@@ -12,11 +13,6 @@ use crate::units::{PxPoint, Size};
 /// A stroke is pale up to this share of the contrast of the strong ones. Grey (`#aaa`) on white paper has a third of
 /// that of black, a grey axis (`#888`) half.
 const PALE: f32 = 0.4;
-/// The contrast of black on white: colours may reach more, and are no stronger for that.
-const BLACK: f32 = 100.0;
-/// The strong ones are this share of all contours by length, but no longer than the picture: the lines of a grid are
-/// long beside a curve.
-const STRONG: f32 = 0.1;
 /// What is shorter than this, px, is no change of contrast: a line that crosses another.
 const CROSSED: f32 = 8.0;
 /// A stroke is parted where another contour ends within this distance of the change, px: at the corner of a bar.
@@ -81,7 +77,8 @@ impl Stretch {
     }
 }
 
-/// The contrast of the strong contours.
+/// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a
+/// grid are long beside a curve.
 fn strong(contours: &[Contour], size: Size) -> f32 {
     let mut all: Vec<(f32, f32)> = contours.iter().map(|contour| (median(contour), contour.length())).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -101,31 +98,27 @@ fn median(contour: &Contour) -> f32 {
     if strengths.is_empty() { 0.0 } else { *strengths.select_nth_unstable_by(middle, f32::total_cmp).1 }
 }
 
-/// The stretches of an open contour that are pale, with a contrast up to `most`, and those that are not.
+/// The stretches of an open contour that are pale, with a contrast up to `most`, and those that are not. The shortest
+/// go to what is around them until none is too short for a change of contrast.
 fn stretches(contour: &Contour, most: f32) -> Vec<Stretch> {
     let is_pale: Vec<bool> = contour.vertices.iter().map(|point| point.strength <= most).collect();
-    let found = runs(is_pale.len(), false, |a, b| is_pale[a] == is_pale[b]);
-    let length = |run: &[usize]| match run {
-        [first, .., last] => (contour.vertices[*last].at - contour.vertices[*first].at).length(),
-        _ => 0.0,
-    };
-    let mut stretches: Vec<Stretch> = Vec::new();
-    for run in found {
-        let (from, to) = (run[0], run[run.len() - 1]);
-        match stretches.last_mut() {
-            // it goes on as before, or began with a line that it crosses
-            Some(last) if length(&run) < CROSSED || last.is_pale == is_pale[from] => last.to = to,
-            Some(last)
-                if last.from == 0 && (contour.vertices[last.to].at - contour.vertices[0].at).length() < CROSSED =>
-            {
-                *last = Stretch { from: 0, to, is_pale: is_pale[from] };
-            }
-            _ => {
-                stretches.push(Stretch { from: stretches.last().map_or(0, |last| last.to), to, is_pale: is_pale[from] })
-            }
-        }
+    let runs = runs(is_pale.len(), false, |a, b| is_pale[a] == is_pale[b]);
+    let mut all: Vec<Stretch> =
+        runs.iter().map(|run| Stretch { from: run[0], to: run[run.len() - 1], is_pale: is_pale[run[0]] }).collect();
+    let length = |of: &Stretch| (contour.vertices[of.to].at - contour.vertices[of.from].at).length();
+    while all.len() > 1
+        && let Some(shortest) = (0..all.len()).min_by(|&a, &b| length(&all[a]).total_cmp(&length(&all[b])))
+        && length(&all[shortest]) < CROSSED
+    {
+        let (from, to) = (shortest.saturating_sub(1), (shortest + 1).min(all.len() - 1));
+        let is_pale = !all[shortest].is_pale;
+        all.splice(from..=to, [Stretch { from: all[from].from, to: all[to].to, is_pale }]);
     }
-    stretches
+    // each ends where the next begins
+    for next in 1..all.len() {
+        all[next].from = all[next - 1].to;
+    }
+    all
 }
 
 /// The vertex at which a contour is parted: the one nearest to the end of another if there is one about vertex `i`.

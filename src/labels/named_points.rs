@@ -2,6 +2,8 @@
 //! are placed as those of points that are given: beside the ring, or with a leader line to it and not to what else is
 //! near.
 
+use std::collections::BTreeSet;
+
 use super::placed::Wanted;
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::page::{Line, Run};
@@ -46,8 +48,22 @@ pub(super) fn rings(lines: &[Line]) -> Vec<SmallRing> {
         let is_ring = width.max(height) <= LARGEST && (width - height).abs() <= ROUND && width.min(height) > 0.0;
         is_ring.then(|| SmallRing { at: extent.center(), reach: 0.5 * width.max(height) })
     });
-    ring.chain(on_dots).chain(beads).collect()
+    // of dots beside all lines, in a square
+    let alone = lines.iter().filter(|line| line.is_block_of_dots() || is_smallest_ring(line)).filter_map(|line| {
+        let extent = MmRect::from_points(line.row()?.points.iter().copied());
+        Some(SmallRing { at: extent.center(), reach: 0.5 * extent.width().max(extent.height()) })
+    });
+    ring.chain(on_dots).chain(beads).chain(alone).collect()
 }
+
+/// Whether a line is a point beside all lines, eight dots around one in its middle or around none.
+fn is_smallest_ring(line: &Line) -> bool {
+    let dots = |number: usize| line.runs.get(number).map_or(0, |run| run.points.len());
+    line.is_ring_of_dots() && dots(0) == SMALLEST_RING && dots(1) <= 1
+}
+
+/// The smallest ring of dots on a grid.
+const SMALLEST_RING: usize = 8;
 
 /// So few dots are no ring.
 const FEWEST_DOTS: usize = 6;
@@ -105,6 +121,9 @@ pub(super) fn anchors(
     let named = rings.iter().zip(&names).filter_map(|(ring, name)| Some((ring, wanted[(*name)?].anchor)));
     let seconds: Vec<(usize, MmPoint)> =
         named.filter_map(|(ring, first)| Some((second(ring, first, &free, wanted, &is_seen)?, ring.at))).collect();
+    // a text names one ring
+    let mut taken = BTreeSet::new();
+    let seconds: Vec<(usize, MmPoint)> = seconds.into_iter().filter(|(number, _)| taken.insert(*number)).collect();
     if seconds.len() >= FEWEST_WITH_TWO {
         seconds.into_iter().for_each(|(number, at)| anchors[number] = MmRect::new(at, at));
     }

@@ -68,11 +68,15 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
 
 /// The share of lines that become dots, by length: what a grid has no room for counts as crowded out too. `shares` are
 /// those of each line by its own dots. These are shorter than the line by a step of `pitch` mm where it ends at another
-/// one, and cut its corners, which is no loss: there are dots no further from it than a step.
+/// one, and cut its corners, which is no loss: there are dots no further from it than a step. Of a line that is gone
+/// those of others do not count.
 fn kept_of((lines, shares): (&[Line], &[f32]), pressed: &[Line], area: MmRect, pitch: f32) -> f32 {
     let whole: f32 = lines.iter().map(Line::length).sum();
     let covered = kept_lines::covered(lines, pressed, area, pitch);
-    let of_line = |((line, own), covered): ((&Line, &f32), f32)| own.max(covered).min(1.0) * line.length();
+    let of_line = |((line, own), covered): ((&Line, &f32), f32)| {
+        let share = if *own < GONE { *own } else { own.max(covered).min(1.0) };
+        share * line.length()
+    };
     let kept: f32 = lines.iter().zip(shares).zip(covered).map(of_line).sum();
     if whole > 0.0 { kept / whole } else { 1.0 }
 }

@@ -2,40 +2,18 @@
 //! another, and where a line between every two has no room either, as one common outline.
 
 use super::bars::{Bar, Chart, SAME, WantedPath, missing};
+use super::told_bars::{BarStyle, Bars};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::polyline::Polyline;
-use crate::lines::{Line, PagePart};
+use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmRect, PageTransform, PxPoint, PxVector};
-use crate::{About, Note, Reason};
 
 /// A contour that is interrupted over less than this, px, crosses a bar and is none of its sides.
 const CROSSES: f32 = 4.0 * SAME;
 /// What runs along a side or a top differs from its direction by at most 25 degrees (the cosine).
 const ALONG: f32 = 0.9;
-
-/// How bars that are torn are drawn instead.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct BarStyle {
-    bars: Bars,
-    has_gridlines: bool,
-    /// How many bars are too low for an outline.
-    low: usize,
-    /// Whether a bar beside an axis is drawn as standing at it.
-    is_at_axis: bool,
-    /// How much of the outlines of bars is not drawn all the same, percent, rounded up.
-    torn: u32,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Bars {
-    Apart,
-    /// A line between every two.
-    Touching,
-    /// None.
-    Outline,
-}
 
 /// A variant of drawing a chart.
 #[derive(Debug, Clone, Copy)]
@@ -180,56 +158,6 @@ impl<T> Redraw<'_, T> {
 
 fn percent(share: f32) -> u32 {
     (100.0 * share).ceil() as u32
-}
-
-/// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
-pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
-    // as in the figure is no news
-    let in_overview = in_overview.filter(|_| in_overview != in_figure);
-    let of_figure = in_figure.iter().flat_map(|instead| instead.told(PagePart::Figure));
-    of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(PagePart::Overview))).collect()
-}
-
-impl BarStyle {
-    const AS_IT_IS: Self = Self { bars: Bars::Apart, has_gridlines: true, low: 0, is_at_axis: false, torn: 0 };
-
-    fn told(self, part: PagePart) -> Vec<Note> {
-        let (about, place, what_to_do) = match part {
-            PagePart::Figure => (About::Lines, "", "; a larger figure, or one on several sheets, has more"),
-            PagePart::Overview => (About::Overview, "in the overview ", ""),
-        };
-        let bars = match self.bars {
-            Bars::Apart => None,
-            Bars::Touching => Some("touch one another, without gaps"),
-            Bars::Outline => Some("are drawn as one common outline, without lines between them"),
-        };
-        let joined = bars.map(|how| {
-            let why = "as there is no room for more; their heights are right";
-            Note::TakenAs(about, Reason::BarsJoined, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
-        });
-        let low = (self.low > 0).then(|| {
-            let bars = if self.low == 1 { "1 bar" } else { &format!("{} bars", self.low) };
-            let what =
-                format!("{place}{bars} of the chart, too low for an outline that fingers can tell from the base");
-            Note::NotOnPage(about, Reason::BarTooLow, what)
-        });
-        let at_axis = self.is_at_axis.then(|| {
-            let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
-            Note::TakenAs(about, Reason::BarAtAxis, told)
-        });
-        let grid = (!self.has_gridlines).then(|| {
-            let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
-            Note::NotOnPage(about, Reason::ChartGrid, told)
-        });
-        let torn = (self.torn > 0).then(|| {
-            let what = format!(
-                "{place}{} percent of the outlines of bars of the chart, as there is no room for them{what_to_do}",
-                self.torn
-            );
-            Note::NotOnPage(about, Reason::BarTorn, what)
-        });
-        joined.into_iter().chain(at_axis).chain(grid).chain(low).chain(torn).collect()
-    }
 }
 
 /// Bars side by side that have no gaps for fingers, and where their outline begins and ends across: at an axis that is

@@ -120,11 +120,12 @@ fn leads_on_page(path: &[MmPoint], drawn: &Nearby) -> bool {
 /// finger that goes on from its end comes to that one.
 fn leads_to_other(path: &[MmPoint], drawn: &Nearby) -> bool {
     let (from, tip) = (path[0], path[path.len() - 1]);
-    let Some((_, _, own)) = drawn.nearest(from.lerp(tip, 0.5), DRAWN, |_| true) else { return false };
-    let nearest = |at: MmPoint| drawn.nearest(at, LAST, |segment| segment.line != own.line);
+    // all its pieces, as others may cut it where they cross it
+    let is_own =
+        |segment: &Segment| [segment.a, segment.b].iter().all(|at| nearest_on_segment(*at, from, tip).0 <= OFF_LEADER);
+    let nearest = |at: MmPoint| drawn.nearest(at, LAST, |segment| !is_own(segment));
     let steps = ((tip - from).length() / STEP).ceil().max(1.0) as u32;
     let mut back = (0..=steps).map(|step| tip.lerp(from, step as f32 / steps as f32));
-    let is_own = |segment: &Segment| segment.line == own.line;
     let Some(end) = back.find(|at| drawn.nearest(*at, OFF_LEADER, is_own).is_some()) else { return false };
     let is_short = (tip - end).length() > AT_TIP;
     let lines = nearest(end).zip(nearest(tip)).map(|((_, _, at_end), (_, _, at_tip))| (at_end.line, at_tip.line));
@@ -178,8 +179,8 @@ fn told_lost(texts: &[Text]) -> Option<Note> {
         1 => ("the leader line", "it has"),
         _ => ("the leader lines", "they have"),
     };
-    let why = "no room as a whole beside other lines; the label stands at what it names instead, or has a leader line \
-               of its own";
+    let why = "no room as a whole beside other lines, or would end nearer to something else; the label stands at what \
+               it names instead, or has a leader line of its own";
     Some(Note::NotOnPage(
         About::Leaders,
         Reason::NoRoomForLeader,

@@ -3,11 +3,11 @@
 use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of, working_size};
 use super::find_edges::edges_of;
 use super::given::Given;
-use super::joined_bars;
 use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
 use super::request::{Fit, OverviewSize, Request, enough_pixels};
+use super::told_bars;
 use super::told_lines::told_left_out;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
@@ -132,7 +132,7 @@ pub fn trace<'p>(
             let lines_of = lines_of(given, regions.as_ref(), &decisions);
             let FigureLines { lines: drawn, instead, .. } = draw_lines(&edges, lines_of, &layout, plan, watch);
             notes.extend(told_left_out(&drawn, &edges, &layout));
-            notes.extend(joined_bars::told(instead, None));
+            notes.extend(told_bars::told(instead, None));
             let transform = PageTransform::new(edges.size, layout.figure);
             let params = plan.lines();
             let reach = params.farthest_moved();

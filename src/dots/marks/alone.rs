@@ -1,5 +1,5 @@
 //! Points beside all lines, such as those of a scatter plot, the towns of a map or the pips of a die. Each is a ring of
-//! dots, with dots inside if it is filled, or a block of four where rings have no room:
+//! dots, with dots inside if it is filled, or, filled, a block of four where rings have no room:
 //!
 //! ```text
 //!   # # #     # # #     # #
@@ -8,6 +8,8 @@
 //! ```
 //!
 //! Those that are alike in a picture are alike on a page, so that nobody tells them apart: as large as all have room.
+
+use std::collections::VecDeque;
 
 use super::lattice::{DotDisc, Lattice};
 use super::{DrawnPoint, Places, PointAlone};
@@ -39,13 +41,14 @@ struct DotSign {
 
 impl Places<'_> {
     /// Draws numbered points beside all rows, where there is room for them.
-    pub(super) fn alone(&mut self, mut points: Vec<(usize, &PointMark)>) {
-        while let Some(&(_, first)) = points.first() {
+    pub(super) fn alone(&mut self, mut points: VecDeque<(usize, &PointMark)>) {
+        while let Some((number, first)) = points.pop_front() {
             let is_like = |point: &PointMark| {
                 point.is_filled == first.is_filled && (point.radius / first.radius - 1.0).abs() <= SAME_SIZE
             };
-            let (group, others) = points.into_iter().partition::<Vec<_>, _>(|(_, point)| is_like(point));
+            let (alike, others): (VecDeque<_>, VecDeque<_>) = points.into_iter().partition(|(_, point)| is_like(point));
             points = others;
+            let group: Vec<_> = std::iter::once((number, first)).chain(alike).collect();
             self.group(&group);
         }
     }
@@ -54,14 +57,16 @@ impl Places<'_> {
     fn group(&mut self, group: &[(usize, &PointMark)]) {
         let radius = group.iter().map(|(_, point)| self.radius(point)).max().unwrap_or(1);
         let smallest = self.smallest_radius();
-        let forms = if radius > smallest {
-            [Form::Ring(radius), Form::Ring(radius - 1)]
-        } else {
-            [Form::Ring(smallest), Form::Block]
+        let is_filled = group.iter().any(|(_, point)| point.is_filled);
+        let forms: &[Form] = match radius > smallest {
+            true => &[Form::Ring(radius), Form::Ring(radius - 1)],
+            false if is_filled => &[Form::Ring(smallest), Form::Block],
+            // a block is felt as a filled one
+            false => &[Form::Ring(smallest)],
         };
         let count = |signs: &[Option<DotSign>]| signs.iter().flatten().count();
         let mut best: Vec<Option<DotSign>> = Vec::new();
-        for form in forms {
+        for &form in forms {
             let signs = self.signs(group, form);
             if best.is_empty() || count(&signs) > count(&best) {
                 best = signs;

@@ -221,7 +221,8 @@ fn a_point_beside_all_rows_is_the_smallest_ring_where_it_has_room() {
 
 #[test]
 fn points_of_one_size_are_blocks_where_not_all_have_room_for_rings() {
-    let blocks = placed(&[alone(60.0, true), alone(66.0, true), alone(74.0, false)], &[], &rows(None));
+    let hollow = PointMark { at: MmPoint::new(80.0, 66.0), ..alone(66.0, false) };
+    let blocks = placed(&[alone(60.0, true), alone(66.0, true), hollow], &[], &rows(None));
     assert_eq!(counts_alone(&blocks), [vec![4], vec![4], vec![8]], "hollow ones are others");
     let line = PointAlone { runs: blocks.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
     assert!(line.is_block_of_dots() && !line.is_ring_of_dots(), "{line:?}");

@@ -52,6 +52,13 @@ fn a_line_across_the_grid_does_not_part_it() {
     let grid = |y: f32| level(y, &[(50..55, 140.0), (55..300, 13.0), (300..304, 140.0), (304..550, 13.0)]);
     let all = parted_strokes(vec![grid(100.0), grid(150.0), grid(200.0), side(300.0, 60), side(50.0, 60)]);
     assert_eq!(faint(&all), [[50.0, 549.0]; 3]);
+    let backwards = |y: f32| {
+        let mut line = grid(y);
+        line.vertices.reverse();
+        line
+    };
+    let all = parted_strokes(vec![backwards(100.0), backwards(150.0), backwards(200.0), side(300.0, 60)]);
+    assert_eq!(faint(&all), [[549.0, 50.0]; 3], "whichever way they run");
 }
 
 #[test]

@@ -85,7 +85,7 @@ fn is_flat(raster: &Raster, tolerance: f32, Flatness { chroma, share, line }: Fl
         }
         left -= width - 1;
     }
-    flat as f32 >= share * (all - lines) as f32
+    flat as f32 >= share * (all - lines) as f32 && lines <= all / 2
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::geom::polygon::circle_points;
+use crate::lines::Height;
 use crate::page::Run;
 
 fn ring(x: f32, y: f32, radius: f32) -> Line {
@@ -35,6 +36,20 @@ fn a_ring_of_dots_is_one_and_a_square_is_none() {
     let round = [(1.0, 0.0), (2.0, 0.0), (3.0, 1.0), (3.0, 2.0), (2.0, 3.0), (1.0, 3.0), (0.0, 2.0), (0.0, 1.0)];
     let square = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0), (0.0, 2.0), (0.0, 1.0)];
     assert_eq!([of(&round), of(&square), of(&round[..5])], [1, 0, 0]);
+}
+
+#[test]
+fn points_beside_all_lines_are_named_on_dots() {
+    let dots = |of: &[(f32, f32)]| {
+        let points = of.iter().map(|&(x, y)| MmPoint::new(50.0 + 2.5 * x, 50.0 + 2.5 * y)).collect();
+        Run::dots(1.5, points, Height::High)
+    };
+    let ring = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0), (0.0, 2.0), (0.0, 1.0)];
+    let of = |runs: Vec<Run>| rings(&[Line { strength: 1.0, runs }]);
+    let filled = of(vec![dots(&ring), dots(&[(1.0, 1.0)])]);
+    assert_eq!(filled, [SmallRing { at: MmPoint::new(52.5, 52.5), reach: 2.5 }]);
+    assert_eq!(of(vec![dots(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])]).len(), 1, "a block of four");
+    assert!(of(vec![dots(&ring[..5])]).is_empty());
 }
 
 /// The years below the points of a time line are nearer to them than the names of what happened, which stand at two

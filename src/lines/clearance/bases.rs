@@ -14,7 +14,8 @@ use crate::units::{MmPoint, MmRect};
 
 /// How many lines that stand on one another are followed; following a cycle of such lines stops there too.
 pub(crate) const HIGHEST_STACK: usize = 8;
-/// A straight line on which so many others end is the axis of a chart or a wall: it goes before all lines.
+/// A straight line on which so many others end is the axis of a chart or a wall: it goes before all others but what
+/// a person drew or named.
 const AXIS: usize = 4;
 /// An axis is at least this share of the drawing's width or height, and no farther off level or upright, and off the
 /// end of the other one, mm. Chosen by us.

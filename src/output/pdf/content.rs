@@ -187,7 +187,7 @@ impl ContentWriter<'_> {
     /// set where these end, so that it stays set until then.
     fn braille(&mut self, text: &BrailleText) {
         let words = plain(&text.spoken());
-        let width = self.width;
+        let (width, fill) = (self.width, self.fill);
         self.content.save_state();
         let mut content = self.content.begin_marked_content_with_properties(Name(b"Span"));
         content.properties().actual_text(TextStr(&words));
@@ -197,7 +197,7 @@ impl ContentWriter<'_> {
         text.leader.iter().for_each(|run| self.run(run));
         self.content.end_marked_content();
         self.content.restore_state();
-        self.width = width;
+        (self.width, self.fill) = (width, fill);
     }
 
     /// A blank in place of dots, which takes no ink: programs look for words, and copy them, only where a letter

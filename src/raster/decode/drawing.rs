@@ -169,6 +169,8 @@ fn drawn(
         |finer: &u32| check_memory(FORMAT, target, bytes(*finer), limits).is_ok() && filtered(*finer).is_ok();
     let finer = (2..=wanted).rev().find(has_room).unwrap_or(1);
     let (raster, canvas) = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
+    // a finer one takes much memory
+    let canvas = (finer == 1).then_some(canvas);
     if options.pixels_only {
         return Ok(Decoded { raster, lossy: None, source, drawing: None, texts: Vec::new(), notes: Vec::new() });
     }
@@ -180,7 +182,7 @@ fn drawn(
         );
         Note::TakenAs(About::Lines, Reason::ManyPaths, told)
     });
-    let canvas = Some(&canvas).filter(|_| finer == 1);
+    let canvas = canvas.as_ref();
     let (texts, notes) = (texts(Target { transform, size: target, canvas }), notes.into_iter().collect());
     Ok(Decoded { raster, lossy: None, source, drawing, texts, notes })
 }

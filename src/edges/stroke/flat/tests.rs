@@ -24,8 +24,9 @@ fn a_drawing_is_mostly_of_flat_areas() {
 #[test]
 fn strokes_are_no_evidence_where_lines_do_not_count() {
     let flatness = Flatness { chroma: 1.0, share: FLAT_SHARE, line: LINE };
-    // two of three steps, all of them strong: what is left is flat
-    assert!(super::is_flat(&picture(3, 0), 1.0, flatness));
+    // two of five steps, all of them strong: what is left is flat
+    assert!(super::is_flat(&picture(5, 0), 1.0, flatness));
+    assert!(!super::is_flat(&picture(2, 0), 1.0, flatness), "nothing is flat");
     let weak = Raster::grey(Size::new(64, 64), (0..64 * 64).map(|i| if i % 3 == 0 { 0.77 } else { 0.8 }).collect());
     assert!(!super::is_flat(&weak, 0.5, flatness));
 }

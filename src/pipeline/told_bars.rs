@@ -1,0 +1,89 @@
+//! How bars of a chart are drawn that have no room as they are, and what the maker is told of it.
+
+use crate::lines::PagePart;
+use crate::{About, Note, Reason};
+
+/// How bars that are torn are drawn instead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct BarStyle {
+    pub(super) bars: Bars,
+    pub(super) has_gridlines: bool,
+    /// How many bars are too low for an outline.
+    pub(super) low: usize,
+    /// Whether a bar beside an axis is drawn as standing at it.
+    pub(super) is_at_axis: bool,
+    /// How much of the outlines of bars is not drawn all the same, percent, rounded up.
+    pub(super) torn: u32,
+}
+
+/// How the bars of a row stand beside one another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Bars {
+    Apart,
+    /// A line between every two.
+    Touching,
+    /// None.
+    Outline,
+}
+
+/// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
+pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
+    // as in the figure is no news
+    let in_overview = in_overview.map(|style| match in_figure.is_some_and(|figure| figure.is_as(style)) {
+        true => BarStyle { torn: style.torn, ..BarStyle::AS_IT_IS },
+        false => style,
+    });
+    let of_figure = in_figure.iter().flat_map(|instead| instead.told(PagePart::Figure));
+    of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(PagePart::Overview))).collect()
+}
+
+impl BarStyle {
+    pub(super) const AS_IT_IS: Self =
+        Self { bars: Bars::Apart, has_gridlines: true, low: 0, is_at_axis: false, torn: 0 };
+
+    /// Whether bars are drawn in the same way, however much of them is torn.
+    fn is_as(self, other: Self) -> bool {
+        Self { torn: 0, ..self } == Self { torn: 0, ..other }
+    }
+
+    fn told(self, part: PagePart) -> Vec<Note> {
+        let (about, place, what_to_do) = match part {
+            PagePart::Figure => (About::Lines, "", "; a larger figure, or one on several sheets, has more"),
+            PagePart::Overview => (About::Overview, "in the overview ", ""),
+        };
+        let bars = match self.bars {
+            Bars::Apart => None,
+            Bars::Touching => Some("touch one another, without gaps"),
+            Bars::Outline => Some("are drawn as one common outline, without lines between them"),
+        };
+        let joined = bars.map(|how| {
+            let why = "as there is no room for more; their heights are right";
+            Note::TakenAs(about, Reason::BarsJoined, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
+        });
+        let low = (self.low > 0).then(|| {
+            let bars = if self.low == 1 { "1 bar" } else { &format!("{} bars", self.low) };
+            let what =
+                format!("{place}{bars} of the chart, too low for an outline that fingers can tell from the base");
+            Note::NotOnPage(about, Reason::BarTooLow, what)
+        });
+        let at_axis = self.is_at_axis.then(|| {
+            let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
+            Note::TakenAs(about, Reason::BarAtAxis, told)
+        });
+        let grid = (!self.has_gridlines).then(|| {
+            let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
+            Note::NotOnPage(about, Reason::ChartGrid, told)
+        });
+        let torn = (self.torn > 0).then(|| {
+            let what = format!(
+                "{place}{} percent of the outlines of bars of the chart, as there is no room for them{what_to_do}",
+                self.torn
+            );
+            Note::NotOnPage(about, Reason::BarTorn, what)
+        });
+        joined.into_iter().chain(at_axis).chain(grid).chain(low).chain(torn).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;
