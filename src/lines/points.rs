@@ -40,6 +40,8 @@ pub(crate) const LARGEST_HOLLOW: f32 = 2.5;
 /// Area of a point at least, as a share of that of a circle with its circumference: a square has 0.79, an equal-sided
 /// triangle, as the head of an arrow, 0.60, a hexagon 0.91.
 const ROUND: f32 = 0.85;
+/// The same of a circle: an ellipse of 5 to 4 has 0.98, one of 3 to 2, as an eye, 0.94.
+const CIRCLE: f32 = 0.98;
 /// A line leads to the middle of a point no farther from it than this share of its radius.
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
@@ -76,6 +78,8 @@ pub(super) struct Point {
     is_disc: bool,
     /// Whether its outline is that of a path of a drawing, and not found in pixels.
     is_exact: bool,
+    /// Whether it is as round as a circle, for fingers.
+    is_circle: bool,
 }
 
 impl Point {
@@ -293,7 +297,8 @@ fn is_by_itself(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool],
     };
     let on_dots = params.on_dots();
     let mut others = polylines.iter().zip(is_ring).filter(|(_, is_ring)| !on_dots || !**is_ring);
-    on_dots && TAU * point.radius < LEAST_RING * params.min_length || !others.any(|(line, _)| is_near(line))
+    let is_small = on_dots && TAU * point.radius < LEAST_RING * params.min_length;
+    is_small || point.is_circle && !others.any(|(line, _)| is_near(line))
 }
 
 /// The signs among points by themselves. Where lines become dots all are, so that those of one size are alike. On paper
@@ -380,6 +385,7 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
         is_alone: false,
         is_disc: false,
         is_exact: is_exact(ring),
+        is_circle: roundness(area, length) >= CIRCLE,
     };
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
@@ -399,6 +405,7 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<(f32, Point)> {
         is_alone: false,
         is_disc: false,
         is_exact: is_exact(line),
+        is_circle: true,
     };
     is_arc.then_some((length, point))
 }
