@@ -19,6 +19,9 @@ pub struct LineMarks {
     pub heads: Vec<HeadMark>,
 }
 
+/// Points are of one size if their radii differ by no more than this share.
+const SAME_SIZE: f32 = 0.2;
+
 /// A small round shape on a line, or by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointMark {
@@ -34,6 +37,13 @@ pub struct PointMark {
     pub is_alone: bool,
     /// Height of its colour step.
     pub strength: f32,
+}
+
+impl PointMark {
+    /// Whether two points look alike.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        self.is_filled == other.is_filled && (self.radius / other.radius - 1.0).abs() <= SAME_SIZE
+    }
 }
 
 /// The head of an arrow at the end of a line.

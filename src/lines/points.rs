@@ -59,8 +59,6 @@ const SOLID: f32 = 0.9;
 /// A ring that goes round in steps of a grid of dots, and of which others may hide a part, is at least so many times as
 /// long as the shortest line.
 const LEAST_RING: f32 = 1.5;
-/// Points are of one size if their radii differ by no more than this share.
-const SAME_SIZE: f32 = 0.2;
 
 /// A point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -238,7 +236,7 @@ fn name_series(points: &mut [Point]) {
 
 /// Whether two points look alike.
 fn is_like(point: &Point, other: &Point) -> bool {
-    point.is_filled == other.is_filled && (point.radius / other.radius - 1.0).abs() <= SAME_SIZE
+    point.mark().is_like(&other.mark())
 }
 
 /// Filled points beside lines that are many and alike, such as those of a scatter plot: they are discs, each at its own

@@ -7,7 +7,8 @@
 //!   # # #     # # #
 //! ```
 //!
-//! Those that are alike in a picture are alike on a page, so that nobody tells them apart: as large as all have room.
+//! Those that are alike in a picture are alike on a page: in the larger of two forms if all have room in it, or else in
+//! the one in which more of them have.
 
 use std::collections::VecDeque;
 
@@ -16,8 +17,6 @@ use super::{DrawnPoint, Places, PointAlone};
 use crate::dots::grid_dot::GridPoint;
 use crate::lines::PointMark;
 
-/// Points are of one size if their radii differ by no more than this share.
-const SAME_SIZE: f32 = 0.2;
 /// A point may be so many steps beside its place where it has no room there.
 const BESIDE: [[f32; 2]; 9] =
     [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
@@ -43,10 +42,8 @@ impl Places<'_> {
     /// Draws numbered points beside all rows, where there is room for them.
     pub(super) fn alone(&mut self, mut points: VecDeque<(usize, &PointMark)>) {
         while let Some((number, first)) = points.pop_front() {
-            let is_like = |point: &PointMark| {
-                point.is_filled == first.is_filled && (point.radius / first.radius - 1.0).abs() <= SAME_SIZE
-            };
-            let (alike, others): (VecDeque<_>, VecDeque<_>) = points.into_iter().partition(|(_, point)| is_like(point));
+            let (alike, others): (VecDeque<_>, VecDeque<_>) =
+                points.into_iter().partition(|(_, point)| point.is_like(first));
             points = others;
             let group: Vec<_> = std::iter::once((number, first)).chain(alike).collect();
             self.group(&group);
