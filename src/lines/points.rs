@@ -12,6 +12,7 @@
 //! Filled ones beside lines that are many and alike, as the points of a scatter plot, are small discs ([`scattered`]).
 
 mod drawn;
+mod room;
 
 use std::f32::consts::TAU;
 use std::slice;
@@ -147,6 +148,9 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     }
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
+    if !params.on_dots() {
+        room::make(&points, polylines, params);
+    }
     points
 }
 

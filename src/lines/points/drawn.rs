@@ -21,7 +21,7 @@ use crate::units::{MmPoint, MmRect, MmVector};
 const BEAD_LENGTH: f32 = 0.1;
 /// A line passes through a point no farther from its middle than this share of its radius: it meets the ring at 30
 /// degrees or more. What is farther is beside it.
-const PASSES: f32 = 0.5;
+pub(super) const PASSES: f32 = 0.5;
 /// A line that passes through a point is near to it for about this many times as far as its ring keeps from lines.
 const RETURNS: f32 = 2.0;
 
@@ -223,7 +223,7 @@ impl AmongLines {
 }
 
 /// Radius of what is drawn for a point, mm, with its ink.
-fn radius(point: &Point, params: &Params) -> f32 {
+pub(super) fn radius(point: &Point, params: &Params) -> f32 {
     let half = 0.5 * params.width_max;
     if point.is_disc {
         return disc_radius(params);

@@ -254,6 +254,20 @@ fn a_disc_is_moved_a_little_onto_a_line_or_off_it_and_one_too_near_to_another_is
 }
 
 #[test]
+fn a_line_that_ends_beside_a_point_makes_room_for_it() {
+    let with = |y: f32| {
+        let hop = line(&[(50.0, y), (58.0, 30.0), (80.0, 30.0)], false, 0.0, FoundIn::Vector);
+        let mut lines = vec![axis(10.0, 90.0), disc(50.0, 60.0), hop];
+        let points = take(&mut lines, &PARAMS);
+        let drawn = draw(&points, &lines.iter().collect::<Vec<_>>(), area(), &PARAMS);
+        (drawn.lost, lines.iter().map(|line| line.vertices[0].at.y).fold(f32::INFINITY, f32::min))
+    };
+    let (lost, end) = with(46.5);
+    assert!(lost == 0 && (42.0..46.0).contains(&end), "{lost} lost, the line ends at {end}");
+    assert_eq!(with(40.0), (0, 40.0), "far enough");
+}
+
+#[test]
 fn a_disc_that_another_hides_in_part_is_one_of_a_cloud() {
     let whole = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0), (50.0, 20.0)];
     let taken = |turns: f32, count: usize| {

@@ -1,0 +1,50 @@
+//! Room for points: a line that ends beside one, as the arc over a number line does, ends a little before it.
+
+use super::Point;
+use super::drawn::{PASSES, radius};
+use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
+use crate::lines::arrowheads::shortened;
+use crate::lines::clearance::TOUCH;
+use crate::lines::params::Params;
+use crate::lines::vertex::{Tip, Vertex};
+use crate::units::MmPoint;
+
+/// Steps in which a line is shortened, mm.
+const STEP: f32 = 0.25;
+
+/// Shortens the lines that end nearer to points than their signs allow, and lead to none of these, by at most the
+/// distance of two lines. An end on another line stays, as that is near to the point as well.
+pub(super) fn make(points: &[Point], polylines: &mut [Polyline<Vertex>], params: &Params) {
+    // discs are moved themselves
+    let signs: Vec<(MmPoint, f32)> =
+        points.iter().filter(|point| !point.is_disc).map(|point| (point.at, radius(point, params))).collect();
+    for number in 0..polylines.len() {
+        for which in Tip::BOTH {
+            let line = &polylines[number];
+            let Some(end) = which.of(line).filter(|_| !line.closed).map(|end| end.at) else { continue };
+            let is_beside = |(at, radius): &&(MmPoint, f32)| {
+                let beside = params.beside_disc(*radius);
+                (*at - end).length() < beside && distance(*at, line) > PASSES * radius
+            };
+            let near: Vec<&(MmPoint, f32)> = signs.iter().filter(is_beside).collect();
+            let is_on = |(other, of): (usize, &Polyline<Vertex>)| other != number && distance(end, of) <= TOUCH;
+            if near.is_empty() || polylines.iter().enumerate().any(is_on) {
+                continue;
+            }
+            let most = (line.length() - params.min_length).clamp(0.0, params.max_spacing());
+            let cuts = (1..=(most / STEP) as u32).map(|step| step as f32 * STEP);
+            let is_clear = |line: &Polyline<Vertex>| {
+                near.iter().all(|(at, radius)| distance(*at, line) >= params.beside_disc(*radius) + params.play())
+            };
+            if let Some(shorter) = cuts.map(|cut| shortened(line, which, cut)).find(is_clear) {
+                polylines[number] = shorter;
+            }
+        }
+    }
+}
+
+/// How far a line is from a place, mm.
+fn distance(at: MmPoint, line: &Polyline<Vertex>) -> f32 {
+    line.segments().map(|(a, b)| nearest_on_segment(at, a.at, b.at).0).fold(f32::INFINITY, f32::min)
+}
