@@ -6,6 +6,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::geom::segment_distance;
+use crate::lines::clearance::TOUCH;
 use crate::lines::lead_on::{extend_to, heading};
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{HEADING, Params, RING_FARTHEST};
@@ -144,13 +145,20 @@ impl HeadPlaces<'_> {
         };
         let on_shaft = LENGTHS.iter().find_map(|length| shafts.iter().find_map(|shaft| head(shaft, *length)));
         on_shaft.or_else(|| {
-            // an overview has no room for more
-            let most = if self.params.in_overview_of_drawing() { 0 } else { (FARTHER / STEP) as u32 };
+            // an overview has no room for more, and what the arrow points at is in the way
+            let is_short =
+                self.params.in_overview_of_drawing() || end(line, which).is_some_and(|at| self.is_on_other(at));
+            let most = if is_short { 0 } else { (FARTHER / STEP) as u32 };
             let longer = (1..=most).map(|step| step as f32 * STEP).map(|by| (-by, longer(line, which, by)));
             let free: Vec<(f32, Polyline<Vertex>)> =
                 longer.take_while(|(_, shaft)| self.is_clear(shaft, which)).collect();
             LENGTHS.iter().rev().find_map(|length| free.iter().find_map(|shaft| head(shaft, *length)))
         })
+    }
+
+    /// Whether another line runs through a place.
+    fn is_on_other(&self, at: MmPoint) -> bool {
+        self.segments.nearest(at, TOUCH, |segment| segment.line as usize != self.line).is_some()
     }
 
     /// Whether the end of a longer shaft is clear of all other lines.

@@ -4,6 +4,7 @@ use super::find::FoundHead;
 use super::shapes::end;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
+use crate::lines::faint::is_faint;
 use crate::lines::lead_on::heading;
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{HEADING, Params};
@@ -14,6 +15,11 @@ use crate::units::{MmPoint, MmRect, MmVector};
 const STEP: f32 = 0.25;
 /// What is before a tip, and not beside it: the cosine.
 const BEFORE: f32 = 0.3;
+/// An arrow that ends beyond a line by no more than this share of its head points at that line: the markers of many
+/// programs end a little inside of a box.
+const BEYOND: f32 = 0.5;
+/// Such a line is at least so many times as long as the shortest line: it is no tick of an axis.
+const POINTED_AT: f32 = 2.0;
 
 /// Shortens the shafts of heads until nothing is too near before their tips.
 pub(super) fn make_room(
@@ -26,8 +32,24 @@ pub(super) fn make_room(
 ) {
     let reach = params.max_clearance();
     let others = nearby(polylines.iter(), area, params);
-    for (FoundHead { shaft, .. }, mark) in heads.iter().zip(marks) {
+    let may_be_pointed_at: Vec<bool> =
+        polylines.iter().map(|line| !is_faint(line) && line.length() >= POINTED_AT * params.min_length).collect();
+    for (FoundHead { shaft, tip, .. }, mark) in heads.iter().zip(marks) {
         let is_other = |line: u32| line as usize != shaft.line && !taken[line as usize];
+        let to_other = |at: MmPoint| {
+            let counts = |line: u32| is_other(line) && may_be_pointed_at[line as usize];
+            others.nearest(at, STEP, |segment| counts(segment.line)).map(|(distance, ..)| distance)
+        };
+        let inside = (0..=(BEYOND * tip.axis().length() / STEP) as u32).map(|step| step as f32 * STEP);
+        let cut = |cut: f32| {
+            let line = shortened(&polylines[shaft.line], shaft.which, cut);
+            end(&line, shaft.which).and_then(to_other).map(|distance| (distance, line))
+        };
+        let up_to_other = inside.filter_map(cut).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line)| line);
+        if let Some((shorter, at)) = up_to_other.and_then(|line| end(&line, shaft.which).map(|at| (line, at))) {
+            polylines[shaft.line] = shorter;
+            mark.at = at;
+        }
         let is_free = |at: MmPoint, toward: MmVector| {
             let is_before = |of: MmPoint| (of - at).dot(toward) >= BEFORE * (of - at).length();
             let mut is_free = true;

@@ -107,6 +107,13 @@ fn a_shaft_ends_before_what_it_points_at() {
     let gap = 61.0 - heads[0].at.x;
     assert!((PARAMS.max_clearance()..PARAMS.max_clearance() + 0.5).contains(&gap), "{gap}");
     assert!(left.iter().any(|line| (line.length() - (heads[0].at.x - 10.0)).abs() < 0.05));
+    // a head that ends a little inside of what it points at, and an axis beyond its last tick
+    let head = contour(&[(59.0, 48.0), (63.0, 50.0), (59.0, 52.0)], true);
+    let inside = |wall: &[(f32, f32)]| taken(vec![shaft(), head.clone(), contour(wall, false)]).0[0].at.x;
+    let gap = 62.0 - inside(&[(62.0, 10.0), (62.0, 90.0)]);
+    assert!((PARAMS.max_clearance()..PARAMS.max_clearance() + 0.5).contains(&gap), "{gap}");
+    assert!(inside(&[(62.0, 48.0), (62.0, 52.0)]) > 62.9);
+    assert!(inside(&[(60.0, 10.0), (60.0, 90.0)]) > 62.9, "most of the head is beyond the line");
 }
 
 /// The finished lines of contours with heads at their ends, and which heads are drawn.
