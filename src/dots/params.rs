@@ -20,6 +20,8 @@ pub struct Params {
     pub whole_rows: bool,
     /// Whether the device has heights.
     pub has_heights: bool,
+    /// The least strength of a line, which those of faint strokes have.
+    pub least_strength: f32,
     /// A line shorter than this is left out, mm.
     pub min_length: f32,
 }
@@ -47,6 +49,7 @@ impl Params {
         heavy_from: 50.0,
         whole_rows: false,
         has_heights: false,
+        least_strength: 5.0,
         min_length: 12.5,
     };
 }

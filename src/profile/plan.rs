@@ -239,7 +239,7 @@ impl Plan {
     }
 
     pub(super) fn dots_of(&self, device: &Device, pitch: f32) -> dots::Params {
-        let Profile { dots, lines, .. } = &self.profile;
+        let Profile { dots, lines, edges, .. } = &self.profile;
         dots::Params {
             pitch,
             diameter: device.diameter(),
@@ -247,6 +247,7 @@ impl Plan {
             heavy_from: dots.heavy_from,
             whole_rows: false,
             has_heights: device.has_heights(),
+            least_strength: edges.low,
             min_length: lines.min_length,
         }
     }

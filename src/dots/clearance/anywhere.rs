@@ -6,7 +6,7 @@ use crate::dots::params::{LEAST_DOTS, LEAST_STEP, Params, ROUNDED_OFF, polyline_
 use crate::dots::{second_row, spacing};
 use crate::geom::nearby::Index;
 use crate::geom::polyline;
-use crate::lines::{Line, LineMarks};
+use crate::lines::{Line, LineMarks, which_are_weak};
 use crate::units::{Mm, MmPoint, MmRect};
 
 /// A row of dots leads to a line of which a dot is no farther from its end, in pitches.
@@ -79,14 +79,14 @@ fn first_rows<'a>(lines: &'a [Line], part: MmRect, params: &Params) -> Vec<First
     let least = LEAST_STEP * params.pitch;
     let mut placed = ByPlace(Index::new(part, params.pitch));
     let mut rows: Vec<FirstRow<'a>> = Vec::new();
-    for line in lines {
+    for (line, is_weak) in lines.iter().zip(which_are_weak(lines, params.least_strength)) {
         let polyline = polyline_of(line);
         let mut dots = spacing::evenly(polyline.view(), params.pitch);
         dots.retain(|&at| part.contains_inclusive(at) && placed.is_free(at, least, |_| true));
         // in millimetres they are long enough, or lead from line to line: dots of others stand for their ends
         if dots.len() >= LEAST_DOTS {
             let dots = placed.row(&dots, rows.len(), least);
-            let row = Row { dots, closed: polyline.closed, is_heavy: params.has_second_row(line) };
+            let row = Row { dots, closed: polyline.closed, is_heavy: params.has_second_row(line), is_weak };
             rows.push(FirstRow { line, row });
         }
     }

@@ -14,7 +14,7 @@ use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::rasterise::{self, Rasterised};
 use crate::geom::polyline;
-use crate::lines::{Line, LineMarks};
+use crate::lines::{Line, LineMarks, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines on a grid, the strongest first.
@@ -154,7 +154,7 @@ pub const GOES_ON: f32 = 0.7;
 /// Over so many dots the direction of a piece is taken: from one to the next it is a multiple of 45 degrees.
 pub const STEPS: usize = 3;
 
-/// Whether a piece of a line goes on in the next one without a bend.
+/// Whether a piece of a line goes on in the next one without a bend, as far as each has a direction.
 fn goes_on(one: &[GridDot], next: &[GridDot]) -> bool {
     let ([before @ .., tip], [begin, after @ ..]) = (one, next) else { return false };
     let point = |cell: &GridDot| MmPoint::new(cell[0] as f32, cell[1] as f32);
@@ -162,7 +162,7 @@ fn goes_on(one: &[GridDot], next: &[GridDot]) -> bool {
     let back = before.get(before.len().saturating_sub(STEPS)).map(|from| point(tip) - point(from));
     let on = after.get(STEPS.min(after.len()).saturating_sub(1)).map(|to| point(to) - point(begin));
     let is_straight = |way: MmVector| way.dot(step) >= GOES_ON * way.length() * step.length();
-    back.is_some_and(is_straight) && on.is_some_and(is_straight)
+    back.is_none_or(is_straight) && on.is_none_or(is_straight)
 }
 
 /// Whether the dots of a line between two pieces, of these distances, only cross another: it is met, and soon left.
@@ -210,10 +210,12 @@ impl OccupiedDots {
         (grid, within): (&Grid, GridBox),
         params: &Params,
     ) -> Placed {
+        let weak = which_are_weak(lines, params.least_strength);
         let row = |DrawnPiece { line, piece }: &DrawnPiece| Row {
             dots: centres(&piece.cells, grid),
             closed: piece.closed,
             is_heavy: params.has_second_row(&lines[*line]),
+            is_weak: weak[*line],
         };
         let rows: Vec<Row> = drawn.iter().map(row).collect();
         let placed = marks::place(marks, &rows, Lattice::Grid { grid, within }, params);
@@ -346,7 +348,7 @@ impl OccupiedDots {
             *at += stretch.len() + 1;
             Some(from..from + stretch.len())
         });
-        let stretches: Vec<Range<usize>> = stretches.filter(|range| range.len() >= LEAST_DOTS).collect();
+        let stretches: Vec<Range<usize>> = stretches.filter(|range| !range.is_empty()).collect();
         let crosses = |one: &Range<usize>, next: &Range<usize>| {
             is_crossing(&distances[one.end..next.start], self.gap) && goes_on(&cells[one.clone()], &cells[next.clone()])
         };

@@ -12,7 +12,7 @@
 
 use std::collections::VecDeque;
 
-use super::lattice::{DotDisc, Lattice};
+use super::lattice::{DotDisc, Lattice, Owner};
 use super::{DrawnPoint, Places, PointAlone};
 use crate::dots::grid_dot::GridPoint;
 use crate::lines::PointMark;
@@ -39,7 +39,7 @@ struct DotSign {
 }
 
 impl Places<'_> {
-    /// Draws numbered points beside all rows, where there is room for them.
+    /// Draws numbered points beside all rows but weak ones, where there is room for them.
     pub(super) fn alone(&mut self, mut points: VecDeque<(usize, &PointMark)>) {
         while let Some((number, first)) = points.pop_front() {
             let (alike, others): (VecDeque<_>, VecDeque<_>) =
@@ -48,6 +48,7 @@ impl Places<'_> {
             let group: Vec<_> = std::iter::once((number, first)).chain(alike).collect();
             self.group(&group);
         }
+        self.drop_crumbs();
     }
 
     /// Draws points that are alike, in the first form for which most of them have room.
@@ -75,6 +76,7 @@ impl Places<'_> {
         let lattice = self.field.lattice;
         for (&(number, point), sign) in group.iter().zip(best) {
             let Some(DotSign { place, runs }) = sign else { continue };
+            self.interrupt_weak(&runs[0]);
             let runs = runs.into_iter().map(|row| row.into_iter().map(|dot| lattice.to_mm(dot)).collect()).collect();
             self.placed.alone.push(PointAlone { runs, strength: point.strength });
             self.placed.shown.points[number] = true;
@@ -96,13 +98,13 @@ impl Places<'_> {
         signs
     }
 
-    /// Whether dots are apart from all rows and points.
+    /// Whether dots are apart from all points, and from all rows but those that give way.
     fn has_room_alone(&self, dots: &[GridPoint], taken: &[DrawnPoint]) -> bool {
-        let (lattice, gap) = (self.field.lattice, self.params.line_gap as f32);
+        let lattice = self.field.lattice;
+        let stays = |owner: Owner| !matches!(owner, Owner::Row(row, _) if self.gives_way(row));
         dots.iter().all(|dot| {
-            let mut near = self.field.around(*dot, gap + 1.0);
             lattice.holds(*dot)
-                && !near.any(|(_, other, _)| lattice.are_near(*dot, other, gap))
+                && !self.near(*dot).any(|(_, owner)| stays(owner))
                 && !self.points.iter().chain(taken).any(|other| self.is_close_to(*dot, other))
         })
     }

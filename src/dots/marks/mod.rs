@@ -10,10 +10,12 @@
 //! ```
 //!
 //! Points come first, then heads, then ticks. A line with any has one row of dots, so that they stand out from it.
-//! Points beside all lines, such as those of a scatter plot, come last, where they have room.
+//! Points beside all lines, such as those of a scatter plot, come last, where they have room; gridlines are
+//! interrupted there.
 
 mod alone;
 mod head;
+mod interrupt;
 mod lattice;
 mod scale;
 
@@ -57,6 +59,8 @@ pub(super) struct Row {
     pub(super) closed: bool,
     /// Whether it is to have a second row.
     pub(super) is_heavy: bool,
+    /// Whether it is that of a faint stroke, such as a gridline.
+    pub(super) is_weak: bool,
 }
 
 /// What is drawn for marks.
@@ -233,7 +237,7 @@ impl Places<'_> {
                 self.placed.hidden[row].push(lattice.to_mm(dot));
             }
         }
-        let wanted = around.into_iter().chain(inside.into_iter().filter(|_| point.is_filled));
+        let wanted = around.iter().copied().chain(inside.into_iter().filter(|_| point.is_filled));
         let mut run = Vec::new();
         for dot in wanted {
             if !self.field.around(dot, 1.0).any(|(_, other, _)| lattice.are_one(dot, other)) {
@@ -244,6 +248,7 @@ impl Places<'_> {
         self.placed.runs[row].push(run);
         self.placed.has_points[row] = true;
         self.points.push(DrawnPoint { middle, radius: radius as f32 });
+        self.interrupt_weak(&around);
         true
     }
 
@@ -275,7 +280,7 @@ impl Places<'_> {
         apart < point.radius * self.params.pitch + BETWEEN + self.params.diameter
     }
 
-    /// Whether a disc is apart from other points, and from the rows that do not lead to it.
+    /// Whether a disc is apart from other points, and from the rows that do not lead to it or give way.
     fn has_room(&self, middle: GridPoint, radius: i32, around: &[GridPoint]) -> bool {
         let lattice = self.field.lattice;
         let is_near_point = |other: &DrawnPoint| around.iter().any(|dot| self.is_close_to(*dot, other));
@@ -284,11 +289,8 @@ impl Places<'_> {
         }
         let reach = radius as f32 + if matches!(lattice, Lattice::Free { .. }) { 0.8 } else { 0.0 };
         let leads: Vec<usize> = self.field.around(middle, reach).filter_map(|(.., owner)| row_of(owner)).collect();
-        let gap = self.params.line_gap as f32;
-        around.iter().all(|dot| {
-            let near = self.field.around(*dot, gap + 1.0).filter(|(_, other, _)| lattice.are_near(*dot, *other, gap));
-            near.filter_map(|(.., owner)| row_of(owner)).all(|row| leads.contains(&row))
-        })
+        let stays = |row: usize| !leads.contains(&row) && !self.gives_way(row);
+        !around.iter().flat_map(|dot| self.near(*dot)).filter_map(|(_, owner)| row_of(owner)).any(stays)
     }
 
     /// Whether rows are lines without these dots.

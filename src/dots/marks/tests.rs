@@ -19,7 +19,7 @@ fn grid() -> Grid {
 /// An axis along row 20, and what is beside it.
 fn rows(more: Option<Row>) -> Vec<Row> {
     let dots = (2..58).map(|x| MmPoint::new(2.0 * x as f32, 40.0)).collect();
-    std::iter::once(Row { dots, closed: false, is_heavy: false }).chain(more).collect()
+    std::iter::once(Row { dots, closed: false, is_heavy: false, is_weak: false }).chain(more).collect()
 }
 
 fn tick(x: f32, above: f32, below: f32) -> TickMark {
@@ -59,7 +59,7 @@ fn where_a_line_is_beside_the_axis_ticks_are_on_its_other_side() {
     let all = placed(
         &[],
         &[tick(20.0, 2.0, 2.0), tick(40.0, 2.0, 2.0)],
-        &rows(Some(Row { dots, closed: false, is_heavy: false })),
+        &rows(Some(Row { dots, closed: false, is_heavy: false, is_weak: false })),
     );
     assert_eq!(counts(&all), [2, 2]);
     assert!(all.runs[0].iter().flatten().all(|at| at.y < 40.0));
@@ -91,12 +91,15 @@ fn points_keep_apart_from_one_another_and_from_other_lines() {
     let both = [point(40.0, 1.5, true), point(44.0, 1.5, false)];
     assert_eq!(shown(&both, &rows(None)), [true, false]);
     let dots = (2..58).map(|x| MmPoint::new(2.0 * x as f32, 46.0)).collect();
-    let beside = Row { dots, closed: false, is_heavy: false };
-    assert_eq!(shown(&both[..1], &rows(Some(beside))), [false]);
+    let beside = Row { dots, closed: false, is_heavy: false, is_weak: false };
+    assert_eq!(shown(&both[..1], &rows(Some(beside.clone()))), [false]);
+    let gridline = Row { is_weak: true, ..beside.clone() };
+    assert_eq!(shown(&both[..1], &rows(Some(gridline))), [true], "a gridline gives way");
     assert_eq!(shown(&[point(40.0, 1.5, true)], &[]), [false], "on no line");
     // the ends of two lines at one point
     let slanting = (0..12).map(|k| MmPoint::new(40.0 + 2.0 * k as f32, 38.0 - 2.0 * k as f32)).collect();
-    assert_eq!(shown(&both[..1], &rows(Some(Row { dots: slanting, closed: false, is_heavy: false }))), [true]);
+    let slanting = Row { dots: slanting, ..beside.clone() };
+    assert_eq!(shown(&both[..1], &rows(Some(slanting))), [true]);
 }
 
 #[test]
@@ -144,7 +147,7 @@ fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
     assert!(all.has_points[0], "its line has one row");
     let beside = |y: f32| {
         let dots = (50..58).map(|x| MmPoint::new(2.0 * x as f32, y)).collect();
-        rows(Some(Row { dots, closed: false, is_heavy: false }))
+        rows(Some(Row { dots, closed: false, is_heavy: false, is_weak: false }))
     };
     assert_eq!(place(&beside(48.0), &[head(113.0, 1.0)]).shown.heads, [false], "no room");
     assert_eq!(place(&beside(52.0), &[head(113.0, 1.0)]).shown.heads, [true]);
@@ -175,7 +178,7 @@ fn a_ring_is_hollow_however_close_dots_lie() {
         let even = |count: usize| (0..count).map(|i| pitch * i as f32).collect();
         let grid = Grid { columns: even(60), rows: even(40) };
         let dots = (2..58).map(|x| MmPoint::new(pitch * x as f32, pitch * 20.0)).collect();
-        let rows = [Row { dots, closed: false, is_heavy: false }];
+        let rows = [Row { dots, closed: false, is_heavy: false, is_weak: false }];
         let at = MmPoint::new(pitch * 20.0, pitch * 20.0);
         let marks = LineMarks {
             points: vec![PointMark {
@@ -217,6 +220,27 @@ fn a_point_beside_all_rows_is_the_smallest_ring_where_it_has_room() {
     let line = PointAlone { runs: free.alone[0].runs.clone(), strength: 30.0 }.line(&PARAMS);
     let mut steps = line.runs[0].points.windows(2).map(|pair| (pair[1] - pair[0]).length());
     assert!(line.is_ring_of_dots() && steps.all(|step| (step - 2.0).abs() < 0.01), "{line:?}");
+}
+
+#[test]
+fn gridlines_are_interrupted_at_points_beside_them() {
+    let gridline = |y: f32| {
+        let dots = (2..58).map(|x| MmPoint::new(2.0 * x as f32, y)).collect();
+        Row { dots, closed: false, is_heavy: false, is_weak: true }
+    };
+    let far = PointMark { at: MmPoint::new(66.0, 60.0), ..alone(60.0, true) };
+    let all = placed(&[alone(60.0, true), far], &[], &rows(Some(gridline(56.0))));
+    assert_eq!(all.shown.points, [true, true]);
+    let mut hidden: Vec<i32> = all.hidden[1].iter().map(|dot| (dot.x / 2.0).round() as i32).collect();
+    hidden.sort_unstable();
+    // two dots to both sides of each ring, whose middles are at columns 25 and 33, and one dot between them
+    hidden.dedup();
+    assert_eq!(hidden, (22..=36).collect::<Vec<i32>>());
+    assert!(all.hidden[0].is_empty(), "the axis stays");
+    // one with marks of its own stays, as these would be torn
+    let own = PointMark { at: MmPoint::new(50.0, 56.0), is_alone: false, ..alone(56.0, true) };
+    let beside = PointMark { at: MmPoint::new(80.0, 60.0), ..alone(60.0, true) };
+    assert_eq!(placed(&[own, beside], &[], &rows(Some(gridline(56.0)))).shown.points, [true, false]);
 }
 
 #[test]

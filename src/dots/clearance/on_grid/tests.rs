@@ -120,6 +120,17 @@ fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
 }
 
 #[test]
+fn two_short_lines_that_cross_are_a_cross() {
+    // of the second one two dots are clear of the first on one side
+    let falling: Vec<GridDot> = (-4..5).map(|k| [k, k]).collect();
+    let rising: Vec<GridDot> = (-4..5).map(|k| [k + 1, -k]).collect();
+    let pieces = taken(&[falling], 2).pieces(&rising, false);
+    let all: Vec<GridDot> = pieces.iter().flat_map(|piece| piece.cells.clone()).collect();
+    assert_eq!(all, rising);
+    assert!(pieces.iter().all(|piece| piece.through == 9));
+}
+
+#[test]
 fn the_arms_of_a_line_that_crosses_another_count_together() {
     let taken = taken(&[row(0, -20..20)], 2);
     let through = |line: &[GridDot]| -> Vec<(usize, usize)> {
