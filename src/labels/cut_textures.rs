@@ -18,7 +18,8 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
     if left.len() < before.len() && params.least_texture > 0.0 {
         leave_out_few_rows(&mut left, placed, params.least_texture);
     }
-    texture.glyphs = without_stray(left, &before, placed);
+    let step = (texture.area / before.len().max(1) as f32).sqrt();
+    texture.glyphs = without_torn(without_stray(left, &before, placed), &before, step, placed);
 }
 
 /// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so
@@ -40,6 +41,20 @@ fn without_stray(glyphs: Vec<Glyph>, before: &[Glyph], placed: &[&Placed]) -> Ve
     let kept: Vec<bool> = glyphs.iter().map(|glyph| company(glyph, &glyphs) || !is_stray(glyph)).collect();
     let mut kept = kept.into_iter();
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
+}
+
+/// Around a sign of a texture lie its neighbours within this distance, in steps of the texture; one beside a label that
+/// has less than this share of them left is the end of a row, or a corner, which the label has cut off.
+const NEIGHBOURS: f32 = 1.6;
+const LEFT: f32 = 0.4;
+
+/// The glyphs of a texture without those beside labels that have lost most of their neighbours of `before`.
+fn without_torn(glyphs: Vec<Glyph>, before: &[Glyph], step: f32, placed: &[&Placed]) -> Vec<Glyph> {
+    let count = |of: &Glyph, all: &[Glyph]| {
+        all.iter().filter(|other| (other.at - of.at).length() <= NEIGHBOURS * step).count().saturating_sub(1)
+    };
+    let is_whole = |of: &Glyph| count(of, &glyphs) as f32 >= LEFT * count(of, before) as f32;
+    glyphs.iter().filter(|glyph| !is_near(glyph, placed) || is_whole(glyph)).copied().collect()
 }
 
 fn is_near(glyph: &Glyph, placed: &[&Placed]) -> bool {
@@ -71,13 +86,13 @@ fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: 
     left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
 }
 
-/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
+/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high or wide.
 fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
     let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
     let parts = components::of_points(&points, SIDE_BY_SIDE, |between| between.length() <= SIDE_BY_SIDE);
     components::retain(glyphs, &parts, |glyphs, part| {
         let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
-        extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
+        extent.height().min(extent.width()) >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
     });
 }
 
