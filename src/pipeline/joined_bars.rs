@@ -194,11 +194,7 @@ impl Chart {
             let width = (bar.to - bar.from) * transform.mm_per_px();
             let reach = if is_low { NEAR_LOW * height } else { tolerances.reach.min((NEARER * width).max(1.0)) };
             wanted.push(WantedPath { path: self.outline(bar), reach, or_none: is_low, weight: 1.0 });
-            // the middle of a top is as near to its sides as they are to one another
-            let [a, b] = MIDDLE.map(|share| self.direction.point((bar.from + share * (bar.to - bar.from), bar.top)));
-            let reach = tolerances.reach.min(NEAR_TOP * width);
-            let weight = 1.0 / (MIDDLE[1] - MIDDLE[0]);
-            wanted.extend((!is_low).then(|| WantedPath { path: vec![a, b], reach, or_none: false, weight }));
+            wanted.extend((!is_low).then(|| self.middle_of_top(bar, tolerances, transform)));
             // a side is not the axis beside it or the side of the next bar, and may have moved away from that
             let beside = [self.bars[..number].last().map(|bar| bar.to), self.bars.get(number + 1).map(|bar| bar.from)];
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
@@ -215,6 +211,15 @@ impl Chart {
             }
         }
         wanted
+    }
+
+    /// The middle of a bar's top, which is as near to its sides as they are to one another: a line nearer to it than
+    /// these is the top.
+    fn middle_of_top(&self, bar: &Bar, tolerances: BarTolerances, transform: &PageTransform) -> WantedPath {
+        let width = bar.to - bar.from;
+        let path = MIDDLE.map(|share| self.direction.point((bar.from + share * width, bar.top))).to_vec();
+        let reach = tolerances.reach.min(NEAR_TOP * width * transform.mm_per_px());
+        WantedPath { path, reach, or_none: false, weight: 1.0 / (MIDDLE[1] - MIDDLE[0]) }
     }
 
     /// The contours of the chart in this variant; none if the variant changes nothing.
@@ -260,7 +265,9 @@ impl Chart {
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
         let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
         let paths = paths.into_iter().map(|path| WantedPath { path, reach, or_none: false, weight: 1.0 });
-        let wanted = paths.chain(unchanged.wanted(tolerances, transform)).collect();
+        let in_rows = rows.iter().flat_map(|row| &row.bars);
+        let tops = in_rows.map(|bar| self.middle_of_top(bar, tolerances, transform));
+        let wanted = paths.chain(tops).chain(unchanged.wanted(tolerances, transform)).collect();
         Some(Redrawn { edges: kept, wanted, instead })
     }
 
