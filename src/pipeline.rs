@@ -5,6 +5,7 @@
 mod adapt;
 mod areas;
 mod areas_of_colours;
+mod areas_of_overview;
 mod bars;
 pub mod colours;
 mod cut_contours;

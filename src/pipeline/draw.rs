@@ -1,6 +1,7 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::areas_of_colours::AreasOfColours;
+use super::areas_of_overview;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
 use super::find_edges::{edges_of, find_edges};
@@ -186,6 +187,8 @@ pub(super) fn draw(
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
+    let merged = || areas_of_overview::told(&drawn.lines, &overview, &layout, plan);
+    notes.extend(if edges.of_drawing() { merged() } else { None });
     notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
