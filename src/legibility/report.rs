@@ -93,9 +93,10 @@ impl Checked {
         format!("{all:#}\n")
     }
 
-    /// The same as SARIF 2.1.0 (OASIS), for programs that collect what checkers find. `file` is the page's name. Places
-    /// are lines of the file, or its first where it is a matter of no one element; those on the sheet are in messages
-    /// and, in mm, in properties, as SARIF has none for drawings. Objects are elements among the logical locations.
+    /// The same as SARIF 2.1.0 (OASIS), for programs that collect what checkers find. `file` is the page's name, which
+    /// becomes a URI (RFC 3986). Places are lines of the file, or its first where it is a matter of no one element;
+    /// those on the sheet are in messages and, in mm, in properties, as SARIF has none for drawings. Objects are
+    /// elements among the logical locations.
     pub fn to_sarif(&self, file: &str) -> String {
         let rule = |rule: &Rule| {
             let (number, unit) = self.number(rule);
@@ -116,7 +117,7 @@ impl Checked {
                 "locations": [{
                     // viewers show nothing without a region
                     "physicalLocation": {
-                        "artifactLocation": { "uri": file },
+                        "artifactLocation": { "uri": uri(file) },
                         "region": { "startLine": finding.line.unwrap_or(1) },
                     },
                     "logicalLocations": object.into_iter().collect::<Vec<_>>(),
@@ -139,6 +140,17 @@ impl Checked {
     fn number(&self, rule: &Rule) -> (Option<f64>, Option<&'static str>) {
         self.limit(rule).map_or((None, None), |(number, unit)| (Some(rounded(number)), Some(unit)))
     }
+}
+
+/// A file's name as a reference by RFC 3986, as SARIF asks for: `/` between its parts, also for `\`, and all but the
+/// unreserved characters as bytes in hex. The colon too: what stands before one would be a scheme.
+fn uri(file: &str) -> String {
+    let written = |byte: u8| match byte {
+        b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => char::from(byte).to_string(),
+        b'\\' => "/".to_owned(),
+        _ => format!("%{byte:02X}"),
+    };
+    file.bytes().map(written).collect()
 }
 
 fn rounded(value: f32) -> f64 {

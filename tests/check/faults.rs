@@ -348,7 +348,18 @@ fn findings_are_data_too() {
         let unit = of_json.expect("each is there")["unit"].as_str();
         assert_eq!(unit, checked.limit(&finding.rule).map(|(_, unit)| unit));
     }
-    let sarif: serde_json::Value = serde_json::from_str(&checked.to_sarif("page.svg")).expect("JSON");
+    let sarif = |file: &str| -> serde_json::Value { serde_json::from_str(&checked.to_sarif(file)).expect("JSON") };
+    for (file, uri) in [
+        ("page.svg", "page.svg"),
+        ("my page 50%.svg", "my%20page%2050%25.svg"),
+        ("pages\\straße.svg", "pages/stra%C3%9Fe.svg"),
+        ("/home/c:#?.svg", "/home/c%3A%23%3F.svg"),
+    ] {
+        let all = sarif(file);
+        let location = &all["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+        assert_eq!(location["artifactLocation"]["uri"].as_str(), Some(uri));
+    }
+    let sarif = sarif("page.svg");
     let run = &sarif["runs"][0];
     assert_eq!(run["results"].as_array().map(Vec::len), Some(checked.findings.len()));
     let rules = run["tool"]["driver"]["rules"].as_array().expect("rules");
