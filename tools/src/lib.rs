@@ -1,6 +1,7 @@
 //! What the measuring programs share with one another and with the project's tests.
 
 pub mod bitmap;
+pub mod blanks;
 pub mod cjpeg;
 pub mod cores;
 pub mod correction;

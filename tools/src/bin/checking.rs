@@ -10,17 +10,19 @@
 use std::time::Instant;
 
 use tactograph::internals::legibility::{check, too_near};
-use tactograph::internals::page::{Line, Run};
+use tactograph::internals::page::{Line, Page, Run};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::units::MmPoint;
 use tactograph_tools::rng::Rng;
-use tactograph_tools::{full_page, scenes};
+use tactograph_tools::{blanks, full_page, scenes};
 
 /// Times of which the least counts.
 const ROUNDS: usize = 15;
 /// Random pages that are held against the search, and lines on each.
 const PAGES: u64 = 200;
 const LINES: usize = 30;
+/// Blank between lines that is asked for there, mm.
+const LEAST: f32 = 3.2;
 /// Random pictures whose pages are checked.
 const SCENES: u64 = 200;
 
@@ -42,6 +44,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let (pairs, worst) = exactness();
     println!("\n{PAGES} random pages, {pairs} pairs of lines that are too near: at most {worst:.5} mm off.");
+    for (rule, pages) in
+        [("texture-gap", blanks::textures_beside_waves as Blanks), ("braille-gap", blanks::braille_beside_waves)]
+    {
+        let (told, worst) = exactness_of(rule, pages, &plan)?;
+        println!("{PAGES} random pages, {told} places of {rule}: at most {worst:.5} mm off.");
+    }
+    let (told, worst) = exactness_of_returns();
+    println!("{told} lines that come back to themselves: told at most {worst:.3} mm too far apart.");
     for (what, picture) in [("scenes and noise", Picture::Scene), ("crowded drawings", Picture::Drawing)] {
         let (pages, errors) = own_pages(picture)?;
         println!("\n{pages} pages of {SCENES} random {what}: {} errors.", errors.len());
@@ -86,7 +96,6 @@ fn own_pages(of: Picture) -> Result<(usize, Vec<String>), Box<dyn std::error::Er
 
 /// How many pairs of straight lines on random pages are too near, and how far the distance of any of them is off.
 fn exactness() -> (usize, f64) {
-    const LEAST: f64 = 3.2;
     let (mut pairs, mut worst) = (0, 0.0_f64);
     for seed in 0..PAGES {
         let mut rng = Rng::new(seed);
@@ -94,12 +103,12 @@ fn exactness() -> (usize, f64) {
             || MmPoint::new(rng.between_f32(0.0, 1.0) * 190.0 + 10.0, rng.between_f32(0.0, 1.0) * 277.0 + 10.0);
         let lines: Vec<Line> =
             (0..LINES).map(|_| Line { strength: 20.0, runs: vec![Run::stroke(1.0, vec![point(), point()])] }).collect();
-        let found = too_near(&lines, LEAST as f32);
+        let found = too_near(&lines, LEAST);
         for (i, a) in lines.iter().enumerate() {
             for (j, b) in lines[..i].iter().enumerate() {
-                let blank = distance(ends(a), ends(b)) - 1.0;
+                let blank = blanks::least(&blanks::strokes(a), &blanks::strokes(b));
                 // lines that touch join, and beside a join other rules count
-                if blank > 0.01 && blank < LEAST - 0.02 {
+                if blank > 0.01 && blank < f64::from(LEAST) - 0.02 {
                     let near = found.iter().filter(|near| near.lines == (i, j) || near.lines == (j, i));
                     let least = near.map(|near| f64::from(near.gap)).fold(f64::MAX, f64::min);
                     (pairs, worst) = (pairs + 1, worst.max((least - blank).abs()));
@@ -110,22 +119,29 @@ fn exactness() -> (usize, f64) {
     (pairs, worst)
 }
 
-type Point = (f64, f64);
+/// Random pages, each with the blanks that are known of it.
+type Blanks = fn(u64) -> Result<(Page, Vec<f64>), tactograph::Error>;
 
-fn ends(line: &Line) -> (Point, Point) {
-    let [a, b] = [0, 1].map(|k| line.runs[0].points[k]).map(|at| (f64::from(at.x), f64::from(at.y)));
-    (a, b)
+/// How many blanks are told by a rule, and how far any of them is off.
+fn exactness_of(rule: &str, page: Blanks, plan: &Plan) -> Result<(usize, f64), tactograph::Error> {
+    let (mut told, mut worst) = (0, 0.0_f64);
+    for seed in 0..PAGES {
+        let (page, known) = page(seed)?;
+        let (count, off) = blanks::off(&check(&page, &plan.limits(), None), rule, known);
+        (told, worst) = (told + count, worst.max(off));
+    }
+    Ok((told, worst))
 }
 
-fn distance((a, b): (Point, Point), (c, d): (Point, Point)) -> f64 {
-    let side = |p: Point, q: Point, r: Point| (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0);
-    if side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0 {
-        return 0.0;
-    }
-    let to = |p: Point, a: Point, b: Point| {
-        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let share = (((p.0 - a.0) * dx + (p.1 - a.1) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-        (a.0 + share * dx - p.0).hypot(a.1 + share * dy - p.1)
+/// How many lines come back to themselves, and how much too far apart any of them is told.
+fn exactness_of_returns() -> (usize, f64) {
+    let lines = (0..PAGES).map(blanks::there_and_back);
+    // strokes that touch join, and what is just short of the limit may be missed
+    let looked_at: Vec<(Line, f64)> =
+        lines.filter(|(_, blank)| (0.01..f64::from(LEAST) - 0.15).contains(blank)).collect();
+    let off = |(line, blank): &(Line, f64)| {
+        let near = too_near(std::slice::from_ref(line), LEAST);
+        near.into_iter().map(|near| f64::from(near.gap)).fold(f64::MAX, f64::min) - blank
     };
-    [to(a, c, d), to(b, c, d), to(c, a, b), to(d, a, b)].into_iter().fold(f64::MAX, f64::min)
+    (looked_at.len(), looked_at.iter().map(off).fold(0.0, f64::max))
 }
