@@ -282,3 +282,24 @@ fn pairs_of_dots_are_as_far_apart_as_told() {
         assert_eq!(gaps, [&[1, 2, 3, 4, 5], heavy].concat(), "{name}");
     }
 }
+
+/// Least distance of two dots of a texture, mm.
+fn pitch_of(glyphs: &[Glyph]) -> f32 {
+    let pairs = glyphs.iter().enumerate().flat_map(|(i, one)| glyphs[..i].iter().map(move |other| (one.at, other.at)));
+    pairs.map(|(a, b)| (a - b).length()).fold(f32::MAX, f32::min)
+}
+
+#[test]
+fn textures_come_at_every_pitch_where_dots_can_be_anywhere() {
+    let pages = sheets(&plan("braillerap", &[])).expect("the samples have room");
+    let told: String = pages.iter().map(|page| page.description.as_str()).collect();
+    let textures = || pages.iter().flat_map(|page| &page.figure.textures);
+    let has = |pitch: f32| textures().any(|texture| (pitch_of(&texture.glyphs) - pitch).abs() < 0.01);
+    for pitch in [1.6, 2.0, 2.4, 3.0] {
+        assert!(told.contains(&format!(", of dots {pitch} mm apart")) && has(pitch), "{pitch}: {told}");
+    }
+    // its own is in the rows of all textures
+    assert!(!told.contains(", of dots 2.5 mm apart") && has(2.5), "{told}");
+    let index = sheets(&plan("index-basic-d", &[])).expect("the samples have room");
+    assert!(index.iter().all(|page| !page.description.contains(", of dots ")), "a grid has one pitch");
+}

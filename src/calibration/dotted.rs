@@ -9,6 +9,7 @@
 //!  e  dots.texture_gap  a texture 0 to 3 empty dots from a line
 //!  f  textures.palette  the texture of each class that the device can carry, dense
 //!  g  textures.palette  the same, sparse
+//!  h  dots.pitch        where dots can be anywhere: the dense textures at the other pitches, each in a row of its own
 //! ```
 //!
 //! All is counted in columns and rows; a device without a grid gets one of its own pitch.
@@ -41,8 +42,22 @@ const EVERY: [usize; 4] = [1, 2, 3, 4];
 const TEXTURE_GAPS: [usize; 4] = [0, 1, 2, 3];
 /// Pitches where any can be had, mm: what Index embossers have, and wider up to frames.
 const PITCHES: [f32; 6] = [1.6, 2.0, 2.4, 2.5, 3.0, 4.0];
+/// Two pitches nearer than this are one, mm: half of the least step between those above.
+const SAME_PITCH: f32 = 0.05;
 /// Lightness of the colours of textures, 0..=1: a full colour.
 const LIGHTNESS: f32 = 0.5;
+
+/// The texture of a sample.
+#[derive(Debug, Clone, Copy)]
+struct Patch {
+    class: Class,
+    /// How dense it is, 0..=1.
+    density: f32,
+    /// How many columns it lies from the corner.
+    gap: usize,
+    /// From dot to dot along its rows, mm: that of the grid, or another where dots can be anywhere.
+    pitch: f32,
+}
 
 /// What is raised: dots in columns and rows from the sample's own corner, or a texture.
 #[derive(Debug, Clone, Default)]
@@ -50,8 +65,7 @@ struct DottedSample {
     dots: Vec<(usize, usize, Height)>,
     /// Dots off the grid, mm from the corner; only for devices that have none.
     free: Vec<MmVector>,
-    /// Class, density and how many columns it lies from the corner.
-    texture: Option<(Class, f32, usize)>,
+    texture: Option<Patch>,
     columns: usize,
     rows: usize,
 }
@@ -187,10 +201,10 @@ impl Bed<'_> {
                 "lines with every dot, every second, third and fourth, {pitch} mm from dot to dot on the grid"
             ),
         });
-        let classes: Vec<Class> = Class::ALL.into_iter().filter(|class| self.carries(*class)).collect();
+        let classes = self.carried(pitch);
         if let Some(&class) = classes.first() {
             let beside = |gap: usize| {
-                let sample = self.textured(class, 1.0, gap + 1);
+                let sample = self.textured(Patch { class, density: 1.0, gap: gap + 1, pitch });
                 DottedSample { dots: (0..sample.rows).map(|row| (0, row, Height::High)).collect(), ..sample }
             };
             let key =
@@ -202,7 +216,8 @@ impl Bed<'_> {
             });
             let names = classes.iter().map(|class| class.name()).collect::<Vec<_>>().join(", ");
             for (density, how) in [(1.0, "dense"), (0.0, "sparse")] {
-                let samples = classes.iter().map(|&class| self.textured(class, density, 0)).collect();
+                let of_class = |&class: &Class| self.textured(Patch { class, density, gap: 0, pitch });
+                let samples = classes.iter().map(of_class).collect();
                 sections.push(DottedSection {
                     keys: &["textures.palette"],
                     samples,
@@ -210,15 +225,40 @@ impl Bed<'_> {
                 });
             }
         }
+        sections.extend(self.textures_at_other_pitches());
         sections
+    }
+
+    /// Pitches to be felt where any can be had; none where the grid has one.
+    fn choices(&self) -> Vec<f32> {
+        match self.dots.device.pitches() {
+            Pitches::Between(least, most) => {
+                PITCHES.into_iter().filter(|pitch| (least..=most).contains(pitch)).collect()
+            }
+            Pitches::Listed(_) => Vec::new(),
+        }
+    }
+
+    /// The dense textures that can be felt at each pitch but that of the sheet, whose textures are there already.
+    fn textures_at_other_pitches(&self) -> Vec<DottedSection> {
+        let other = self.choices().into_iter().filter(|pitch| (pitch - self.dots.pitch).abs() >= SAME_PITCH);
+        let section = |pitch: f32| {
+            let classes = self.carried(pitch);
+            let names = classes.iter().map(|class| class.name()).collect::<Vec<_>>().join(", ");
+            let of_class = |&class: &Class| self.textured(Patch { class, density: 1.0, gap: 0, pitch });
+            let samples = classes.iter().map(of_class).collect();
+            let key = format!("dense textures of {names}, of dots {pitch} mm apart");
+            (!classes.is_empty()).then_some(DottedSection { keys: &["dots.pitch"], samples, key })
+        };
+        other.filter_map(section).collect()
     }
 
     /// Lines of the grid's own pitch; where any pitch can be had, of several.
     fn pitches(&self) -> DottedSection {
         let [wide, long] = self.count(LENGTH);
         match self.dots.device.pitches() {
-            Pitches::Between(least, most) => {
-                let pitches: Vec<f32> = PITCHES.into_iter().filter(|pitch| (least..=most).contains(pitch)).collect();
+            Pitches::Between(..) => {
+                let pitches = self.choices();
                 let free = |pitch: f32| {
                     let dots = (0..=(LENGTH / pitch) as usize).map(|i| MmVector::new(0.0, i as f32 * pitch));
                     DottedSample { free: dots.collect(), rows: long, ..DottedSample::default() }
@@ -251,20 +291,24 @@ impl Bed<'_> {
         }
     }
 
-    /// Whether the device can carry the texture of a class, so that a finger tells it.
-    fn carries(&self, class: Class) -> bool {
+    /// The classes whose textures the device can carry at a pitch, so that a finger tells them.
+    fn carried(&self, pitch: f32) -> Vec<Class> {
         let [columns, rows] = self.grid_of(PATCH);
         let place = self.place_of([0, 0], [columns, rows]);
-        place.is_some_and(|place| !self.texture(class, 1.0, place).glyphs.is_empty())
+        let has_signs = |class: Class| {
+            let patch = Patch { class, density: 1.0, gap: 0, pitch };
+            place.is_some_and(|place| !self.texture(patch, place).glyphs.is_empty())
+        };
+        Class::ALL.into_iter().filter(|class| has_signs(*class)).collect()
     }
 
     fn grid_of(&self, mm: [f32; 2]) -> [usize; 2] {
         [self.count(mm[0])[0], self.count(mm[1])[1]]
     }
 
-    fn textured(&self, class: Class, density: f32, gap: usize) -> DottedSample {
+    fn textured(&self, patch: Patch) -> DottedSample {
         let [columns, rows] = self.grid_of(PATCH);
-        DottedSample { texture: Some((class, density, gap)), columns: columns + gap, rows, ..DottedSample::default() }
+        DottedSample { texture: Some(patch), columns: columns + patch.gap, rows, ..DottedSample::default() }
     }
 
     /// What half a pitch around so many columns and rows takes.
@@ -274,8 +318,8 @@ impl Bed<'_> {
         Some(MmRect::new(from - half, to + half))
     }
 
-    fn texture(&self, class: Class, density: f32, place: MmRect) -> Texture {
-        let params = self.plan.dot_textures(&self.dots);
+    fn texture(&self, Patch { class, density, pitch, .. }: Patch, place: MmRect) -> Texture {
+        let params = textures::Params { pitch, ..self.plan.dot_textures(&self.dots) };
         textures::sample(class, LIGHTNESS, density, place, &self.dots.area, &params)
     }
 
@@ -316,9 +360,10 @@ impl Bed<'_> {
                 DottedItem::Heading(braille) => label.extend(cells.dots(braille, box_corner)),
                 DottedItem::DottedSample(sample, number) => {
                     lines.extend(self.lines(sample, start, first));
-                    if let Some((class, density, gap)) = sample.texture {
-                        let place = self.place_of([start[0] + gap, start[1]], [sample.columns - gap, sample.rows]);
-                        let texture = place.map(|place| self.texture(class, density, place));
+                    if let Some(patch) = sample.texture {
+                        let size = [sample.columns - patch.gap, sample.rows];
+                        let place = self.place_of([start[0] + patch.gap, start[1]], size);
+                        let texture = place.map(|place| self.texture(patch, place));
                         of_textures.extend(texture.filter(|texture| !texture.glyphs.is_empty()));
                     }
                     let below = self.grid.at(start[0], start[1] + sample.rows).unwrap_or(first);

@@ -296,8 +296,18 @@ pub(super) fn identity(path: &Path) -> PathBuf {
 
 /// `sheet.svg` gives `sheet-2.svg`.
 pub(super) fn numbered(path: &Path, number: usize) -> PathBuf {
+    with_more(path, &number.to_string())
+}
+
+/// `sheet.idx` gives `sheet-1.6.idx`: for dots so many mm apart, to a tenth, as those of devices are.
+pub(super) fn of_pitch(path: &Path, pitch: f32) -> PathBuf {
+    with_more(path, &format!("{pitch:.1}"))
+}
+
+/// A name with more of it before the ending.
+fn with_more(path: &Path, more: &str) -> PathBuf {
     let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
-    name.push(format!("-{number}"));
+    name.push(format!("-{more}"));
     if let Some(ending) = path.extension() {
         name.push(".");
         name.push(ending);
@@ -314,5 +324,6 @@ mod tests {
         for (name, want) in [("a.svg", "a-2.svg"), ("d/a.b.png", "d/a.b-2.png"), ("a", "a-2")] {
             assert_eq!(numbered(Path::new(name), 2), Path::new(want));
         }
+        assert_eq!(numbered(&of_pitch(Path::new("a.svg"), 1.6), 2), Path::new("a-1.6-2.svg"));
     }
 }

@@ -132,6 +132,13 @@ pub(super) fn names(pieces: &[Piece<'_>]) -> String {
     }
 }
 
+/// Pages that are called `title` together, and where they go.
+pub(super) struct Document<'a> {
+    pub(super) title: &'a str,
+    pub(super) pages: &'a [Page],
+    pub(super) target: Target,
+}
+
 /// Writes pages that are called `title` together, and their preview if one is asked for, to the file that the user
 /// named, or to as many files as the formats take. Returns the names, each with how many sheets it has if there is one
 /// file for several.
@@ -140,35 +147,56 @@ pub(super) fn names(pieces: &[Piece<'_>]) -> String {
 /// What is in the way, with the file that it is about.
 pub(super) fn write_pages(
     (title, pages): (&str, &[Page]),
-    (chosen, embossing): (Chosen, Embossing),
+    how: (Chosen, Embossing),
     to: &Path,
     force: bool,
 ) -> Result<Vec<String>, Failure> {
     let target = if places::is_std(to) { Target::Stdout } else { Target::Named(to.to_path_buf()) };
-    let encoded = |format| {
-        encode(title, pages, format, chosen, embossing)
-            .map_err(|error| Failure { file: places::target_name(&target), what: error.to_string() })
+    write_documents(&[Document { title, pages, target }], how, force)
+}
+
+/// The same of several documents: all of them or, as far as can be known before, none.
+///
+/// # Errors
+/// As [`write_pages`].
+pub(super) fn write_documents(
+    documents: &[Document<'_>],
+    (chosen, embossing): (Chosen, Embossing),
+    force: bool,
+) -> Result<Vec<String>, Failure> {
+    let encoded = |document: &Document<'_>, format| {
+        encode(document.title, document.pages, format, chosen, embossing)
+            .map_err(|error| Failure { file: places::target_name(&document.target), what: error.to_string() })
     };
+    let mut files = Vec::new();
+    for document in documents {
+        files.push((chosen.format, document.target.clone(), encoded(document, chosen.format)?, document.pages));
+        let preview = chosen.preview.map(Format::Drawing).zip(places::preview(&document.target, chosen.preview));
+        if let Some((format, path)) = preview {
+            files.push((format, Target::Derived(path), encoded(document, format)?, document.pages));
+        }
+    }
     let made_up = |_: &Path| if force { Existing::Forced } else { Existing::KeepOthers };
-    let files = encoded(chosen.format)?;
-    let mut all = pieces(Product::Page(chosen.format), &target, &files, &made_up)?;
-    let preview = chosen.preview.map(Format::Drawing).zip(places::preview(&target, chosen.preview));
-    let previews = preview.as_ref().map_or_else(|| Ok(Vec::new()), |(format, _)| encoded(*format))?;
-    if let Some((format, path)) = preview {
-        all.extend(pieces(Product::Page(format), &Target::Derived(path), &previews, &made_up)?);
+    let (mut all, mut told) = (Vec::new(), Vec::new());
+    for (format, target, files, pages) in &files {
+        all.extend(pieces(Product::Page(*format), target, files, &made_up)?);
+        told.extend(after_names(files.len(), pages));
     }
     write(&all)?;
+    Ok(all.iter().zip(told).map(|(piece, sheets)| places::target_name(&piece.target) + &sheets).collect())
+}
+
+/// What is said after the name of each of so many files of pages.
+fn after_names(count: usize, pages: &[Page]) -> Vec<String> {
     let parts: Vec<String> = pages.iter().map(Page::part_of_set).collect();
-    // of several files each is named by itself
-    let of_files = |files: &[Vec<u8>]| match files {
+    match count {
         // a figure alone is the page itself
-        [_] if parts.len() == 1 && parts[0] != "figure" => vec![format!(": {}", parts[0])],
-        [_] => vec![output::and_sheets(&parts, 1)],
-        _ if files.len() == parts.len() && !output::are_alike(&parts) => {
+        1 if parts.len() == 1 && parts[0] != "figure" => vec![format!(": {}", parts[0])],
+        1 => vec![output::and_sheets(&parts, 1)],
+        // of several files each is named by itself
+        _ if count == parts.len() && !output::are_alike(&parts) => {
             parts.iter().map(|part| format!(": {part}")).collect()
         }
-        _ => vec![String::new(); files.len()],
-    };
-    let counts = of_files(&files).into_iter().chain(of_files(&previews));
-    Ok(all.iter().zip(counts).map(|(piece, sheets)| places::target_name(&piece.target) + &sheets).collect())
+        _ => vec![String::new(); count],
+    }
 }

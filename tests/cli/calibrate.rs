@@ -80,21 +80,43 @@ fn wrong_usage_is_told() {
 #[test]
 fn a_device_gets_its_own_sheets() {
     let place = Place::new();
-    let run = place.run(&["calibrate", "--profile", "index-basic-d", "-o", "s.idx", "--preview", "pdf"]);
+    let of_device = |options: &[&str]| place.run(&[&["calibrate", "--profile", "index-basic-d"], options].concat());
+    let bytes = |name: &str| fs::read(place.path(name)).expect("the file");
+    let run = of_device(&["-o", "s.idx", "--preview", "pdf"]);
     assert_eq!(run.code, 0, "{}", run.err);
-    let wrote: Vec<&str> = run.err.lines().filter(|line| line.starts_with("wrote ")).collect();
-    assert!(
-        wrote.len() == 2 && wrote[0].starts_with("wrote s.idx") && wrote[1].starts_with("wrote s.idx.preview.pdf"),
-        "{}",
-        run.err
-    );
-    assert!(
-        run.err.contains("dots 2 mm apart") && run.err.contains(" b (dots.line_gap): pairs of lines"),
-        "{}",
-        run.err
-    );
+    // one for each pitch
+    let files = [
+        "s-1.6.idx",
+        "s-1.6.idx.preview.pdf",
+        "s-2.0.idx",
+        "s-2.0.idx.preview.pdf",
+        "s-2.5.idx",
+        "s-2.5.idx.preview.pdf",
+    ];
+    let wrote: Vec<&str> = run.err.lines().filter_map(|line| line.strip_prefix("wrote ")).collect();
+    let named: Vec<&str> = wrote.iter().filter_map(|line| line.split(',').next()).collect();
+    assert_eq!((&named[..], place.names()), (&files[..], files.map(str::to_owned).to_vec()), "{}", run.err);
+    for told in [
+        "dots 1.6 mm apart",
+        "dots 2 mm apart",
+        "dots 2.5 mm apart",
+        " b (dots.line_gap): pairs of lines",
+        "3 pitches, each in files of its own; for one alone --set dots.pitch=1.6",
+    ] {
+        assert!(run.err.contains(told), "{told}: {}", run.err);
+    }
+    // the one that is asked for, and that of the profile where all goes into one document
+    assert_eq!(of_device(&["-o", "one.idx", "--set", "dots.pitch=2.5", "-q"]).code, 0);
+    assert!(bytes("one.idx") == bytes("s-2.5.idx") && bytes("one.idx") != bytes("s-1.6.idx"));
+    let mut command = place.command(&["calibrate", "--profile", "index-basic-d", "-o", "-", "--format", "idx", "-q"]);
+    assert!(command.output().expect("the program starts").stdout == bytes("s-2.0.idx"));
+    // names that the program made up cost nobody a file, and then nothing is written
+    place.put("t-2.0.idx", b"mine");
+    let run = of_device(&["-o", "t.idx"]);
+    assert!(run.code == 1 && run.err.contains("t-2.0.idx: this file exists and is another one"), "{}", run.err);
+    assert!(!place.path("t-1.6.idx").exists() && bytes("t-2.0.idx") == b"mine");
     let run = place.run(&["calibrate", "-o", "s.idx"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("IDX holds dots, and the profile swell-a4 is for printing"), "{}", run.err);
-    assert_eq!(place.names(), ["s.idx", "s.idx.preview.pdf"]);
+    assert!(!place.path("s.idx").exists());
 }
