@@ -22,6 +22,7 @@ mod preview;
 mod profiles;
 mod record;
 mod render;
+mod rerun;
 mod several;
 mod tesseract;
 mod titles;

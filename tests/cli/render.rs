@@ -19,7 +19,7 @@ pub(crate) fn read(place: &Place, name: &str) -> Page {
     reading(&place.text(name))
 }
 
-fn reading(svg: &str) -> Page {
+pub(crate) fn reading(svg: &str) -> Page {
     tactograph::internals::reading::read(svg.as_bytes()).expect("it is a page").page
 }
 
@@ -237,7 +237,7 @@ fn what_is_erased_is_blank() {
 }
 
 /// How many signs of a class have their middle in a box: left, top, right, bottom in mm.
-fn signs(page: &Page, class: Class, [left, top, right, bottom]: [f32; 4]) -> usize {
+pub(crate) fn signs(page: &Page, class: Class, [left, top, right, bottom]: [f32; 4]) -> usize {
     let of_class = page.figure.textures.iter().filter(|texture| texture.class == class);
     let inside = |at: tactograph::MmPoint| (left..=right).contains(&at.x) && (top..=bottom).contains(&at.y);
     of_class.flat_map(|texture| &texture.glyphs).filter(|glyph| inside(glyph.at)).count()
