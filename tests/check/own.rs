@@ -1,9 +1,10 @@
 //! Every page that the program writes passes.
 
 use crate::common::{page, samples};
-use tactograph::Page;
 use tactograph::internals::legibility::check;
 use tactograph::internals::profile::{Plan, Profile, built_in};
+use tactograph::marks::TextRole;
+use tactograph::{Fonts, KeySheets, Label, Page, Position};
 use tactograph_tools::scenes;
 
 /// The errors of a page that was made with a profile.
@@ -90,6 +91,34 @@ fn pages_of_drawings_pass() {
         }
     }
     assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// With words: the texts of drawings as labels, labels on a photograph, a title, and a key, whose sheets are held
+/// against the rules too.
+#[test]
+fn pages_with_words_pass_and_so_do_their_keys() {
+    let fonts = Fonts::system();
+    let at = |x, y, text: &str| {
+        let [x, y] = [x, y].map(|share| Position::percent(share).expect("a number"));
+        Label { x, y, text: text.to_owned() }
+    };
+    let of_photograph = vec![at(45.0, 40.0, "cup"), at(15.0, 75.0, "table"), at(85.0, 85.0, "wooden board")];
+    let (mut faults, mut labels, mut keys) = (Vec::new(), 0, 0);
+    for name in ["swell-a4", "index-basic-d", "viewplus-columbia", "dot-pad"] {
+        let profile = Profile::named(name).expect("it is built in");
+        for sample in ["chart.svg", "map.svg", "cell.svg", "coffee.png"] {
+            let options = tactograph::Options::new(profile.clone()).title("A sample").fonts(fonts.clone());
+            let options = options.label_texts(true).key(KeySheets::Always);
+            let options = if sample == "coffee.png" { options.labels(of_photograph.clone()) } else { options };
+            let drawing = tactograph::convert(&samples::read(sample), &options).expect("a page");
+            labels += drawing.page.braille.iter().filter(|text| text.role == TextRole::Label).count();
+            keys += drawing.key.len();
+            let of_sample = drawing.all().flat_map(|page| errors(page, &profile));
+            faults.extend(of_sample.map(|error| format!("{name}, {sample}: {error}")));
+        }
+    }
+    assert!(faults.is_empty(), "{} errors:\n{}", faults.len(), faults.join("\n"));
+    assert!(labels >= 60 && keys >= 12, "{labels} labels and {keys} sheets of keys");
 }
 
 /// Drawings that are far too full for their pages.
