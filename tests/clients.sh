@@ -177,6 +177,52 @@ assert abs(u - x - 3) < 0.02 and abs(v - y) < 0.02, (x, y, u, v)
 PYTHON
 }
 
+# A page with edits of many kinds goes into all that the program does with pages: a line duplicated and moved, a clone of
+# one, two grouped, one made a path, an area hidden and the layer of the overview.
+edited_page_goes_everywhere() { # edited_page_goes_everywhere PAGE PICTURE
+  local edited="$out/edited page.svg" code=0 option
+  inkscape "$1" --actions="select-by-id:line-1;duplicate;transform-translate:0,150;select-clear;\
+select-by-id:line-2;clone;transform-translate:60,0;select-clear;select-by-id:line-4,line-5;selection-group;select-clear;\
+select-by-id:line-3;object-to-path;select-clear;select-by-id:region-2;selection-hide;select-clear;\
+select-by-id:overview;selection-hide;export-filename:$edited;export-do" || return 1
+  "$program" check "$edited" >"$out/everywhere.txt" || code=$?
+  # the duplicate lies across other lines
+  [ $code = 1 ] && grep -q '^error line-gap: .* line 1 ("path' "$out/everywhere.txt" && grep -q '^Verdict: ' "$out/everywhere.txt" ||
+    { echo "check: exit code $code"; cat "$out/everywhere.txt"; return 1; }
+  code=0
+  "$program" check "$edited" --format sarif >"$out/everywhere.sarif" || code=$?
+  [ $code = 1 ] || { echo "check --format sarif: exit code $code"; return 1; }
+  "$program" describe "$edited" >"$out/everywhere.desc" || return 1
+  "$program" render "$edited" -o "$out/everywhere.svg" || return 1
+  "$program" render "$edited" --profile index-basic-d -o "$out/everywhere.idx" || return 1
+  for option in lines regions add-lines; do
+    "$program" convert "$2" "--$option" "$edited" --no-overview --force -o "$out/everywhere-$option.svg" || return 1
+  done
+  python3 - "$1" "$out/everywhere" <<'PYTHON'
+import json, re, sys
+text = lambda name: open(name, encoding="utf-8").read()
+was, name = text(sys.argv[1]), sys.argv[2]
+lines = lambda page: len(re.findall(r'id="line-\d+"', page))
+of = lambda page, colour: page.count(f'data-class="{colour}"')
+colour = re.search(r'data-class="(\w+)"', next(tag for tag in re.findall("<path [^>]*>", was) if 'id="region-2"' in tag)).group(1)
+now = text(name + ".svg")
+assert lines(now) == lines(was) + 2, (lines(was), lines(now))
+assert of(now, colour) == of(was, colour) - 1, (of(was, colour), of(now, colour))
+assert 'id="overview-line-' in was and 'id="overview-line-' not in now
+told = text(name + ".desc")
+assert f"that has {lines(now)} lines" in told and "with no lines" in told, told
+run = json.loads(text(name + ".sarif"))["runs"][0]
+gaps = [result for result in run["results"] if result["ruleId"] == "line-gap"]
+assert gaps and all(gap["level"] == "error" for gap in gaps), run["results"]
+place = gaps[0]["locations"][0]["physicalLocation"]
+assert place["artifactLocation"]["uri"].endswith("/edited%20page.svg") and place["region"]["startLine"] > 1, place
+assert open(name + ".idx", "rb").read(1) == b"\x1b"
+assert lines(text(name + "-lines.svg")) > 0.8 * lines(now)
+assert of(text(name + "-regions.svg"), colour) == of(now, colour)
+assert lines(text(name + "-add-lines.svg")) > lines(was)
+PYTHON
+}
+
 # Tesseract reads the texts of a chart that is a bitmap, and most of them become labels.
 texts_are_read() {
   local text found=0
@@ -281,10 +327,14 @@ check_page samples/coffee.png swell-11x11.5 279.4 292.1
 check_page samples/coffee.png swell-11x17 279.4 431.8
 check_page samples/coffee.png plain-print 210 297
 name="trips"
-for sample in coffee.png.swell-a4 landscape.svg.swell-a4; do
-  check "$sample comes back from other programs" comes_back "$out/$sample.svg"
+check "a page of dots is made" "$program" convert samples/coffee.png --profile index-basic-d -o "$out/coffee.dots.svg"
+check "a page with labels is made" "$program" convert samples/chart.svg --labels texts --title Rain --key never \
+  -o "$out/chart.labels.svg"
+for trip in coffee.png.swell-a4 landscape.svg.swell-a4 coffee.dots-1 coffee.dots-2 chart.labels; do
+  check "$trip comes back from other programs" comes_back "$out/$trip.svg"
 done
 check "what was edited in Inkscape is read" edits_are_read "$out/coffee.png.swell-a4.svg"
+check "a page edited in Inkscape goes everywhere" edited_page_goes_everywhere "$out/coffee.png.swell-a4.svg" samples/coffee.png
 check "texts of a bitmap are read" texts_are_read
 check "words in braille are found in a PDF" words_are_found
 check "a correction by hand goes through Inkscape" correction_is_read
