@@ -187,7 +187,8 @@ select-by-id:line-3;object-to-path;select-clear;select-by-id:region-2;selection-
 select-by-id:overview;selection-hide;export-filename:$edited;export-do" || return 1
   "$program" check "$edited" >"$out/everywhere.txt" || code=$?
   # the duplicate lies across other lines
-  [ $code = 1 ] && grep -q '^error line-gap: .* line 1 ("path' "$out/everywhere.txt" && grep -q '^Verdict: ' "$out/everywhere.txt" ||
+  [ $code = 1 ] && grep -q '^error line-gap: .* line 1 ("path' "$out/everywhere.txt" &&
+    grep -q '^Verdict: ' "$out/everywhere.txt" ||
     { echo "check: exit code $code"; cat "$out/everywhere.txt"; return 1; }
   code=0
   "$program" check "$edited" --format sarif >"$out/everywhere.sarif" || code=$?
@@ -204,7 +205,8 @@ text = lambda name: open(name, encoding="utf-8").read()
 was, name = text(sys.argv[1]), sys.argv[2]
 lines = lambda page: len(re.findall(r'id="line-\d+"', page))
 of = lambda page, colour: page.count(f'data-class="{colour}"')
-colour = re.search(r'data-class="(\w+)"', next(tag for tag in re.findall("<path [^>]*>", was) if 'id="region-2"' in tag)).group(1)
+area = next(tag for tag in re.findall("<path [^>]*>", was) if 'id="region-2"' in tag)
+colour = re.search(r'data-class="(\w+)"', area).group(1)
 now = text(name + ".svg")
 assert lines(now) == lines(was) + 2, (lines(was), lines(now))
 assert of(now, colour) == of(was, colour) - 1, (of(was, colour), of(now, colour))
@@ -334,7 +336,8 @@ for trip in coffee.png.swell-a4 landscape.svg.swell-a4 coffee.dots-1 coffee.dots
   check "$trip comes back from other programs" comes_back "$out/$trip.svg"
 done
 check "what was edited in Inkscape is read" edits_are_read "$out/coffee.png.swell-a4.svg"
-check "a page edited in Inkscape goes everywhere" edited_page_goes_everywhere "$out/coffee.png.swell-a4.svg" samples/coffee.png
+check "a page edited in Inkscape goes everywhere" edited_page_goes_everywhere "$out/coffee.png.swell-a4.svg" \
+  samples/coffee.png
 check "texts of a bitmap are read" texts_are_read
 check "words in braille are found in a PDF" words_are_found
 check "a correction by hand goes through Inkscape" correction_is_read

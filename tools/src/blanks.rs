@@ -166,7 +166,7 @@ pub fn braille_beside_waves(seed: u64) -> Result<(Page, Vec<f64>), Error> {
 }
 
 /// A line that goes across the sheet as a wave, turns far from it, and comes back below as another wave, with the least
-/// blank between the two waves, mm.
+/// blank between the way there and the way back, mm.
 pub fn there_and_back(seed: u64) -> (Line, f64) {
     let mut rng = Rng::new(seed);
     let (swing, period) = (rng.between_f32(0.0, 4.0), rng.between_f32(8.0, 30.0));
@@ -179,7 +179,10 @@ pub fn there_and_back(seed: u64) -> (Line, f64) {
     let run = |(width, points): (f32, Vec<MmPoint>)| Run::stroke(width, points);
     let line = Line { strength: 20.0, runs: Vec::from([(one, out), (one, turn), (other, back)].map(run)) };
     let of = |number: usize| strokes(&Line { strength: 20.0, runs: vec![line.runs[number].clone()] });
-    let blank = least(&of(0), &of(2));
+    // the turn begins and ends beside the waves
+    let turn = of(1);
+    let (there, back) = ([of(0), turn[..1].to_vec()].concat(), [of(2), turn[turn.len() - 1..].to_vec()].concat());
+    let blank = least(&there, &back);
     (line, blank)
 }
 

@@ -44,9 +44,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let (pairs, worst) = exactness();
     println!("\n{PAGES} random pages, {pairs} pairs of lines that are too near: at most {worst:.5} mm off.");
-    for (rule, pages) in
-        [("texture-gap", blanks::textures_beside_waves as Blanks), ("braille-gap", blanks::braille_beside_waves)]
-    {
+    let rules: [(&str, Blanks); 2] =
+        [("texture-gap", blanks::textures_beside_waves), ("braille-gap", blanks::braille_beside_waves)];
+    for (rule, pages) in rules {
         let (told, worst) = exactness_of(rule, pages, &plan)?;
         println!("{PAGES} random pages, {told} places of {rule}: at most {worst:.5} mm off.");
     }
