@@ -54,8 +54,11 @@ proptest! {
     }
 }
 
+/// A page, and the blanks on it, mm.
+type KnownPage = Result<(Page, Vec<f64>), tactograph::Error>;
+
 /// All that a rule tells of random pages is off by less than 0.001 mm, and nothing is missed or made up.
-fn is_exact(rule: &str, page: fn(u64) -> Result<(Page, Vec<f64>), tactograph::Error>) {
+fn is_exact(rule: &str, page: fn(u64) -> KnownPage) {
     let limits = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense").limits();
     let mut told = 0;
     for seed in 0..PAGES {
