@@ -77,10 +77,11 @@ impl Stretch {
     }
 }
 
-/// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a
-/// grid are long beside a curve.
+/// The contrast of the strong strokes: a share of all by length, but no longer than the picture, as the lines of a grid
+/// are long beside a curve. A line of squared paper may be strong for a part only, where the side of a shape is on it.
 fn strong(contours: &[Contour], size: Size) -> f32 {
-    let mut all: Vec<(f32, f32)> = contours.iter().map(|contour| (median(contour), contour.length())).collect();
+    let places = contours.iter().flat_map(|contour| contour.segments());
+    let mut all: Vec<(f32, f32)> = places.map(|(a, b)| (a.strength.min(b.strength), (b.at - a.at).length())).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     let whole: f32 = all.iter().map(|(_, length)| length).sum();
     let wanted = (STRONG * whole).min(size.width.max(size.height) as f32);
@@ -90,12 +91,6 @@ fn strong(contours: &[Contour], size: Size) -> f32 {
         sum >= wanted
     });
     reached.map_or(0.0, |(strength, _)| *strength)
-}
-
-fn median(contour: &Contour) -> f32 {
-    let mut strengths: Vec<f32> = contour.vertices.iter().map(|point| point.strength).collect();
-    let middle = strengths.len() / 2;
-    if strengths.is_empty() { 0.0 } else { *strengths.select_nth_unstable_by(middle, f32::total_cmp).1 }
 }
 
 /// The stretches of an open contour that are pale, with a contrast up to `most`, and those that are not. The shortest

@@ -48,6 +48,14 @@ fn a_bar_keeps_its_top_on_a_gridline() {
 }
 
 #[test]
+fn shapes_whose_sides_lie_on_squared_paper_are_parted_from_its_lines() {
+    // most of each line is pale, and nothing else is strong
+    let with_side = |y: f32| level(y, &[(50..200, 13.0), (200..300, 100.0), (300..550, 13.0)]);
+    let all = parted_strokes([100.0, 150.0, 200.0, 250.0].map(with_side).to_vec());
+    assert_eq!((all.len(), faint(&all).len()), (12, 8));
+}
+
+#[test]
 fn a_line_across_the_grid_does_not_part_it() {
     let grid = |y: f32| level(y, &[(50..55, 140.0), (55..300, 13.0), (300..304, 140.0), (304..550, 13.0)]);
     let all = parted_strokes(vec![grid(100.0), grid(150.0), grid(200.0), side(300.0, 60), side(50.0, 60)]);
