@@ -239,7 +239,7 @@ fn gridlines_are_interrupted_at_points_beside_them() {
     assert!(all.hidden[0].is_empty(), "the axis stays");
     // one with marks of its own stays, as these would be torn
     let own = PointMark { at: MmPoint::new(50.0, 56.0), is_alone: false, ..alone(56.0, true) };
-    let beside = PointMark { at: MmPoint::new(80.0, 60.0), ..alone(60.0, true) };
+    let beside = PointMark { at: MmPoint::new(80.0, 60.0), ..alone(60.0, false) };
     assert_eq!(placed(&[own, beside], &[], &rows(Some(gridline(56.0)))).shown.points, [true, false]);
 }
 
