@@ -67,7 +67,8 @@ impl Errors {
 impl<'a> Sight<'a> {
     /// What was drawn, as it lies on the page.
     pub(crate) fn of_scene(scene: &'a Scene, page: &Outcome) -> Self {
-        let frame = PageTransform::new(page.source, page.place);
+        let [width, height] = scene.size.map(|side| side as u32);
+        let frame = PageTransform::new(Size::new(width, height), page.place);
         let to_mm = |p: &P| {
             let at = frame.to_mm(PxPoint::new(p[0] as f32, p[1] as f32));
             [f64::from(at.x), f64::from(at.y)]
@@ -82,15 +83,20 @@ impl<'a> Sight<'a> {
         Self { place: page.place, paths, class: Box::new(class), clearance: Some(Box::new(clearance)) }
     }
 
-    /// A page.
-    pub(crate) fn of_page(page: &'a Outcome) -> Self {
+    /// A page, whose figure is thought to lie at `place`: a picture that counts as a drawing at one resolution and as a
+    /// photograph at another is laid out in two ways.
+    pub(crate) fn of_page(page: &'a Outcome, place: MmRect) -> Self {
+        let own = page.place;
+        let (across, down) = (place.width() / own.width(), place.height() / own.height());
+        let at = |p: MmPoint| {
+            let (x, y) = (place.min.x + across * (p.x - own.min.x), place.min.y + down * (p.y - own.min.y));
+            [f64::from(x), f64::from(y)]
+        };
         let path = |line: &tactograph::internals::lines::Line| {
-            let points =
-                line.runs.iter().flat_map(|run| run.polyline().path().map(|p| [f64::from(p.x), f64::from(p.y)]));
+            let points = line.runs.iter().flat_map(|run| run.polyline().path().map(|p| at(*p)));
             (points.collect(), f64::from(line.strength))
         };
-        let place = page.place;
-        let class = move |at: MmPoint| class_at(&page.classes, place, at);
+        let class = move |at: MmPoint| class_at(page.classes.as_ref()?, place, at);
         Self { place, paths: page.lines.iter().map(path).collect(), class: Box::new(class), clearance: None }
     }
 
@@ -140,7 +146,7 @@ fn class_at(classes: &Classes, place: MmRect, at: MmPoint) -> Option<Class> {
 
 /// Holds a page against the truth about it. Whether it is also felt is asked for, as it takes long.
 pub(crate) fn compare(truth: &Sight<'_>, page: &Outcome, feel: bool) -> Result<Errors, String> {
-    let seen = Sight::of_page(page);
+    let seen = Sight::of_page(page, page.place);
     let (wanted, found) = (truth.walk(), seen.walk());
     let (to_found, pairs) = ways(&wanted, &found, truth);
     let (to_wanted, _) = ways(&found, &wanted, truth);
@@ -157,7 +163,7 @@ pub(crate) fn compare(truth: &Sight<'_>, page: &Outcome, feel: bool) -> Result<E
         missing: lost(&to_found),
         extra: lost(&to_wanted),
         strength: rank_correlation(&strengths),
-        class: other_class(truth, &seen),
+        class: if page.classes.is_some() { other_class(truth, &seen) } else { f64::NAN },
         read: if feel { read(truth, &page.svg)? } else { f64::NAN },
     })
 }

@@ -1,7 +1,7 @@
 //! Run time against error on the page: at which working resolution does a finger notice nothing any more?
 //!
 //! ```text
-//! cargo run --release -p tactograph-tools --bin knee                       writes docs/speed/knee.csv and knee.svg (some ten minutes)
+//! cargo run --release -p tactograph-tools --bin knee    writes docs/speed/knee.csv and knee.svg (half an hour or more)
 //!   --rounds N             how often each setting is timed (default 5)
 //!   --profile NAME         another profile than swell-a4; of one of dots only a table is printed
 //!   --draw DIR             writes the pictures and the page of each, too
@@ -9,13 +9,14 @@
 //!
 //! **Settings**: working resolution (px for a millimetre of the page), edge scale (mm), and at which fraction of its size a
 //! JPEG is decoded before it is averaged to the working size ("as needed" is what the program does: the smallest that is not
-//! below the working size).
+//! below the working size). Where that is given, the program gets pixels, and so does not know that it was a JPEG: such
+//! rows are to be compared with one another.
 //!
 //! **Pictures** (`pictures.rs`, `scene.rs`): drawn scenes of 9 to 12 megapixels whose outlines, steps and colours are known, with
 //! the blur and the grain of a camera; the photo-like picture of `bench_all` with 12 megapixels; samples.
 //!
 //! **Errors** (`compare.rs`): scenes are held against what was drawn, all others against the page of the highest resolution at
-//! the same scale. Lengths are in mm on the page:
+//! the same scale, where the page has its figure. Lengths are in mm on the page:
 //!
 //! * *rms*, *p95*: distance from each line to the nearest true one and back, of places that have one within 1 mm, which is
 //!   about what a fingertip tells apart; *missing*, *extra*: the share of the length that has none.
@@ -27,8 +28,9 @@
 //! with the borders of its pixels differs from one resolution to the next. Each side has a scale of its own
 //! (`tactograph::internals::units::PageTransform`), so the rounding moves no line.
 //!
-//! **Time**: of this thread alone (CPU), the stages called one after the other as the program calls them, from the file's bytes
-//! to the page's SVG. Settings run in turn, round after round, every second round in reverse; figures are medians.
+//! **Time**: working time (CPU) of one thread, on which everything runs as in the program on one core
+//! (`pipeline::convert`), from the file's bytes to the page's SVG; without the start of a process. Settings run in
+//! turn, round after round, every second round in reverse; figures are medians.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 mod clock;
@@ -43,6 +45,7 @@ mod sweep;
 
 use std::path::{Path, PathBuf};
 
+use rayon::ThreadPoolBuilder;
 use tactograph_tools::words::Words;
 
 /// What is asked for.
@@ -63,6 +66,9 @@ fn main() -> Result<(), String> {
             _ => return Err(words.unknown(&word)),
         }
     }
+    // what other threads do would not be counted
+    let alone = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
+    alone.map_err(|fault| fault.to_string())?;
     std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
     let profile = rows::profile(&args.profile, &[])?;
     let pictures = pictures::all(Path::new("target/knee"))?;

@@ -19,7 +19,7 @@ pub(crate) struct Picture {
 
 /// Files that are made here; another edition makes them anew.
 const SCENES: [(&str, u32); 3] = [("scene-4:3", 3), ("scene-3:2", 4), ("scene-16:9", 5)];
-const EDITION: &str = "2";
+const EDITION: &str = "3";
 /// Width and height of the photo-like picture, px.
 const PHOTO: [usize; 2] = [4000, 3000];
 

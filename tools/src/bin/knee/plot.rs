@@ -80,7 +80,8 @@ fn panel(svg: &mut String, title: &str, left: f64, dots: &[Dot]) {
     }
 }
 
-/// The default scale is a full dot, a smaller one a triangle, a larger one a square; where more was decoded, a cross.
+/// The default scale is a full dot, a smaller one a triangle, a larger one a square; where the fraction of a JPEG is
+/// given, a cross.
 fn mark(svg: &mut String, setting: Setting, [x, y]: [f64; 2]) {
     let outline = "fill=\"#fff\" stroke=\"#000\" stroke-width=\"1.3\"";
     let _ = match setting {
@@ -105,14 +106,14 @@ fn head() -> String {
         the mean square distance of lines from where they should be, in millimetres on the page. Left, drawn scenes whose \
         outlines are known; right, a photo-like picture beside its page at 12 px for a millimetre. Labels are pixels for a \
         millimetre of the page. Full dots, joined by a line: edges at a scale of 0.45 mm; triangles 0.3 mm, squares 0.6 mm; \
-        crosses: decoded at a larger fraction than is needed, which the label names. The figures are in knee.csv.";
+        crosses: decoded at the fraction that the label names, and handed over as pixels. The figures are in knee.csv.";
     let mut svg = plot::head(SIZE, title, description)
         + &format!(
             "<text x=\"{0}\" y=\"22\" font-size=\"14\">Run time against error on an A4 page, pictures of 12 \
              megapixels</text>\n\
              <text x=\"{0}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of 0.45 mm; triangles: \
              0.3 mm; squares: 0.6 mm;</text>\n\
-             <text x=\"{0}\" y=\"60\">crosses: JPEG decoded at a larger fraction than is needed</text>\n\
+             <text x=\"{0}\" y=\"60\">crosses: JPEG decoded at the fraction that is named, and handed over as pixels</text>\n\
              <text transform=\"translate(22 {down}) rotate(-90)\" text-anchor=\"middle\">distance of lines (RMS), mm on \
              the page</text>\n",
             LEFTS[0],

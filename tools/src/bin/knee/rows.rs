@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use tactograph::internals::profile::Profile;
-use tactograph::internals::units::Size;
 
 use crate::clock::median;
 use crate::compare::Errors;
@@ -16,7 +15,7 @@ pub(crate) struct Setting {
     pub(crate) resolution: f32,
     /// Scale of edges, mm.
     pub(crate) scale: f32,
-    /// At how many eighths of its size a JPEG is decoded; as needed without.
+    /// At how many eighths of its size a JPEG is decoded, and handed over as pixels; as the program does without.
     pub(crate) eighths: Option<u32>,
 }
 
@@ -26,15 +25,17 @@ pub(crate) struct Row {
     /// Whether the truth is what was drawn.
     pub(crate) is_scene: bool,
     pub(crate) setting: Setting,
-    pub(crate) working: Size,
     pub(crate) times: Vec<[f64; STAGES.len()]>,
     pub(crate) errors: Errors,
 }
 
 impl Row {
     /// Median of a stage, ms.
-    fn stage(&self, stage: usize) -> f64 {
-        median(self.times.iter().map(|times| times[stage]).collect())
+    fn stage(&self, name: &str) -> f64 {
+        let of = |times: &[f64; STAGES.len()]| {
+            STAGES.iter().zip(times).find(|(stage, _)| **stage == name).map(|(_, ms)| *ms)
+        };
+        median(self.times.iter().filter_map(of).collect())
     }
 
     /// Median of the whole, ms.
@@ -59,21 +60,17 @@ pub(crate) fn profile(name: &str, changes: &[(&str, f32)]) -> Result<Profile, St
 /// Every figure.
 pub(crate) fn csv(rows: &[Row]) -> String {
     let stages = STAGES.map(|stage| format!("ms_{stage}")).join(",");
-    let mut text = format!(
-        "picture,px_per_mm,edge_scale_mm,jpeg_decoded_at,working_width,working_height,ms_all,{stages},{}\n",
-        Errors::NAMES.join(",")
-    );
+    let mut text =
+        format!("picture,px_per_mm,edge_scale_mm,jpeg_decoded_at,ms_all,{stages},{}\n", Errors::NAMES.join(","));
     for row in rows {
         let Setting { resolution, scale, eighths } = row.setting;
         let eighths = eighths.map_or("as needed".into(), |eighths| format!("{eighths}/8"));
-        let stages: Vec<String> = (0..STAGES.len()).map(|stage| format!("{:.2}", row.stage(stage))).collect();
+        let stages: Vec<String> = STAGES.iter().map(|stage| format!("{:.2}", row.stage(stage))).collect();
         let errors = row.errors.all().map(|e| if e.is_nan() { String::new() } else { format!("{e:.4}") }).join(",");
         let _ = writeln!(
             text,
-            "{},{resolution},{scale},{eighths},{},{},{:.2},{},{errors}",
+            "{},{resolution},{scale},{eighths},{:.2},{},{errors}",
             row.picture,
-            row.working.width,
-            row.working.height,
             row.all(),
             stages.join(",")
         );
@@ -108,8 +105,8 @@ pub(crate) fn table(rows: &[Row]) -> String {
                 setting.resolution,
                 setting.scale,
                 mean(&|row| row.all()),
-                mean(&|row| row.stage(0)),
-                mean(&|row| row.stage(1)),
+                mean(&|row| row.stage("decode")),
+                mean(&|row| row.stage("edges")),
                 errors.rms,
                 errors.p95,
                 errors.missing,

@@ -1,101 +1,101 @@
-//! One picture, one setting: the stages as `src/pipeline.rs` calls them, each with its time.
+//! One picture, one setting: its page as the program makes it, and how long each stage takes.
 
-use tactograph::Error;
-use tactograph::internals::classes::{self, Classes};
-use tactograph::internals::edges;
-use tactograph::internals::lines::{self, Line};
+use std::sync::Arc;
+
+use tactograph::internals::classes::Classes;
+use tactograph::internals::lines::Line;
 use tactograph::internals::output::svg;
-use tactograph::internals::page::layout::{self, Layout};
-use tactograph::internals::page::{Figure, Overview, Page, Parts};
+use tactograph::internals::pipeline::{self, Event, Request, colours};
 use tactograph::internals::profile::Plan;
-use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{self, DecodeOptions, Header};
-use tactograph::internals::raster::shrink::shrink;
-use tactograph::internals::textures;
-use tactograph::internals::units::{MmRect, PageTransform, Size};
+use tactograph::internals::units::{MmRect, Size};
 
 use crate::clock::Clock;
 use crate::pictures::Picture;
 
-/// The stages in their order; the last is the page and its SVG.
-pub(crate) const STAGES: [&str; 7] = ["decode", "edges", "lines", "overview", "classes", "textures", "page"];
+/// The stages in their order; the last is the page, its SVG, and what lies between stages.
+pub(crate) const STAGES: [&str; 9] =
+    ["decode", "text", "edges", "regions", "lines", "overview", "classes", "textures", "page"];
+const DECODE: usize = 0;
+const PAGE: usize = STAGES.len() - 1;
 
 /// What came of it.
 pub(crate) struct Outcome {
     /// Of the picture, px.
     pub(crate) source: Size,
-    pub(crate) working: Size,
     pub(crate) place: MmRect,
     pub(crate) lines: Vec<Line>,
-    pub(crate) classes: Classes,
+    /// The colours of the picture, once somebody has asked for them ([`classes`]).
+    pub(crate) classes: Option<Classes>,
     pub(crate) svg: String,
     /// Milliseconds of each stage.
     pub(crate) times: [f64; STAGES.len()],
 }
 
-/// Makes the page of a picture. A JPEG is decoded at `eighths` of its size, or as the program does.
+/// Makes the page of a picture. A JPEG is decoded at `eighths` of its size and handed over as pixels, or as the program
+/// does.
+///
+/// # Errors
+/// The picture cannot be made into a page.
+pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Result<Outcome, String> {
+    let mut clock = Clock::start();
+    let mut times = [0.0; STAGES.len()];
+    let decoded = eighths.map(|eighths| decoded_at(&picture.bytes, eighths)).transpose()?;
+    times[DECODE] += clock.lap();
+    let pixels = decoded.map(|(size, samples)| (size, opaque(&samples)));
+    let given = match &pixels {
+        Some((size, pixels)) => {
+            tactograph::Picture::rgba8(size.width, size.height, pixels).map_err(|fault| fault.to_string())?
+        }
+        None => tactograph::Picture::file(&picture.bytes),
+    };
+    clock.lap(); // a decoder would average its own samples
+    let drawing = with_request(plan, |request| {
+        pipeline::convert(given, request, &mut |event| match event {
+            Event::Begin(_) => times[PAGE] += clock.lap(),
+            Event::End(stage) => {
+                let number = STAGES.iter().position(|name| *name == stage.name());
+                times[number.unwrap_or(PAGE)] += clock.lap();
+            }
+            _ => {}
+        })
+    });
+    let page = drawing.map_err(|fault| fault.to_string())?.page;
+    let svg = svg::write(&page);
+    times[PAGE] += clock.lap();
+    let figure = page.figure;
+    Ok(Outcome { source: figure.source, place: figure.place, lines: figure.lines, classes: None, svg, times })
+}
+
+/// The colours of a picture, sorted as for its page.
 ///
 /// # Errors
 /// The picture cannot be decoded.
-pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Result<Outcome, Error> {
-    let mut clock = Clock::start();
-    let mut times = [0.0; STAGES.len()];
-    let working_size = |source: Header| {
-        Ok(match eighths {
-            Some(eighths) => {
-                Size::new((source.size.width * eighths).div_ceil(8), (source.size.height * eighths).div_ceil(8))
-            }
-            None => working_size(source, plan),
-        })
-    };
-    let decoded = decode::decode(&picture.bytes, &DecodeOptions::whole(&working_size))?;
-    let source = decoded.source.size;
-    let working = self::working_size(decoded.source, plan);
-    let raster = smaller(decoded.raster, working);
-    times[0] = clock.lap();
-
-    let layout = layout_of(source, plan);
-    let frame = PageTransform::new(raster.size(), layout.figure);
-    let px_per_mm = 1.0 / frame.mm_per_px();
-    let found = edges::find(&raster, &plan.edges(px_per_mm));
-    times[1] = clock.lap();
-    let lines = lines::draw(&found, &frame, layout.figure, &plan.lines()).lines;
-    times[2] = clock.lap();
-    let overview = layout.overview.map(|place| {
-        let lines = lines::draw(&found, &PageTransform::new(raster.size(), place), place, &plan.lines()).lines;
-        Overview { place, frame: Default::default(), lines }
-    });
-    times[3] = clock.lap();
-    let classes = classes::sort(&raster, &found.borders(), &plan.classes(px_per_mm));
-    times[4] = clock.lap();
-    let textures = textures::fill(&classes, layout.figure, &lines, &plan.textures());
-    times[5] = clock.lap();
-    let figure = Figure { place: layout.figure, source, textures, lines };
-    let page = Page::new(Parts { overview, ..Parts::of(layout.sheet, figure) })?;
-    let svg = svg::write(&page);
-    times[6] = clock.lap();
-    Ok(Outcome { source, working, place: layout.figure, lines: page.figure.lines.clone(), classes, svg, times })
+pub(crate) fn classes(picture: &Picture, plan: &Plan) -> Result<Option<Classes>, String> {
+    let sorted = with_request(plan, |request| colours::sort(&picture.bytes, request, &mut |_| ()));
+    sorted.map(|sorted| sorted.classes).map_err(|fault| fault.to_string())
 }
 
-/// As `src/pipeline.rs` has it.
-fn working_size(source: Header, plan: &Plan) -> Size {
-    let Header { size, is_drawing } = source;
-    let place = layout_of(size, plan).figure;
-    let pixels = |mm: f32, own: u32| {
-        let wanted = ((mm * plan.profile().figure.resolution).round() as u32).max(1);
-        if is_drawing { wanted } else { wanted.min(own) }
-    };
-    Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height))
+/// Does something with a plan and nothing else that a person could ask for.
+fn with_request<T>(plan: &Plan, work: impl FnOnce(&Request<'_>) -> T) -> T {
+    let (limits, fit) = (Default::default(), Default::default());
+    let request =
+        Request { plan, limits, fonts: &Arc::default, title: "a picture", language: "en", fit, cancelled: &|| false };
+    work(&request)
 }
 
-fn layout_of(size: Size, plan: &Plan) -> Layout {
-    layout::fit(size.width as f32 / size.height as f32, f32::MAX, &plan.layout())
+/// A JPEG of three colours at so many eighths of its size: red, green and blue, a byte each.
+fn decoded_at(bytes: &[u8], eighths: u32) -> Result<(Size, Vec<u8>), String> {
+    let told = |fault: jpeg_decoder::Error| fault.to_string();
+    let mut decoder = jpeg_decoder::Decoder::new(bytes);
+    decoder.read_info().map_err(told)?;
+    let info = decoder.info().ok_or("a JPEG without a header")?;
+    let side = |whole: u16| (u32::from(whole) * eighths).div_ceil(8) as u16;
+    let (width, height) = decoder.scale(side(info.width), side(info.height)).map_err(told)?;
+    let samples = decoder.decode().map_err(told)?;
+    Ok((Size::new(width.into(), height.into()), samples))
 }
 
-fn smaller(raster: Raster, size: Size) -> Raster {
-    if raster.size() == size {
-        return raster;
-    }
-    let smaller = |plane: &Vec<f32>| shrink(plane, raster.size(), size).values;
-    Raster::new(size, raster.planes().as_ref().map(smaller))
+/// The same pixels with their opacity.
+fn opaque(samples: &[u8]) -> Vec<u8> {
+    samples.chunks_exact(3).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]).collect()
 }

@@ -6,8 +6,9 @@
 
 use tactograph::internals::classes::Class;
 
-/// Widths and heights, px: the shapes of cameras' pictures, of 9 to 12 megapixels.
-const SIZES: [[usize; 2]; 3] = [[4000, 3000], [4000, 2668], [4000, 2250]];
+/// Widths and heights, px: about the shapes of cameras' pictures, of 9 to 12 megapixels. All can be divided by 8, so
+/// that they keep their shape at each fraction at which a JPEG is decoded.
+const SIZES: [[usize; 2]; 3] = [[4000, 3000], [4000, 2672], [4000, 2256]];
 /// Blur of lens and sensor, sigma, px.
 const BLUR: f64 = 1.0;
 /// Deviation of the grain, of 255.

@@ -7,14 +7,14 @@ use tactograph::internals::profile::Plan;
 use crate::compare::{Sight, compare};
 use crate::pictures::Picture;
 use crate::rows::{Row, Setting, profile};
-use crate::run::{Outcome, run};
+use crate::run::{Outcome, classes, run};
 
 /// px for a millimetre of the page.
 const RESOLUTIONS: [f32; 8] = [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0];
 /// Scales of edges, mm; the second is the default.
 const SCALES: [f32; 3] = [0.3, 0.45, 0.6];
 const DEFAULT_SCALE: f32 = SCALES[1];
-/// Where JPEG is also decoded at more than is needed.
+/// Where JPEG is also decoded at more than is needed, and first at what is, as all of these come as pixels.
 const DECODED: [f32; 4] = [2.0, 3.0, 4.0, 5.0];
 /// What pages without a known truth are held against: the most that a profile can ask for. Pictures of 12 MP have 23 on A4.
 const REFERENCE: f32 = 12.0;
@@ -31,17 +31,25 @@ pub(crate) fn sweep(name: &str, pictures: &[Picture], rounds: usize, draw: Optio
     let outcome = |picture: &Picture, setting: &Setting| {
         run(picture, &plan(setting)?, setting.eighths).map_err(|fault| format!("{}: {fault}", picture.name))
     };
+    // with its colours, which take time of their own
+    let judged = |picture: &Picture, setting: &Setting| -> Result<Outcome, String> {
+        let classes = match setting.eighths {
+            None => classes(picture, &plan(setting)?).map_err(|fault| format!("{}: {fault}", picture.name))?,
+            Some(_) => None,
+        };
+        Ok(Outcome { classes, ..outcome(picture, setting)? })
+    };
     let mut rows: Vec<(usize, Row)> = Vec::new();
     for (number, picture) in pictures.iter().enumerate() {
         for scale in SCALES {
-            let reference = outcome(picture, &Setting { resolution: REFERENCE, scale, eighths: None })?;
-            let truth = picture
-                .scene
-                .as_ref()
-                .map_or_else(|| Sight::of_page(&reference), |scene| Sight::of_scene(scene, &reference));
+            let reference = judged(picture, &Setting { resolution: REFERENCE, scale, eighths: None })?;
             for setting in settings(picture, &reference).into_iter().filter(|s| is(s.scale, scale)) {
                 eprintln!("{} {setting:?}", picture.name);
-                let page = outcome(picture, &setting)?;
+                let page = judged(picture, &setting)?;
+                let truth = match &picture.scene {
+                    Some(scene) => Sight::of_scene(scene, &page),
+                    None => Sight::of_page(&reference, page.place),
+                };
                 let errors = compare(&truth, &page, is(scale, DEFAULT_SCALE))?;
                 if let Some(folder) = draw.filter(|_| setting.eighths.is_none()) {
                     let file =
@@ -49,8 +57,8 @@ pub(crate) fn sweep(name: &str, pictures: &[Picture], rounds: usize, draw: Optio
                     std::fs::write(&file, &page.svg).map_err(|fault| format!("{}: {fault}", file.display()))?;
                 }
                 let is_scene = picture.scene.is_some();
-                let (picture, working) = (picture.name, page.working);
-                rows.push((number, Row { picture, is_scene, setting, working, times: Vec::new(), errors }));
+                let picture = picture.name;
+                rows.push((number, Row { picture, is_scene, setting, times: Vec::new(), errors }));
             }
         }
     }
@@ -83,8 +91,8 @@ fn settings(picture: &Picture, reference: &Outcome) -> Vec<Setting> {
             if picture.is_jpeg && is(scale, DEFAULT_SCALE) && DECODED.contains(&resolution) {
                 let working = resolution * reference.place.width();
                 let enough = |eighths: &u32| (reference.source.width * eighths) as f32 >= 8.0 * working;
-                let more = [1, 2, 4, 8].into_iter().filter(enough).skip(1); // the first is as needed
-                settings.extend(more.map(|eighths| Setting { resolution, scale, eighths: Some(eighths) }));
+                let fractions = [1, 2, 4, 8].into_iter().filter(enough);
+                settings.extend(fractions.map(|eighths| Setting { resolution, scale, eighths: Some(eighths) }));
             }
         }
     }
