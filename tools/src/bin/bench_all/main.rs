@@ -134,5 +134,6 @@ fn measure() -> Result<(), String> {
 type Measure = fn(&Bench<'_>) -> Table;
 
 const BESIDE: &str = "Whole processes, medians. *Ratio* is ours to theirs by the clock, and of working time (CPU); where \
-                      nothing stands beside, *value* is what the row names.";
+                      nothing stands beside, *value* is what the row names. *More for PDF* is the median of the \
+                      differences within each round, not the difference of the medians.";
 const ONE_CORE: &str = "Every process is kept to one core of the machine.";

@@ -23,6 +23,11 @@ pub(crate) fn exponent(points: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| along / spread)
 }
 
+/// Rounded to hundredths: more digits of an exponent near 0 say nothing. Never minus 0.
+pub(crate) fn hundredths(value: f64) -> f64 {
+    (1e2 * value).round() / 1e2 + 0.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,5 +40,6 @@ mod tests {
         let square: Vec<(f64, f64)> = [1.0, 2.0, 5.0].map(|x: f64| (x, 3.0 * x * x)).to_vec();
         assert!((exponent(&square).unwrap() - 2.0).abs() < 1e-12);
         assert_eq!(exponent(&[(1.0, 2.0)]), None);
+        assert_eq!([-0.002, 0.588].map(|value| format!("{:?}", hundredths(value))), ["0.0", "0.59"]);
     }
 }

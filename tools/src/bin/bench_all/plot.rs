@@ -26,7 +26,8 @@ pub(crate) fn plot(outcomes: &[Outcome]) -> String {
         [WIDTH, height],
         "Time by stage",
         "One bar for each kind of picture, made of the time of each stage in turn. Decoding is the largest part of large \
-         pictures, edges and regions of small ones, lines of drawings.",
+         pictures, regions and lines of small ones, text and overview of drawings; only of portrait.svg lines come \
+         before text.",
     );
     for (number, name) in (1..).zip(STAGES) {
         let (x, y) = (10.0 + 150.0 * ((number - 1) % 6) as f64, 20.0 + 20.0 * ((number - 1) / 6) as f64);

@@ -2,7 +2,7 @@
 
 use crate::inputs::SIZES;
 use crate::measured::{Job, run};
-use crate::numbers::exponent;
+use crate::numbers::{exponent, hundredths};
 use crate::ours::{STAGES, after_decoding, skipped, stage};
 use crate::plot::plot;
 use crate::rounds::{Outcome, rounds};
@@ -42,7 +42,8 @@ pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
     let mut head = vec!["picture", "ms", "CPU ms", "MB"];
     head.extend(STAGES);
     let about = "Whole process (picture to SVG, swell-a4) and its stages, ms. The number in a name is megapixels; a dash is a \
-                 stage that was skipped.";
+                 stage that was skipped. Stages that run side by side have their own time each, so a row's sum may \
+                 exceed its ms.";
     let mut table = Table::new("Every kind of picture", about, &head);
     let outcomes = rounds(&jobs, bench.setting(false));
     table.rows.extend(outcomes.iter().map(|outcome| {
@@ -76,7 +77,8 @@ pub(crate) fn skips(bench: &Bench<'_>) -> Table {
     let about = "12 MP JPEG to SVG, after decoding, with the figure in the same size on all of these pages (without an overview \
                  there would be room for a larger one). *Worth* is what the skipped stages take of the page with everything \
                  (of hues, by how much less the classes take), *saved* how much less all of it takes: what is then smaller to \
-                 write or simpler to find counts too.";
+                 write or simpler to find counts too. Where a skipped stage ran beside a longer one, little or nothing \
+                 is saved.";
     let head = ["page", "skipped", "worth, ms", "after decoding, ms", "saved, ms", "whole process, ms"];
     let mut table = Table::new("What is skipped", about, &head);
     let job = |(name, file, options): (&str, &str, &[&str]), width: &[&str]| {
@@ -132,7 +134,7 @@ pub(crate) fn growth(bench: &Bench<'_>) -> Table {
     let mut row = |what: &str, with: &str, points: &[(f64, Option<f64>)]| {
         let times: Vec<String> = points.iter().map(|&(_, time)| number(time)).collect();
         let known: Vec<(f64, f64)> = points.iter().filter_map(|&(x, time)| Some((x, time?))).collect();
-        table.rows.push(vec![what.into(), with.into(), times.join(", "), number(exponent(&known))]);
+        table.rows.push(vec![what.into(), with.into(), times.join(", "), number(exponent(&known).map(hundredths))]);
     };
     let sizes: Vec<_> = SIZES.into_iter().filter(|(name, ..)| !(bench.args.quick && *name == "50")).collect();
     let pixels = |times: &dyn Fn(&Outcome) -> Option<f64>, outcomes: &[Outcome]| -> Vec<(f64, Option<f64>)> {
