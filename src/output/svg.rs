@@ -277,7 +277,8 @@ fn raised(group: Group, height: Height) -> Group {
 
 fn discs(at: &[MmPoint], diameter: f32) -> String {
     let mut d = String::with_capacity(48 * at.len());
-    at.iter().for_each(|&at| push_disc(&mut d, at, diameter));
+    let disc = DiscPath::of(diameter);
+    at.iter().for_each(|&at| disc.push(&mut d, at));
     d
 }
 
@@ -286,7 +287,7 @@ fn glyph_path(glyphs: &[Glyph]) -> String {
     for glyph in glyphs {
         match glyph.shape {
             Shape::Rhombus { .. } => d.push_str(&line_path(&written_corners(glyph), true)),
-            Shape::Dot { diameter } => push_disc(&mut d, glyph.at, diameter),
+            Shape::Dot { diameter } => DiscPath::of(diameter).push(&mut d, glyph.at),
         }
     }
     d
@@ -294,12 +295,26 @@ fn glyph_path(glyphs: &[Glyph]) -> String {
 
 /// A disc as two half circles. The diameter is twice the radius as written: were it rounded by itself, the arcs
 /// would be a little more or less than half circles, and a disc of 1.294 mm 0.17 mm too high.
-fn push_disc(d: &mut String, at: MmPoint, diameter: f32) {
-    let rounded = (50.0 * f64::from(diameter)).round() as f32 / 100.0;
-    d.push('M');
-    push_point(d, MmPoint::new(at.x - rounded, at.y));
-    let (radius, across) = (number(rounded), number(2.0 * rounded));
-    let _ = write!(d, "a{radius} {radius} 0 1 0 {across} 0a{radius} {radius} 0 1 0-{across} 0z");
+struct DiscPath {
+    /// In whole steps of 0.01 mm.
+    radius: f32,
+    /// What follows the place where it begins, the same for all of one size.
+    arcs: String,
+}
+
+impl DiscPath {
+    fn of(diameter: f32) -> Self {
+        let rounded = (50.0 * f64::from(diameter)).round() as f32 / 100.0;
+        let (radius, across) = (number(rounded), number(2.0 * rounded));
+        let arcs = format!("a{radius} {radius} 0 1 0 {across} 0a{radius} {radius} 0 1 0-{across} 0z");
+        Self { radius: rounded, arcs }
+    }
+
+    fn push(&self, d: &mut String, at: MmPoint) {
+        d.push('M');
+        push_point(d, MmPoint::new(at.x - self.radius, at.y));
+        d.push_str(&self.arcs);
+    }
 }
 
 fn push_point(d: &mut String, at: MmPoint) {
