@@ -133,9 +133,11 @@ impl Profile {
     }
 }
 
-/// Where in [`KEYS`] a key is.
+/// Where in [`KEYS`] a key is. A profile asks for each of its keys, and only paths of that length are looked
+/// into.
 pub(super) fn position(section: &str, name: &str) -> Option<usize> {
-    KEYS.iter().position(|key| key.section() == section && key.name() == name)
+    let length = section.len() + 1 + name.len();
+    KEYS.iter().position(|key| key.path.len() == length && key.section() == section && key.name() == name)
 }
 
 /// The key that `true` or `false` in place of a whole section stands for.

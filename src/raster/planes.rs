@@ -136,7 +136,15 @@ impl Raster {
 
     /// Whether all pixels are of one colour.
     pub fn is_flat(&self) -> bool {
-        self.planes.iter().all(|plane| plane.iter().all(|value| value.to_bits() == plane[0].to_bits()))
+        // a few at a time: vectors hold several, and most pictures differ soon
+        const AT_ONCE: usize = 64;
+        let is_one_colour = |plane: &Vec<f32>| {
+            let first = plane.first().map_or(0, |first| first.to_bits());
+            let differing =
+                |values: &[f32]| values.iter().fold(0, |differing, value| differing | (value.to_bits() ^ first));
+            plane.chunks(AT_ONCE).all(|values| differing(values) == 0)
+        };
+        self.planes.iter().all(is_one_colour)
     }
 }
 
