@@ -5,7 +5,8 @@ use crate::common::samples;
 use std::collections::BTreeSet;
 use tactograph::internals::braille::{CellSize, Code, Table};
 use tactograph::internals::page::cells::CellGrid;
-use tactograph::marks::TextRole;
+use tactograph::internals::units::MmVector;
+use tactograph::marks::{Shape, TextRole, Texture};
 use tactograph::{Class, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Options, Page, Profile, convert};
 
 fn options(profile: &str, key: KeySheets) -> Options {
@@ -42,6 +43,22 @@ fn classes(page: &Page) -> BTreeSet<Class> {
     page.figure.textures.iter().map(|texture| texture.class).collect()
 }
 
+/// The box around all signs of a texture, to their edges.
+fn place_of(texture: &Texture) -> MmRect {
+    let corners = texture.glyphs.iter().flat_map(|glyph| {
+        let half = match glyph.shape {
+            Shape::Dot { diameter } => MmVector::splat(0.5 * diameter),
+            Shape::Rhombus { length, thickness, degrees } => {
+                let (sin, cos) = degrees.to_radians().sin_cos();
+                let reach = |a: f32, b: f32| 0.5 * (length * a).abs().max((thickness * b).abs());
+                MmVector::new(reach(cos, sin), reach(sin, cos))
+            }
+        };
+        [glyph.at - half, glyph.at + half]
+    });
+    MmRect::from_points(corners)
+}
+
 /// Patches are as large as a texture needs, hold the figure's sign, and stand apart from one another and from words.
 fn check_patches(drawing: &Drawing, name: &str) {
     let in_key: BTreeSet<Class> = drawing.key.iter().flat_map(classes).collect();
@@ -49,8 +66,8 @@ fn check_patches(drawing: &Drawing, name: &str) {
     for page in &drawing.key {
         let mut places: Vec<MmRect> = Vec::new();
         for texture in &page.figure.textures {
-            let place = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
-            assert!(place.width() >= 20.0 && place.height() >= 11.0, "{name}: {} {place:?}", texture.class.name());
+            let place = place_of(texture);
+            assert!(place.width() >= 20.0 && place.height() >= 12.0, "{name}: {} {place:?}", texture.class.name());
             let in_figure = drawing.page.figure.textures.iter().find(|other| other.class == texture.class);
             assert_eq!(in_figure.map(|other| other.sign), Some(texture.sign), "{name}");
             places.push(place);
