@@ -84,7 +84,7 @@ fn table(name: &str, language: &str, asked_by: &str) -> Result<String, String> {
 /// The cells of a text.
 ///
 /// # Errors
-/// If the table lacks a character of it, or liblouis fails.
+/// If the table lacks a character of it, with the place of the first, from 1; or if liblouis fails.
 pub(super) fn translate(table: &str, text: &str) -> Result<Vec<u8>, String> {
     if text.len() > LONGEST {
         return Err("the text is too long".to_owned());
@@ -97,8 +97,10 @@ pub(super) fn translate(table: &str, text: &str) -> Result<Vec<u8>, String> {
         let is_blank = cells.chars().all(|cell| cell == '\u{2800}') && !sign.is_whitespace() && !is_invisible(**sign);
         is_number(cells) || is_blank || !sign.is_ascii() && *cells == unknown
     };
-    if let Some((sign, _)) = signs.iter().zip(&written[2..]).find(lacks) {
-        return Err(format!("the table {table} has no cells for {sign:?}"));
+    let place = |sign: char| 1 + text.chars().take_while(|&of_text| of_text != sign).count();
+    let lacking = signs.iter().zip(&written[2..]).filter(lacks).map(|(&sign, _)| (place(sign), sign));
+    if let Some((at, sign)) = lacking.min() {
+        return Err(format!("the table {table} has no cells for {sign:?} (character {at})"));
     }
     let cell = |c: char| u8::try_from(u32::from(c).wrapping_sub(0x2800)).map_err(|_| format!("{c:?} is no braille"));
     written[0].chars().map(cell).collect()

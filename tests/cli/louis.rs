@@ -39,7 +39,9 @@ fn a_title_is_contracted_by_liblouis() {
         ]);
         assert_eq!(run.code, 0, "{}", run.err);
         assert!(
-            run.err.contains("is not written in braille: the table en-ueb-g2.ctb has no cells for '\u{65e5}'"),
+            run.err.contains(
+                "is not written in braille: the table en-ueb-g2.ctb has no cells for '\u{65e5}' (character 3)\n"
+            ),
             "{}",
             run.err
         );
@@ -47,7 +49,11 @@ fn a_title_is_contracted_by_liblouis() {
         // the French table writes a blank for it
         let skoda = ["convert", "red.svg", "-o", "c.svg", "--title", "\u{160}koda"];
         let run = place.run(&[&skoda[..], &["--braille-table", "fr-bfu-g2.ctb"]].concat());
-        assert!(run.err.contains("the table fr-bfu-g2.ctb has no cells for '\u{160}'"), "{}", run.err);
+        assert!(run.err.contains("the table fr-bfu-g2.ctb has no cells for '\u{160}' (character 1)"), "{}", run.err);
+        // of several, the first in the text is named, not the first in Unicode
+        let two = ["convert", "red.svg", "-o", "d.svg", "--title", "ab \u{672c} \u{65e5}"];
+        let run = place.run(&[&two[..], &["--braille-table", "en-ueb-g2.ctb"]].concat());
+        assert!(run.err.contains("has no cells for '\u{672c}' (character 4)"), "{}", run.err);
         let run = place.run(&[&title[..], &["--braille-table", "no-such.ctb", "--force"]].concat());
         assert_eq!(run.code, 2, "{}", run.err);
         assert!(
