@@ -17,21 +17,26 @@ pub struct CellSize {
 }
 
 impl CellSize {
-    /// Marburg Medium (EN ISO 17351, DIN 32976 medium): the usual one in Germany and most of Europe.
+    /// Marburg Medium, the usual one in Germany and most of Europe: of blista at Marburg (<https://blista.de/node/74>;
+    /// the figures: <https://br.doczz.net/doc/1264093/blindenschrift>), which DIN 32976:2007-08 and EN ISO 17351 use.
     pub const MARBURG: Self = Self { name: "de", dot: 2.5, cell: 6.0, line: 10.0 };
 
     /// All of them.
     pub const ALL: [Self; 6] = [
         Self::MARBURG,
-        // The same: France has EN ISO 17351 as its own standard.
+        // No standard of France for paper was found; on packages of medicine the European Union has these (EN ISO
+        // 17351).
         Self { name: "fr", ..Self::MARBURG },
-        // The same measures, as embossing programs have them for the United Kingdom and Australia.
+        // Nor one of the United Kingdom; embossing programs take the same there and in Australia: 6.0 and 10.0 mm in
+        // libembosser of the American Printing House (https://github.com/aphtech/libembosser, BrlCell).
         Self { name: "uk", ..Self::MARBURG },
-        // Library of Congress, NLS specification 800. `devices` has the same for embossers of text.
+        // Library of Congress, NLS specification 800 of February 2008, 3.2.3 and 3.2.4, quoted by the Braille
+        // Authority of North America (https://brailleauthority.org/node/63). `devices` has the same for embossers of
+        // text.
         Self { name: "us", dot: 2.34, cell: 6.2, line: 10.0 },
-        // Norway: 10 +- 0.1 mm from line to line.
+        // Norway: 10 +- 0.1 mm from line to line (https://www.blindeforbundet.no/universell-utforming/punktskrift).
         Self { name: "no", dot: 2.5, cell: 6.1, line: 10.0 },
-        // Large braille, for fingers that feel less: DIN 32976 (Grossdruck).
+        // Large braille, for fingers that feel less: DIN 32976:2007-08, 3.2.2 (Grossdruck), Marburg Large of blista.
         Self { name: "large", dot: 2.7, cell: 6.6, line: 10.8 },
     ];
 
