@@ -17,7 +17,7 @@ mod words;
 mod writing;
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand};
@@ -299,9 +299,14 @@ pub(super) enum Parsed {
 /// Reads the command line. Help and version go to standard output; what is wrong goes to standard error in one line.
 pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
     let args = args.into_iter().collect::<Vec<_>>();
-    let error = match Cli::try_parse_from(&args) {
-        Ok(cli) => return Parsed::Command(Box::new(cli.command)),
-        Err(error) => error,
+    let error = match (Cli::try_parse_from(&args), value_of_braille(&args)) {
+        (Ok(_), Some(value)) => {
+            let what = format!("--braille takes no value, and there is no picture {value}: {OF_BRAILLE}");
+            Report::plain().usage(&format!("{what}; see tactograph convert --help"));
+            return Parsed::Shown(Exit::Usage);
+        }
+        (Ok(cli), None) => return Parsed::Command(Box::new(cli.command)),
+        (Err(error), _) => error,
     };
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
@@ -333,12 +338,14 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
     if let (ErrorKind::UnknownArgument, Some(option)) = (kind, short_with_two_hyphens(args, told)) {
         return Some(format!("there is no option -{option}, did you mean {option}"));
     }
-    if kind == ErrorKind::UnknownArgument && told.contains("'--braille'") {
-        return Some(
-            "there is no option --braille: words are written in the braille of their language (--lang pl), or of a \
-             code that the profile names (--set braille.code=de); the measures of cells are --set braille.cell=uk"
-                .into(),
-        );
+    match kind {
+        ErrorKind::UnknownArgument if told.contains("unexpected argument '--braille'") => {
+            return Some(format!("there is no option --braille here: {OF_BRAILLE}"));
+        }
+        ErrorKind::TooManyValues if told.contains("'--braille'") => {
+            return Some(format!("--braille takes no value: {OF_BRAILLE}"));
+        }
+        _ => {}
     }
     match (kind, &*first, second) {
         // The usage, which is told after the error itself, names it always.
@@ -369,6 +376,17 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
         }
         _ => None,
     }
+}
+
+/// What says in which braille words are written, for those who expect it of `--braille`.
+const OF_BRAILLE: &str = "words are written in the braille of their language (--lang pl), or of a code that the \
+    profile names (--set braille.code=de); the measures of cells are --set braille.cell=uk";
+
+/// What stands behind `--braille` as if it were a value, such as `uk`, which is no name of a picture that is there.
+fn value_of_braille(args: &[OsString]) -> Option<&str> {
+    let behind = args.iter().zip(args.iter().skip(1)).filter(|(arg, _)| *arg == "--braille");
+    let mut values = behind.filter_map(|(_, value)| value.to_str());
+    values.find(|value| !value.starts_with('-') && !value.contains(['.', '/', '\\']) && !Path::new(value).exists())
 }
 
 /// The short option, such as `-o`, that was typed with a hyphen too many, if that is what clap does not know.

@@ -63,6 +63,23 @@ fn lines_or_textures_can_be_had_alone() {
     assert_eq!(run.code, 2);
 }
 
+/// Of two switches the last one counts, as where a script adds one to a line that has the other.
+#[test]
+fn braille_is_a_switch() {
+    let place = Place::with_picture("a.png");
+    place.put("silent.toml", b"inherits = \"swell-a4\"\n[braille]\non = false\n");
+    let titled = |options: &[&str]| page(&place, &[&["--title", "Apples"], options].concat());
+    let has = |options: &[&str]| titled(options).contains("data-braille");
+    assert!(has(&[]) && has(&["--braille"]));
+    assert!(!has(&["--profile", "silent.toml"]));
+    assert!(has(&["--profile", "silent.toml", "--braille"]));
+    assert!(!has(&["--no-braille"]) && !has(&["--braille", "--no-braille"]));
+    assert_eq!(titled(&["--no-braille", "--braille"]), titled(&["--set", "braille=true"]));
+    let run = place.run(&["render", "page.svg", "-o", "b.svg", "--braille"]);
+    assert_eq!(run.code, 2, "{}", run.err);
+    assert!(run.err.contains("there is no option --braille here: words are written in"), "{}", run.err);
+}
+
 #[test]
 fn a_mirrored_page_has_its_marks_on_the_other_side() {
     let place = Place::with_picture("a.png");

@@ -112,6 +112,8 @@ fn names_that_are_nearly_right_get_a_suggestion() {
         ),
         (&["--set", "page.orientation=portrat"], "cannot be portrat, did you mean \"portrait\"?\n"),
         (&["--braille", "uk"], "the measures of cells are --set braille.cell=uk; see tactograph convert --help\n"),
+        (&["--braille", "uk"], "--braille takes no value, and there is no picture uk: words are written in"),
+        (&["--braille=uk"], "tactograph: --braille takes no value: words are written in the braille of their language"),
         (&["--o", "b.svg"], "tactograph: there is no option --o, did you mean -o; see tactograph convert --help\n"),
     ] {
         let run = place.run(&[&["convert", "a.png"], args].concat());

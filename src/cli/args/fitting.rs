@@ -60,10 +60,16 @@ pub(in crate::cli) struct Fitting {
     #[arg(long)]
     no_overview: bool,
 
+    /// Writes title and labels in braille, also where the profile says otherwise
+    ///
+    /// The same as --set braille=true. Of this and --no-braille the last one counts.
+    #[arg(long, hide_short_help = true, overrides_with = "no_braille")]
+    braille: bool,
+
     /// Writes no braille: the title is then for screen readers only
     ///
     /// Labels are left out, and listed. The same as --set braille=false.
-    #[arg(long, hide_short_help = true)]
+    #[arg(long, hide_short_help = true, overrides_with = "braille")]
     no_braille: bool,
 
     /// Exchanges left and right, marks and frames included
@@ -110,6 +116,7 @@ impl Fitting {
             (self.outlines, "--outlines", &["figure.textures=false"][..]),
             (self.textures_only, "--textures-only", &["figure.lines=false", "overview.on=false"]),
             (self.no_overview, "--no-overview", &["overview.on=false"]),
+            (self.braille, "--braille", &["braille.on=true"]),
             (self.no_braille, "--no-braille", &["braille.on=false"]),
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
