@@ -43,7 +43,7 @@ pub(super) fn all(
             // what cannot be written cannot be abbreviated either
             let written = known.get(text).and_then(|braille| braille.as_ref().ok());
             let numbered = texts.iter().find_map(|other| numbered(text, other));
-            let proposals = written.map(|braille| proposals(&without(text, &braille.lacking)));
+            let proposals = written.map(|braille| proposals(&without(text, &braille.lacking), texts));
             let own_word = texts.iter().find_map(|other| own_word(text, other));
             let as_numbered = own_word.into_iter().chain(numbered);
             let short = as_numbered.chain(proposals.into_iter().flatten()).find_map(|letters| {
@@ -107,25 +107,49 @@ fn without(text: &str, lacking: &[Lacking]) -> String {
     characters(text).into_iter().filter(|(_, at)| !lacks(*at)).map(|(letter, _)| letter).collect()
 }
 
-/// Abbreviations in the order in which they are read best: "nh" for "north hill", "ap" for "apple".
-fn proposals(text: &str) -> impl Iterator<Item = String> + use<> {
-    let lower = text.to_lowercase();
-    let words: Vec<Vec<char>> = lower
-        .split(|letter: char| !letter.is_alphabetic())
-        .filter(|word| !word.is_empty())
-        .map(|word| word.chars().collect())
-        .collect();
-    let initials: String = words.iter().take(3).filter_map(|word| word.first()).collect();
-    let initials = (initials.chars().count() > 1).then_some(initials);
-    let letters: Vec<char> = words.into_iter().flatten().take(MOST_LETTERS).collect();
+/// Abbreviations in the order in which they are read best: "nh" for "north hill", "ap" for "apple"; but among `others`
+/// that they would fit as well, those of the first letter that tells the text apart: "jn" for "Jun" beside "Jul".
+fn proposals(text: &str, others: &[&str]) -> impl Iterator<Item = String> + use<> {
+    let words = words(text);
+    let letters = letters(&words);
+    let others: Vec<Vec<Vec<char>>> = others.iter().map(|other| self::words(other)).collect();
+    let is_shared = |own: &String| others.iter().any(|other| *other != words && initials(other).as_ref() == Some(own));
+    let initials = initials(&words).filter(|own| !is_shared(own));
+    let from = first_telling(&letters, &others);
     let of_three = letters.clone().into_iter().take(MOST_LETTERS_OF_THREE).collect::<Vec<_>>();
     // the first letter with each that follows, then with each two
-    let two = (1..letters.len()).map(move |i| [letters[0], letters[i]].iter().collect());
+    let count = letters.len();
+    let two = (from..count).chain(1..from.min(count)).map(move |i| [letters[0], letters[i]].iter().collect());
     let three = (1..of_three.len()).flat_map(move |i| {
         let of_three = of_three.clone();
         (i + 1..of_three.len()).map(move |j| [of_three[0], of_three[i], of_three[j]].iter().collect())
     });
     initials.into_iter().chain(two).chain(three)
+}
+
+/// The words of a text, without what is no letter.
+fn words(text: &str) -> Vec<Vec<char>> {
+    let lower = text.to_lowercase();
+    let words = lower.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty());
+    words.map(|word| word.chars().collect()).collect()
+}
+
+/// All letters of words, up to as many as abbreviations are made of.
+fn letters(words: &[Vec<char>]) -> Vec<char> {
+    words.iter().flatten().copied().take(MOST_LETTERS).collect()
+}
+
+/// The initials of two words or three.
+fn initials(words: &[Vec<char>]) -> Option<String> {
+    let initials: String = words.iter().take(3).filter_map(|word| word.first()).collect();
+    (initials.chars().count() > 1).then_some(initials)
+}
+
+/// The first letter, counted from 0, by which a text differs from all others that begin with the same two letters and
+/// more; the second where none does.
+fn first_telling(own: &[char], others: &[Vec<Vec<char>>]) -> usize {
+    let same = |other: &Vec<Vec<char>>| own.iter().zip(letters(other)).take_while(|(a, b)| **a == *b).count();
+    others.iter().map(same).filter(|same| (2..own.len()).contains(same)).max().unwrap_or(1)
 }
 
 /// Most letters of a text that abbreviations of two are made of; the alphabet is not longer.

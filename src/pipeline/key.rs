@@ -5,7 +5,7 @@
 //!  +--------+
 //!  | / / /  |  green        the texture as the figure has it, and its name
 //!  +--------+
-//!  ju  Jun                  abbreviations, in the order of the page
+//!  jn  Jun                  abbreviations, in the order of the page
 //! ```
 
 use super::finish::{finished, origin, title_of_key};

@@ -17,6 +17,22 @@ fn abbreviations_are_short_readable_and_unique() {
     assert_eq!(short(&texts, "en"), ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
 }
 
+/// No abbreviation of a month fits another one as well.
+#[test]
+fn texts_that_begin_alike_have_the_letter_that_tells_them_apart() {
+    let months = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"];
+    assert_eq!(short(&months, "en"), ["ja", "fe", "mr", "ap", "my", "jn", "jl", "au", "se", "oc", "no", "de"]);
+    assert_eq!(short(&["June", "July"], "en"), ["jn", "jl"]);
+    let months = ["Januar", "Februar", "März", "April", "Mai", "Juni", "Juli", "August"];
+    assert_eq!(short(&months, "de"), ["ja", "fe", "mä", "ap", "ma", "jn", "jl", "au"]);
+    // of several, the letter that tells it from the nearest
+    assert_eq!(short(&["Julia", "Julie", "Jupiter", "Jo"], "en"), ["ja", "je", "jp", "-"]);
+    // "nh" would fit both
+    assert_eq!(short(&["North Hill", "North Hall", "North Hill"], "en"), ["ni", "na", "ni"]);
+    // none tells a text that another one goes on from
+    assert_eq!(short(&["Apr", "April"], "en"), ["ap", "ai"]);
+}
+
 #[test]
 fn what_is_on_the_page_keeps_its_abbreviations() {
     let translator = Translator::new(Code::of_language("en").and_then(Code::table), None).expect("a table");
