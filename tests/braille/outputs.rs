@@ -4,9 +4,11 @@ use super::{percent, reading};
 use crate::common::samples;
 use crate::dots::reading as dots;
 use crate::pdf::reader::{Mark, Reader};
+use std::collections::BTreeSet;
 use tactograph::internals::braille::CellSize;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::marks::TextRole;
+use tactograph::medium::{DotArea, Medium};
 use tactograph::{
     Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, PageOptions, Profile, check, convert,
     write_dots,
@@ -24,8 +26,7 @@ fn drawn(profile: &str, settings: &[(&str, &str)]) -> Drawing {
 }
 
 /// Dots that a file has for a text, nearest to where the page has them, all of them and none off by more than 0.05 mm.
-fn found(page: &Page, in_file: &[MmPoint], name: &str) {
-    let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+fn found(page: &Page, in_file: &[MmPoint], size: CellSize, name: &str) {
     for text in &page.braille {
         let near = |at: &MmPoint| {
             let off = |dot: &&MmPoint| (**dot - *at).length();
@@ -40,39 +41,86 @@ fn found(page: &Page, in_file: &[MmPoint], name: &str) {
     }
 }
 
-/// In the PDF: discs in its layers, hundredths of a millimetre.
+/// The measures that a page of dots has in place of the usual ones.
+fn size_on(page: &Page) -> CellSize {
+    CellGrid::of(&page.medium, CellSize::MARBURG).size()
+}
+
+/// The sheets of a drawing with their words: the figure and the key.
+fn sheets(drawing: &Drawing) -> impl Iterator<Item = &Page> {
+    std::iter::once(&drawing.page).chain(&drawing.key)
+}
+
+/// The centres of the discs in the layers of braille of a PDF of one sheet.
+fn discs_of_pdf(reader: &Reader) -> Vec<MmPoint> {
+    let mut centres = Vec::new();
+    for mark in reader.marks(reader.only("/Type/Page/")) {
+        let is_braille = mark.layer().starts_with("Braille");
+        if let Mark::Fill { subpaths, .. } = mark
+            && is_braille
+        {
+            centres.extend(subpaths.iter().map(|disc| {
+                let middle = |axis: usize| {
+                    let (least, most) = (disc.iter().map(|p| p[axis]).min(), disc.iter().map(|p| p[axis]).max());
+                    (least.expect("points") + most.expect("points")) as f32 / 200.0
+                };
+                MmPoint::new(middle(0), middle(1))
+            }));
+        }
+    }
+    centres
+}
+
+/// The centres of the discs in the groups of braille of an SVG.
+fn discs_of_svg(svg: &str) -> Vec<MmPoint> {
+    let document = roxmltree::Document::parse(svg).expect("a page is well-formed");
+    let groups = document.descendants().filter(|node| node.has_attribute("data-braille"));
+    let paths = groups.flat_map(|group| group.descendants()).filter_map(|node| node.attribute("d"));
+    let number = |text: &str| text.parse::<f32>().expect("a number");
+    // each disc is M left,middle a radius ...; a leader line has no arc
+    let discs = paths.flat_map(|path| path.split('M').skip(1)).filter_map(|disc| disc.split_once('a'));
+    let centre = |(start, arc): (&str, &str)| {
+        let (x, y) = start.split_once(',').expect("a point");
+        let radius = number(arc.split(' ').next().expect("a radius"));
+        MmPoint::new(number(x) + radius, number(y))
+    };
+    discs.map(centre).collect()
+}
+
+/// Title, labels, key and page numbers have the measures that are asked for, in the SVG and in the PDF: discs in their
+/// layers, hundredths of a millimetre. The PDF has the words as well.
 #[test]
-fn a_pdf_has_standard_cells_and_their_words() {
-    for cell in ["de", "fr", "us", "no", "large"] {
-        let drawing = drawn("swell-a4", &[("braille.cell", cell)]);
-        let reader = Reader::new(&drawing.page.to_pdf());
-        let page = reader.only("/Type/Page/");
-        let mut centres = Vec::new();
-        for mark in reader.marks(page) {
-            let is_braille = mark.layer().starts_with("Braille");
-            if let Mark::Fill { subpaths, .. } = mark
-                && is_braille
-            {
-                centres.extend(subpaths.iter().map(|disc| {
-                    let middle = |axis: usize| {
-                        let (least, most) = (disc.iter().map(|p| p[axis]).min(), disc.iter().map(|p| p[axis]).max());
-                        (least.expect("points") + most.expect("points")) as f32 / 200.0
-                    };
-                    MmPoint::new(middle(0), middle(1))
-                }));
+fn files_have_standard_cells_and_their_words() {
+    for size in CellSize::ALL {
+        let drawing = drawn("swell-a4", &[("braille.cell", size.name)]);
+        let roles: BTreeSet<TextRole> = sheets(&drawing).flat_map(|page| &page.braille).map(|text| text.role).collect();
+        assert_eq!(roles, BTreeSet::from(TextRole::ALL), "{}", size.name);
+        for page in sheets(&drawing) {
+            found(page, &discs_of_svg(&page.to_svg()), size, &format!("SVG, {}", size.name));
+            let reader = Reader::new(&page.to_pdf());
+            found(page, &discs_of_pdf(&reader), size, &format!("PDF, {}", size.name));
+            let words = reader.words(reader.only("/Type/Page/"));
+            for text in &page.braille {
+                assert!(words.contains(&text.spoken()), "{}: {} is not in the PDF: {words:?}", size.name, text.text);
             }
         }
-        let size = CellSize::named(cell).expect("in the table");
-        for text in &drawing.page.braille {
-            let lines = reading::lines(&text.dots.at, size);
-            assert_eq!(lines, text.lines, "{cell}");
-        }
-        if size == CellSize::MARBURG {
-            found(&drawing.page, &centres, cell);
-        }
-        let words = reader.words(page);
-        for text in &drawing.page.braille {
-            assert!(words.contains(&text.spoken()), "{cell}: {} is not in the PDF: {words:?}", text.text);
+    }
+}
+
+/// In the file for a grid of dots, each cell stands on whole dots, where the page has it.
+#[test]
+fn a_file_of_dots_has_the_cells_of_its_grid() {
+    for profile in ["index-basic-d", "viewplus-columbia"] {
+        let drawing = drawn(profile, &[]);
+        for page in sheets(&drawing) {
+            let Medium::Dots(medium) = &page.medium else { panic!("{profile} is printed") };
+            let DotArea::Grid(grid) = &medium.area else { panic!("{profile} has no grid") };
+            let file = String::from_utf8(page.to_dots(DotFormat::Ubrl).expect("its format")).expect("Unicode");
+            let matrix = dots::ubrl(&file).remove(0);
+            let all = (0..grid.rows.len()).flat_map(|y| (0..grid.columns.len()).map(move |x| (x, y)));
+            let raised = all.filter(|&(x, y)| matrix.is_raised(x, y));
+            let in_file: Vec<MmPoint> = raised.map(|(x, y)| MmPoint::new(grid.columns[x], grid.rows[y])).collect();
+            found(page, &in_file, size_on(page), profile);
         }
     }
 }
@@ -93,7 +141,7 @@ fn gcode_has_standard_cells() {
     // the machine counts from a corner of its own
     let shift = tactograph::MmRect::from_points(&all).min - page_dots(&page).min;
     let moved: Vec<MmPoint> = all.iter().map(|at| *at - shift).collect();
-    found(&page, &moved, "braillerap");
+    found(&page, &moved, size_on(&page), "braillerap");
 }
 
 /// The box around all dots of a page.
@@ -191,7 +239,7 @@ fn sheets_have_their_numbers() {
             let text = page.braille.iter().find(|text| text.role == TextRole::Number);
             let text = text.unwrap_or_else(|| panic!("{profile}: sheet {number} has no number"));
             assert_eq!(text.text, number.to_string());
-            let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+            let size = size_on(page);
             let read = reading::lines(&text.dots.at, size);
             assert_eq!(read, text.lines, "{profile}");
             assert_eq!(super::back::english(&read[0]), number.to_string(), "{profile}");
