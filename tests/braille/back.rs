@@ -2,6 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use super::{labels, reading};
+use crate::common::samples;
+use tactograph::internals::braille::CellSize;
+use tactograph::internals::page::cells::CellGrid;
+use tactograph::marks::{BrailleText, TextRole};
+use tactograph::{KeySheets, Page, convert};
+
 const EN: &str = include_str!("../../src/braille/tables/en.txt");
 
 /// What stands before capitals: of one, of a word, of a passage, and the end of these.
@@ -92,5 +99,66 @@ fn cells_are_read_back() {
         ["Rain in mm, 2024", "NASA and the EU", "SEA LEVEL RISE", "12.5 km", "Key: Trees", "a-b (c)", "5 cm x 7"]
     {
         assert_eq!(english(&table.translate(text).unicode()), text);
+    }
+}
+
+/// What lines of cells may say: a hyphen at the end of one is the text's own, or that of a word divided there.
+fn joined(lines: &[String]) -> Vec<String> {
+    let Some((last, before)) = lines.split_last() else { return Vec::new() };
+    let mut all = vec![String::new()];
+    for line in before {
+        let apart = format!("{line}\u{2800}");
+        let ends = match line.strip_suffix('⠤') {
+            Some(divided) => vec![divided.to_owned(), line.clone(), apart],
+            None => vec![apart],
+        };
+        all = all.iter().flat_map(|text| ends.iter().map(move |end| format!("{text}{end}"))).collect();
+    }
+    all.into_iter().map(|text| text + last).collect()
+}
+
+/// A text with one blank between its words.
+fn squeezed(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What stands on the page for a text: its abbreviation, if it has one. In a key a blank parts the two.
+fn shown(text: &BrailleText) -> Vec<String> {
+    match (&text.abbreviation, text.role) {
+        (Some(short), _) => vec![short.clone()],
+        (None, TextRole::Key) => vec![squeezed(&text.text), squeezed(&text.text.replacen(": ", " ", 1))],
+        (None, TextRole::Title | TextRole::Label | TextRole::Number) => vec![squeezed(&text.text)],
+    }
+}
+
+/// The texts of a page, each read from its dots by a person who knows the code, and the same as the page says it is.
+fn read_back(page: &Page, name: &str) -> Vec<String> {
+    let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+    let read = |text: &BrailleText| {
+        let lines = reading::lines(&text.dots.at, size);
+        let read: Vec<String> = joined(&lines).iter().map(|cells| squeezed(&english(cells))).collect();
+        let shown = shown(text);
+        let said = read.iter().find(|read| shown.contains(read));
+        said.unwrap_or_else(|| panic!("{name}: {shown:?} is read as {read:?}")).clone()
+    };
+    page.braille.iter().map(read).collect()
+}
+
+/// Title, labels, key and page numbers of every sample, on paper, embossers and pins.
+#[test]
+fn every_text_on_every_sample_is_read_back() {
+    const TITLE: &str = "Sheet (a), 3 of 12: what it shows";
+    for sample in samples::names() {
+        let picture = samples::read(&sample);
+        for profile in ["swell-a4", "index-basic-d", "viewplus-columbia", "pins-120x60"] {
+            let name = format!("{sample} on {profile}");
+            let options = labels::options(profile).title(TITLE).label_texts(true);
+            let drawing = convert(&picture, &options.key(KeySheets::Always).page_number(12)).expect("a page");
+            let sheets = [&drawing.page].into_iter().chain(&drawing.overview).chain(&drawing.key);
+            let read: Vec<String> = sheets.flat_map(|page| read_back(page, &name)).collect();
+            assert!(read.iter().any(|text| text.ends_with(TITLE)), "{name}: no title among {read:?}");
+            assert!(read.iter().any(|text| text == "12"), "{name}: no page number among {read:?}");
+            assert!(sample != "cell.svg" || read.iter().any(|text| text == "nucleus"), "{name}: {read:?}");
+        }
     }
 }
