@@ -1,6 +1,10 @@
 //! `--braille-table`: contracted braille by an installed liblouis. Where it is not installed, that is one clear line.
 
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+
 use super::common::*;
+use crate::common::samples;
 
 const PICTURE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90\" height=\"60\">\
     <rect x=\"20\" y=\"15\" width=\"50\" height=\"30\" fill=\"#c00\"/></svg>";
@@ -12,7 +16,18 @@ fn place() -> Place {
 }
 
 fn is_installed() -> bool {
-    std::process::Command::new("lou_translate").arg("--version").output().is_ok()
+    Command::new("lou_translate").arg("--version").output().is_ok()
+}
+
+/// What liblouis itself makes of lines.
+fn by_liblouis(direction: &str, lines: &[String]) -> Vec<String> {
+    let mut command = Command::new("lou_translate");
+    command.args([direction, "unicode.dis,en-ueb-g2.ctb"]).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut run = command.spawn().expect("it is installed");
+    let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
+    run.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("it reads");
+    let out = run.wait_with_output().expect("it ends").stdout;
+    String::from_utf8(out).expect("text").lines().map(str::to_owned).collect()
 }
 
 /// Contracted where liblouis is there; else a fault that names what is missing, and no page.
@@ -65,6 +80,45 @@ fn a_title_is_contracted_by_liblouis() {
         assert_eq!(run.code, 2, "{}", run.err);
         assert!(run.err.contains("there is no program lou_translate; install liblouis"), "{}", run.err);
     }
+}
+
+/// Title, labels, key and page numbers of a page in contracted braille are what liblouis gives, and read back by it they
+/// are the texts.
+#[test]
+fn a_whole_page_is_contracted() {
+    if !is_installed() {
+        return;
+    }
+    let place = Place::new();
+    place.put("cell.svg", &samples::read("cell.svg"));
+    let words = ["--title", "The animal cell and its parts", "--labels", "texts", "--key", "always", "--number", "12"];
+    let run = place.run(&[&["convert", "cell.svg", "-o", "page.svg", "--set", "braille.grade=2"], &words[..]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    let mut written: Vec<(String, String)> = Vec::new();
+    for name in place.names().iter().filter(|name| name.starts_with("page")) {
+        let svg = place.text(name);
+        let document = roxmltree::Document::parse(&svg).expect("a page is well-formed");
+        for text in document.descendants().filter(|node| node.has_attribute("data-braille")) {
+            let of = |attribute: &str| text.attribute(attribute).map(str::to_owned);
+            // abbreviations are spelled
+            if of("data-abbreviation").is_none() {
+                // a blank parts its lines
+                let cells = of("data-braille").expect("its cells").replace(' ', "\u{2800}");
+                written.push((of("aria-label").expect("its text"), cells));
+            }
+        }
+    }
+    for wanted in
+        ["The animal cell and its parts", "membrane", "Key: The animal cell and its parts", "yellow", "12", "13"]
+    {
+        assert!(written.iter().any(|(text, _)| text == wanted), "{wanted} is not among {written:?}");
+    }
+    let abbreviations = |text: &str| text.split_once(": ").is_some_and(|(short, _)| short.len() <= 3 && short != "Key");
+    written.retain(|(text, _)| !abbreviations(text));
+    let (texts, cells): (Vec<String>, Vec<String>) = written.into_iter().unzip();
+    assert_eq!(by_liblouis("--forward", &texts), cells);
+    assert_eq!(by_liblouis("--backward", &cells), texts);
+    assert!(cells[0].starts_with("⠠⠮⠀"), "the title is not contracted: {}", cells[0]);
 }
 
 #[test]
