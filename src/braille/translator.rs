@@ -25,6 +25,11 @@ impl<'a> Translator<'a> {
         (table.is_some() || other.is_some()).then(|| Self { table, other, known: Mutex::default() })
     }
 
+    /// Whether the table writes, and no other translator.
+    pub fn is_own(&self) -> bool {
+        self.other.is_none()
+    }
+
     /// A text in braille.
     ///
     /// # Errors

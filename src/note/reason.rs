@@ -226,6 +226,8 @@ reasons! {
     NumbersOnLine => "numbers-on-line",
     /// Letters stand in braille without their accents, or signs are written in others.
     OtherLetters => "other-letters",
+    /// A formula is written in braille sign by sign, not by the rules of a mathematical code.
+    SignBySign => "sign-by-sign",
     /// There is no room in print beside braille.
     NoRoomForPrint => "no-room-for-print",
     /// Words in print follow their braille, which was moved.

@@ -1,6 +1,6 @@
 //! What is told of words that cannot be written in braille.
 
-use crate::braille::{Braille, Lacking, Translator, is_greek, is_of_formula, is_script};
+use crate::braille::{Braille, Lacking, Translator, is_formula, is_greek, is_of_formula, is_script};
 use crate::listing::first_few;
 use crate::note::{About, Note, Reason};
 
@@ -21,6 +21,7 @@ pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>
     }
     notes.extend(on_line(&[text], translator));
     notes.extend(in_other_letters(&[text], translator));
+    notes.extend(sign_by_sign(&[text], translator));
     ((!braille.cells.is_empty()).then_some(braille), notes)
 }
 
@@ -78,6 +79,22 @@ pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Not
                 cells for them";
     let told = || Note::TakenAs(About::Braille, Reason::NumbersOnLine, format!("{what}: {}", named(&named_texts)));
     (!named_texts.is_empty()).then(told)
+}
+
+/// Tells of formulas that our table writes sign by sign, where a mathematical code has rules: of roots, powers and
+/// indices beside operators, and fractions with brackets. Another translator may have such a code.
+pub(super) fn sign_by_sign(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
+    let mut formulas: Vec<&str> = Vec::new();
+    for &text in texts {
+        if translator.is_own() && is_formula(text) && !formulas.contains(&text) {
+            formulas.push(text);
+        }
+    }
+    let told = || {
+        let what = "written in braille sign by sign, not by the rules of a mathematical code";
+        Note::TakenAs(About::Braille, Reason::SignBySign, format!("{what}: {}", named(&formulas)))
+    };
+    (!formulas.is_empty()).then(told)
 }
 
 /// Texts with characters that their code has no cells for: told together.

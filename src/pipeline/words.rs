@@ -251,6 +251,7 @@ impl<'a> WrittenWords<'a> {
         notes.extend(told(&wanted, &results));
         notes.extend(unwritten::on_line(&of_placed, translator));
         notes.extend(unwritten::in_other_letters(&of_placed, translator));
+        notes.extend(unwritten::sign_by_sign(&of_placed, translator));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });

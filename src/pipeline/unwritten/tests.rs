@@ -41,6 +41,30 @@ fn lowered_numbers_on_the_line_are_told() {
     assert_eq!(on_line(&texts, &of("en").expect("a table")), None);
 }
 
+/// What is more than arithmetic is told where our table writes it; another translator may know a mathematical code.
+#[test]
+fn formulas_are_told_as_written_sign_by_sign() {
+    let table = |language| crate::braille::Code::named(language).and_then(crate::braille::Code::table);
+    let english = Translator::new(table("en"), None).expect("a table");
+    for text in ["\u{221a}(x+1) \u{2265} 2", "x\u{b2} + \u{bd} = (a+b)/2"] {
+        let (braille, notes) = title(text, &english);
+        assert!(braille.is_some(), "{notes:?}");
+        let told = notes.iter().map(Note::to_string).collect::<Vec<_>>();
+        let wanted = format!("written in braille sign by sign, not by the rules of a mathematical code: \"{text}\"");
+        assert_eq!(told, [wanted]);
+    }
+    assert!(title("F = m \u{b7} a, 12 cm\u{b2}", &english).1.is_empty());
+    // a title that is not written at all is not written sign by sign
+    let dutch = Translator::new(table("nl"), None).expect("a table");
+    let notes = title("\u{221a}(x+1) \u{2265} 2", &dutch).1;
+    assert!(!notes.iter().any(|note| note.to_string().contains("sign by sign")), "{notes:?}");
+    let other = |text: &str| -> Result<Vec<u8>, String> { Ok(vec![1; text.len()]) };
+    let other = Translator::new(table("en"), Some(&other)).expect("a translator");
+    assert_eq!(sign_by_sign(&["x\u{b2} = 4"], &other), None);
+    let told = sign_by_sign(&["x\u{b2} = 4", "tree", "x\u{b2} = 4"], &english).expect("a note").to_string();
+    assert!(told.ends_with("code: \"x\u{b2} = 4\""), "{told}");
+}
+
 #[test]
 fn what_several_texts_lack_is_told_once() {
     let lacking = |character: char| [Lacking { character, at: 1 }];
