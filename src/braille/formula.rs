@@ -30,6 +30,11 @@ fn is_higher(character: char) -> bool {
     )
 }
 
+/// Whether a character stands higher or lower: a digit, or one of the signs and letters of powers and indices.
+fn is_raised_or_lowered(character: char) -> bool {
+    is_script(character) || matches!(character, '\u{2071}' | '\u{207a}'..='\u{208e}' | '\u{2090}'..='\u{209c}')
+}
+
 fn is_operator(character: char) -> bool {
     OPERATORS.contains(character)
 }
@@ -43,7 +48,7 @@ fn has_script_beside_operator(text: &str) -> bool {
         let is_behind_number = unit.len() < term.len()
             || at.checked_sub(1).is_some_and(|before| terms[before].ends_with(|c: char| c.is_ascii_digit()));
         let is_measure = is_behind_number && is_unit(&unit.chars().collect::<Vec<_>>());
-        term.contains(is_script) && !is_measure && !is_of_chemistry(term)
+        term.contains(is_raised_or_lowered) && !is_measure && !is_of_chemistry(term)
     };
     text.contains(is_operator) && (0..terms.len()).any(is_of_formula)
 }
@@ -52,7 +57,7 @@ fn has_script_beside_operator(text: &str) -> bool {
 fn is_of_chemistry(term: &str) -> bool {
     let is_lowered = |c: char| matches!(c, '\u{2080}'..='\u{209c}');
     let has_name = term.chars().find(|c| c.is_alphabetic()).is_some_and(char::is_uppercase);
-    has_name && term.chars().filter(|c| is_script(*c)).all(is_lowered)
+    has_name && term.chars().filter(|c| is_raised_or_lowered(*c)).all(is_lowered)
 }
 
 fn has_bracketed_fraction(text: &str) -> bool {

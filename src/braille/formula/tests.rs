@@ -11,6 +11,7 @@ fn formulas_are_more_than_arithmetic() {
         "E=mc\u{b2}",
         "x\u{2081} + x\u{2082} = 5",
         "5 \u{d7} 10\u{207b}\u{b3}",
+        "2x\u{207f} = 8",
         "(a-b) / 2",
         "1/(x + 1)",
         "((a+b)\u{b7}h)/2",
