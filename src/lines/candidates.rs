@@ -53,6 +53,9 @@ impl LineCandidates {
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
+        if !params.on_dots() {
+            points::make_room(&points, &mut polylines, params);
+        }
         let standing = StandingEnds::of(&mut polylines, area, params);
         let mut polylines = join::join(polylines, params.bridged_gap(), &standing);
         let lengthens = params.of_drawing && !is_overview;

@@ -27,6 +27,7 @@ use crate::geom::{circle, nearest_on_segment};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use drawn::{DrawnPoints, draw};
+pub(super) use room::make_room;
 
 /// A filled point is drawn as many times as broad as the broadest line: sizes that differ by 30 percent are told apart
 /// (BANA, as quoted by others), and three is more than any line.
@@ -148,9 +149,6 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     }
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
-    if !params.on_dots() {
-        room::make(&points, polylines, params);
-    }
     points
 }
 

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::overview::DrawnOverview;
+use crate::edges::Edges;
 use crate::geom::components::{Components, Connectivity, of_labels};
 use crate::geom::distance::squared_distances;
 use crate::geom::nearest_on_segment;
@@ -28,8 +29,14 @@ const STANDS: f32 = 0.5;
 
 /// What the maker of a drawing's page is told of areas of the figure that are no areas in the overview, if they are
 /// more than the closed shapes that are told to be missing there.
-pub(super) fn told(figure: &[Line], overview: &DrawnOverview, layout: &Layout, plan: &Plan) -> Option<Note> {
-    let (place, lines) = overview.marks.as_ref()?;
+pub(super) fn told(
+    edges: &Edges,
+    figure: &[Line],
+    overview: &DrawnOverview,
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
+    let (place, lines) = overview.marks.as_ref().filter(|_| edges.of_drawing())?;
     let told = overview.lost.rings.max(overview.lost.gaps.len());
     let weak = which_are_weak(figure, plan.lines().least_strength);
     let strong = figure.iter().zip(weak).filter(|(_, is_weak)| !is_weak).map(|(line, _)| line);

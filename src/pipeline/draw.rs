@@ -187,8 +187,7 @@ pub(super) fn draw(
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
-    let merged = || areas_of_overview::told(&drawn.lines, &overview, &layout, plan);
-    notes.extend(if edges.of_drawing() { merged() } else { None });
+    notes.extend(areas_of_overview::told(&edges, &drawn.lines, &overview, &layout, plan));
     notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));

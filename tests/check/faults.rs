@@ -353,7 +353,7 @@ fn findings_are_data_too() {
         ("page.svg", "page.svg"),
         ("my page 50%.svg", "my%20page%2050%25.svg"),
         ("pages\\straße.svg", "pages/stra%C3%9Fe.svg"),
-        ("/home/c:#?.svg", "/home/c%3A%23%3F.svg"),
+        ("/pages/c:#?.svg", "/pages/c%3A%23%3F.svg"),
     ] {
         let all = sarif(file);
         let location = &all["runs"][0]["results"][0]["locations"][0]["physicalLocation"];

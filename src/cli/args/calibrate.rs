@@ -21,10 +21,10 @@ every sample has its number below it. What they are is told here and in the file
 not find room on one sheet go on on another: as PDF or for most embossers in the same file, as SVG or PNG in files \
 with numbers, sheet-1.svg, sheet-2.svg.
 
-A sheet of dots has one pitch. For a device with several, such as an Index embosser, there is a file for each, named by \
-it in mm: sheet-1.6.idx, sheet-2.0.idx. With --set dots.pitch=1.6 there is that one alone, called as you say, and to \
-standard output goes the one of the profile. Where dots can be anywhere, lines and textures of several pitches stand on \
-the same sheets.";
+A sheet of dots has one pitch. For a device with several, such as an Index embosser, there is a file for each, \
+named by it in mm: sheet-1.6.idx, sheet-2.0.idx. With --set dots.pitch=1.6 there is that one alone, called as you \
+say, and to standard output goes the one of the profile. Where dots can be anywhere, lines and textures of several \
+pitches stand on the same sheets.";
 
 pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:

@@ -15,7 +15,7 @@ const STEP: f32 = 0.25;
 
 /// Shortens the lines that end nearer to points than their signs allow, and lead to none of these, by at most the
 /// distance of two lines. An end on another line stays, as that is near to the point as well.
-pub(super) fn make(points: &[Point], polylines: &mut [Polyline<Vertex>], params: &Params) {
+pub(in crate::lines) fn make_room(points: &[Point], polylines: &mut [Polyline<Vertex>], params: &Params) {
     // discs are moved themselves
     let signs: Vec<(MmPoint, f32)> =
         points.iter().filter(|point| !point.is_disc).map(|point| (point.at, radius(point, params))).collect();

@@ -259,6 +259,7 @@ fn a_line_that_ends_beside_a_point_makes_room_for_it() {
         let hop = line(&[(50.0, y), (58.0, 30.0), (80.0, 30.0)], false, 0.0, FoundIn::Vector);
         let mut lines = vec![axis(10.0, 90.0), disc(50.0, 60.0), hop];
         let points = take(&mut lines, &PARAMS);
+        make_room(&points, &mut lines, &PARAMS);
         let drawn = draw(&points, &lines.iter().collect::<Vec<_>>(), area(), &PARAMS);
         (drawn.lost, lines.iter().map(|line| line.vertices[0].at.y).fold(f32::INFINITY, f32::min))
     };

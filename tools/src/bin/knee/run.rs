@@ -62,8 +62,8 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
     let page = drawing.map_err(|fault| fault.to_string())?.page;
     let svg = svg::write(&page);
     times[PAGE] += clock.lap();
-    let figure = page.figure;
-    Ok(Outcome { source: figure.source, place: figure.place, lines: figure.lines, classes: None, svg, times })
+    let figure = &page.figure;
+    Ok(Outcome { source: figure.source, place: figure.place, lines: figure.lines.clone(), classes: None, svg, times })
 }
 
 /// The colours of a picture, sorted as for its page.
