@@ -46,7 +46,7 @@ fn without_stray(glyphs: Vec<Glyph>, before: &[Glyph], placed: &[&Placed]) -> Ve
 /// Around a sign of a texture lie its neighbours within this distance, in steps of the texture; one beside a label that
 /// has less than this share of them left is the end of a row, or a corner, which the label has cut off.
 const NEIGHBOURS: f32 = 1.6;
-const LEFT: f32 = 0.4;
+const LEFT: f32 = 0.45;
 
 /// The glyphs of a texture without those beside labels that have lost most of their neighbours of `before`.
 fn without_torn(glyphs: Vec<Glyph>, before: &[Glyph], step: f32, placed: &[&Placed]) -> Vec<Glyph> {
@@ -86,13 +86,13 @@ fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: 
     left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
 }
 
-/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high or wide.
+/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
 fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
     let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
     let parts = components::of_points(&points, SIDE_BY_SIDE, |between| between.length() <= SIDE_BY_SIDE);
     components::retain(glyphs, &parts, |glyphs, part| {
         let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
-        extent.height().min(extent.width()) >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
+        extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
     });
 }
 

@@ -199,7 +199,7 @@ impl OverviewSource<'_> {
         if !drawn.marks.points.is_empty() && drawn.lost.rings > 0 {
             // what has no room as a point may have room as it is
             let plain = draw(lines::Params { takes_points: false, ..params });
-            if plain.lost.rings < drawn.lost.rings {
+            if (plain.lost.rings, plain.lost.share()) < (drawn.lost.rings, drawn.lost.share()) {
                 drawn = plain;
             }
         }

@@ -42,6 +42,20 @@ fn strips_of_one_or_two_rows_beside_a_label_go_and_broader_parts_stay() {
 }
 
 #[test]
+fn what_a_label_leaves_at_the_ends_of_rows_goes() {
+    // the first sign of each row beside the label is left
+    let mut texture = rows(30);
+    let label = Placed::of_test(MmRect::new(MmPoint::new(5.0, 50.0), MmPoint::new(70.0, 56.0)));
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(110.0, 150.0));
+    make_room(&mut texture, &[&label], &Params::of_test(area));
+    let first = |from: f32, to: f32| {
+        texture.glyphs.iter().filter(|glyph| glyph.at.x < 1.0 && (from..to).contains(&glyph.at.y)).count()
+    };
+    assert_eq!(first(50.0, 56.0), 0);
+    assert_eq!(first(20.0, 45.0), 8, "above the label rows begin as before");
+}
+
+#[test]
 fn a_texture_that_was_two_rows_before_stays_beside_a_label() {
     let top = 31.0;
     // a third row, which the label takes, is far from most of them
