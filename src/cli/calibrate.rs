@@ -46,14 +46,17 @@ pub(super) fn run(args: &Calibrate) -> Exit {
 
 /// Makes the sheets, and writes those of each pitch to a file of its own. Returns what is told of them.
 fn written(profile: &Profile, args: &Calibrate, chosen: Chosen) -> Result<Vec<String>, Failure> {
-    let failed = |error: Error| Failure { file: args.profile.clone(), what: error.to_string() };
+    let failed = |pitch: Option<f32>, error: Error| {
+        let what = pitch.map_or_else(|| error.to_string(), |pitch| format!("with {PITCH}={pitch}: {error}"));
+        Failure { file: args.profile.clone(), what }
+    };
     let mut made: Vec<(Option<f32>, Calibration)> = Vec::new();
     for pitch in pitches(profile, args) {
         let mut profile = profile.clone();
         if let Some(pitch) = pitch {
-            profile.set(PITCH, pitch).map_err(failed)?;
+            profile.set(PITCH, pitch).map_err(|error| failed(Some(pitch), error))?;
         }
-        made.push((pitch, tactograph::calibrate(&profile).map_err(failed)?));
+        made.push((pitch, tactograph::calibrate(&profile).map_err(|error| failed(pitch, error))?));
     }
     let target = |pitch: Option<f32>| match pitch {
         Some(pitch) => Target::Derived(places::of_pitch(&args.output, pitch)),
@@ -68,7 +71,10 @@ fn written(profile: &Profile, args: &Calibrate, chosen: Chosen) -> Result<Vec<St
     let pages = made.iter().flat_map(|(_, calibration)| &calibration.pages);
     let mut told: Vec<String> = pages.map(|page| page.description.clone()).collect();
     if let [(Some(first), _), _, ..] = &made[..] {
-        told.push(format!("{} pitches, each in files of its own; for one alone --set {PITCH}={first}", made.len()));
+        told.push(format!(
+            "{} pitches, each in files of its own that are named by it; for one alone --set {PITCH}={first}",
+            made.len()
+        ));
     }
     told.extend(names.iter().map(|name| format!("wrote {name}")));
     Ok(told)

@@ -77,7 +77,7 @@ impl Stretch {
     }
 }
 
-/// The contrast of the strong strokes: a share of all by length, but no longer than the picture, as the lines of a grid
+/// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a grid
 /// are long beside a curve. A line of squared paper may be strong for a part only, where the side of a shape is on it.
 fn strong(contours: &[Contour], size: Size) -> f32 {
     let places = contours.iter().flat_map(|contour| contour.segments());

@@ -7,7 +7,7 @@ use crate::page::{Glyph, Texture};
 use crate::units::{MmPoint, MmRect};
 
 /// Takes the signs out of a texture that labels and their leader lines need blank, and what is left of it in strips, in
-/// few rows and by itself beside them.
+/// few rows, at ends of rows and by itself beside them.
 pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Params) {
     let before = std::mem::take(&mut texture.glyphs);
     let is_apart = |glyph: &Glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius());
@@ -19,7 +19,9 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
         leave_out_few_rows(&mut left, placed, params.least_texture);
     }
     let step = (texture.area / before.len().max(1) as f32).sqrt();
-    texture.glyphs = without_torn(without_stray(left, &before, placed), &before, step, placed);
+    let is_cut = left.len() < before.len();
+    left = without_stray(left, &before, placed);
+    texture.glyphs = if is_cut { without_torn(left, &before, step, placed) } else { left };
 }
 
 /// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so
@@ -43,17 +45,18 @@ fn without_stray(glyphs: Vec<Glyph>, before: &[Glyph], placed: &[&Placed]) -> Ve
     glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
 
-/// Around a sign of a texture lie its neighbours within this distance, in steps of the texture; one beside a label that
-/// has less than this share of them left is the end of a row, or a corner, which the label has cut off.
+/// Around a sign of a texture lie its neighbours within this distance, in steps of the texture: on a square lattice
+/// eight, at an edge five. One beside a label that has less than this share of them left is in a column that the label
+/// has cut off: there two of five are left.
 const NEIGHBOURS: f32 = 1.6;
-const LEFT: f32 = 0.45;
+const KEPT_NEIGHBOURS: f32 = 0.45;
 
 /// The glyphs of a texture without those beside labels that have lost most of their neighbours of `before`.
 fn without_torn(glyphs: Vec<Glyph>, before: &[Glyph], step: f32, placed: &[&Placed]) -> Vec<Glyph> {
     let count = |of: &Glyph, all: &[Glyph]| {
         all.iter().filter(|other| (other.at - of.at).length() <= NEIGHBOURS * step).count().saturating_sub(1)
     };
-    let is_whole = |of: &Glyph| count(of, &glyphs) as f32 >= LEFT * count(of, before) as f32;
+    let is_whole = |of: &Glyph| count(of, &glyphs) as f32 >= KEPT_NEIGHBOURS * count(of, before) as f32;
     glyphs.iter().filter(|glyph| !is_near(glyph, placed) || is_whole(glyph)).copied().collect()
 }
 

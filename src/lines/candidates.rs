@@ -53,6 +53,7 @@ impl LineCandidates {
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
+        // dots of lines give way one by one
         if !params.on_dots() {
             points::make_room(&points, &mut polylines, params);
         }

@@ -172,7 +172,7 @@ reasons! {
     // of an overview
     /// Lines of the figure have no room in the overview.
     NoRoomInOverview => "no-room-in-overview",
-    /// Areas that lines enclose in the figure are open in the overview, or one with another.
+    /// Areas that lines enclose in the figure are open in the overview, or run into others.
     AreaNotInOverview => "area-not-in-overview",
     /// Closed lines that a person drew have no room in the overview.
     ByHandNotInOverview => "by-hand-not-in-overview",

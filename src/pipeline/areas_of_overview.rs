@@ -1,9 +1,10 @@
 //! Which of the areas that the lines of a drawing enclose in the figure are areas in the overview too: a bar, a sector
-//! or a field of a map may be one with its neighbour there, or open, though hardly any line is missing.
+//! or a field of a map may run into its neighbour there, or be open, though hardly any line is missing.
 
 use std::collections::BTreeMap;
 
-use super::overview::DrawnOverview;
+use super::overview::{DrawnOverview, Rings};
+use super::told_bars::Bars;
 use crate::edges::Edges;
 use crate::geom::components::{Components, Connectivity, of_labels};
 use crate::geom::distance::squared_distances;
@@ -16,15 +17,20 @@ use crate::{About, Note, Reason};
 
 /// Side of the cells in which areas are compared, mm in the overview: half a line's width.
 const CELL: f32 = 0.5;
-/// An area counts if a circle of this radius, mm, has room in it in the figure: half of what a fingertip needs to feel
-/// two lines as two.
+/// An area counts if a circle of this radius, mm, has room in it in the figure, beyond what its lines close: a smaller
+/// one is no place for a fingertip. Chosen by us.
 const ROOM: f32 = 1.5;
-/// So much more than its half width a line closes, in cells, where it ends on another and what rounding takes off.
+/// So much more than its half width a line closes, in cells: half the diagonal of a cell, so that no line has holes,
+/// and a little.
 const CLOSES: f32 = 0.75;
-/// The same of lines of dots, in pitches: a row that ends on another ends a dot before it.
+/// How far the dots of a line close, in pitches: a row that ends on another ends a dot before it, and both reach half
+/// way, and a little more.
 const CLOSES_DOTS: f32 = 0.6;
+/// Dots no farther apart than this, in pitches, follow one another: a diagonal step is 1.41. In the middle of a hollow
+/// point two are farther apart.
+const NEXT_DOT: f32 = 1.7;
 /// An area of the overview stands for one of the figure of which it has at least this share, but for what is under
-/// lines.
+/// lines. Chosen by us: less is a part of it.
 const STANDS: f32 = 0.5;
 
 /// What the maker of a drawing's page is told of areas of the figure that are no areas in the overview, if they are
@@ -36,8 +42,11 @@ pub(super) fn told(
     layout: &Layout,
     plan: &Plan,
 ) -> Option<Note> {
-    let (place, lines) = overview.marks.as_ref().filter(|_| edges.of_drawing())?;
-    let told = overview.lost.rings.max(overview.lost.gaps.len());
+    // bars that touch, or have one outline, are told as that
+    let are_told = overview.instead.is_some_and(|style| style.bars != Bars::Apart);
+    let (place, lines) = overview.marks.as_ref().filter(|_| edges.of_drawing() && !are_told)?;
+    let open = if overview.rings == Rings::Whole { overview.lost.gaps.len() } else { 0 };
+    let told = overview.lost.rings.max(open);
     let weak = which_are_weak(figure, plan.lines().least_strength);
     let strong = figure.iter().zip(weak).filter(|(_, is_weak)| !is_weak).map(|(line, _)| line);
     let cells = Cells::of(*place);
@@ -47,13 +56,15 @@ pub(super) fn told(
     let enclosed: Vec<&[usize]> = of_figure.enclosed(ROOM / cells.side_in(layout.figure)).collect();
     let missing: Vec<&[usize]> = of_figure.missing(&of_overview, &enclosed);
     let first = missing.first().map(|area| cells.middle(area[area.len() / 2], layout.figure))?;
-    let (it, is) = match (enclosed.len(), missing.len()) {
-        (1, _) => ("the area that lines enclose in the figure".to_owned(), "is"),
-        (all, 1) => (format!("1 of the {all} areas that lines enclose in the figure"), "is"),
-        (all, count) => (format!("{count} of the {all} areas that lines enclose in the figure"), "are"),
+    let (they, runs, at) = match (enclosed.len(), missing.len()) {
+        (1, _) => ("the area that is closed in the figure is".to_owned(), "runs into another", "it is"),
+        (all, 1) => (format!("1 of the {all} areas that are closed in the figure is"), "runs into another", "it is"),
+        (all, count) => {
+            (format!("{count} of the {all} areas that are closed in the figure are"), "run into others", "the first is")
+        }
     };
-    let at = format!("around {:.0}, {:.0} mm", first.x, first.y);
-    let what = format!("{it} {is} open in the overview, or one with another ({at}), for want of room");
+    let at = format!("{at} around {:.0}, {:.0} mm in the figure", first.x, first.y);
+    let what = format!("in the overview {they} open, or {runs}, as there is no room ({at})");
     (missing.len() > told).then_some(Note::TakenAs(About::Overview, Reason::AreaNotInOverview, what))
 }
 
@@ -102,7 +113,7 @@ impl Cells {
             let single = path.first().map(|&only| [only, only]).filter(|_| path.len() == 1);
             for [a, b] in path.windows(2).map(|pair| [pair[0], pair[1]]).chain(single) {
                 // a row of dots is interrupted where a point is hollow
-                if !is_stroke && (b - a).length() > 2.0 * pitch {
+                if !is_stroke && (b - a).length() > NEXT_DOT * pitch {
                     continue;
                 }
                 let (a, b) = (to_cells(a), to_cells(b));
@@ -123,18 +134,19 @@ impl Cells {
 impl Areas {
     /// The enclosed areas in which a circle of this radius, in cells, has room.
     fn enclosed(&self, room: f32) -> impl Iterator<Item = &[usize]> {
-        let (width, height) = (self.size.width as usize, self.size.height as usize);
         let to_line = squared_distances(&self.is_line, self.size);
-        let is_edge = move |cell: &usize| {
+        let has_room = move |cells: &&[usize]| cells.iter().any(|cell| to_line[*cell] as f32 >= room * room);
+        self.parts.iter().filter(|cells| self.is_enclosed(cells)).filter(has_room)
+    }
+
+    /// Whether cells of one part are an area that lines enclose.
+    fn is_enclosed(&self, cells: &[usize]) -> bool {
+        let (width, height) = (self.size.width as usize, self.size.height as usize);
+        let is_edge = |cell: &usize| {
             let (x, y) = (cell % width, cell / width);
             x == 0 || y == 0 || x + 1 == width || y + 1 == height
         };
-        let is_enclosed = move |cells: &&[usize]| {
-            !self.is_line[cells[0]]
-                && !cells.iter().any(is_edge)
-                && cells.iter().any(|cell| to_line[*cell] as f32 >= room * room)
-        };
-        self.parts.iter().filter(is_enclosed)
+        !self.is_line[cells[0]] && !cells.iter().any(is_edge)
     }
 
     /// Those of these areas for which there is none of their own among `others`: each of these stands for the one of
@@ -145,6 +157,7 @@ impl Areas {
         for cell in (0..self.is_line.len()).filter(both) {
             *shared.entry((self.parts.of(cell), others.parts.of(cell))).or_default() += 1;
         }
+        shared.retain(|(_, other), _| others.is_enclosed(&others.parts[*other]));
         // with which area of this page each of the others has most in common
         let mut stands_for = BTreeMap::<usize, (usize, usize)>::new();
         for (&(own, other), &count) in &shared {

@@ -31,7 +31,8 @@ pub(in crate::dots) fn on_grid(
     }
     let mut taken = OccupiedDots::new(params.line_gap as i32);
     let mut drawn: Vec<DrawnPiece> = Vec::new();
-    for line in order(lines, part, params.centres()) {
+    let weak = which_are_weak(lines, params.least_strength);
+    for line in order(lines, &weak, part, params.centres()) {
         let (cells, closed) = cells_of(&lines[line], grid, within);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
@@ -47,7 +48,8 @@ pub(in crate::dots) fn on_grid(
             drawn.push(DrawnPiece { line, piece });
         }
     }
-    let Placed { runs, has_points, alone, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
+    let Placed { runs, has_points, alone, shown, .. } =
+        taken.place(marks, (lines, &weak), &mut drawn, (grid, within), params);
     taken.drop_loose(&mut drawn, &has_points, grid, params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
@@ -201,16 +203,16 @@ impl OccupiedDots {
         Self { piece_of: BTreeMap::new(), tips: BTreeSet::new(), gap }
     }
 
-    /// Finds room for the marks of lines, of which these pieces are drawn, within a part of the grid.
+    /// Finds room for the marks of lines, some of which are weak, and of which these pieces are drawn, within a part of
+    /// the grid.
     fn place(
         &mut self,
         marks: &LineMarks,
-        lines: &[Line],
+        (lines, weak): (&[Line], &[bool]),
         drawn: &mut [DrawnPiece],
         (grid, within): (&Grid, GridBox),
         params: &Params,
     ) -> Placed {
-        let weak = which_are_weak(lines, params.least_strength);
         let row = |DrawnPiece { line, piece }: &DrawnPiece| Row {
             dots: centres(&piece.cells, grid),
             closed: piece.closed,

@@ -9,9 +9,11 @@ use crate::lines::{CORNER, HIGHEST_STACK, Line, TOUCH};
 use crate::units::{MmPoint, MmRect};
 
 /// The numbers of the lines of a part of the sheet, the strongest given first, in this order. Ends that meet other ends
-/// within `corner` mm are corners, and change nothing.
-pub(super) fn order(lines: &[Line], part: MmRect, corner: f32) -> Vec<usize> {
-    let on_bases = lines_on_bases(lines, part, corner);
+/// within `corner` mm are corners, and change nothing. Weak lines, such as those of a grid on which the corners of a
+/// shape lie, go before no stronger ones.
+pub(super) fn order(lines: &[Line], weak: &[bool], part: MmRect, corner: f32) -> Vec<usize> {
+    let mut on_bases = lines_on_bases(lines, part, corner);
+    on_bases.retain(|&(stem, base)| weak[stem] || !weak[base]);
     // the place of each line, and how many stand above one another on it there
     let mut places: Vec<(usize, usize)> = (0..lines.len()).map(|number| (number, 0)).collect();
     for _ in 0..HIGHEST_STACK {

@@ -48,7 +48,6 @@ impl Places<'_> {
             let group: Vec<_> = std::iter::once((number, first)).chain(alike).collect();
             self.group(&group);
         }
-        self.drop_crumbs();
     }
 
     /// Draws points that are alike, in the first form for which most of them have room.
@@ -76,7 +75,7 @@ impl Places<'_> {
         let lattice = self.field.lattice;
         for (&(number, point), sign) in group.iter().zip(best) {
             let Some(DotSign { place, runs }) = sign else { continue };
-            self.interrupt_weak(&runs[0]);
+            self.interrupt_weak(&runs[0], None);
             let runs = runs.into_iter().map(|row| row.into_iter().map(|dot| lattice.to_mm(dot)).collect()).collect();
             self.placed.alone.push(PointAlone { runs, strength: point.strength });
             self.placed.shown.points[number] = true;

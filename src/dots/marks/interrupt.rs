@@ -1,7 +1,7 @@
 //! Weak rows, such as gridlines, are interrupted at points beside them.
 
-use super::Places;
 use super::lattice::Owner;
+use super::{Places, Row};
 use crate::dots::grid_dot::GridPoint;
 use crate::dots::params::LEAST_DOTS;
 use crate::units::MmPoint;
@@ -19,28 +19,33 @@ impl Places<'_> {
         all.filter(move |(_, other, _)| lattice.are_near(dot, *other, gap)).map(|(_, other, owner)| (other, owner))
     }
 
-    /// Takes the dots of weak rows out that are too near to these.
-    pub(super) fn interrupt_weak(&mut self, dots: &[GridPoint]) {
+    /// Takes the dots of weak rows out that are too near to these, but for a row whose point they are.
+    pub(super) fn interrupt_weak(&mut self, dots: &[GridPoint], own: Option<usize>) {
         let near: Vec<(GridPoint, Owner)> = dots.iter().flat_map(|dot| self.near(*dot)).collect();
-        for (dot, owner) in near {
-            let Owner::Row(row, number) = owner else { continue };
-            if self.gives_way(row) {
-                let lattice = self.field.lattice;
-                self.field.take_out(|other, of| lattice.are_one(other, dot) && of == owner, dot, 1.0);
-                self.placed.hidden[row].push(self.rows[row].dots[number]);
+        for (_, owner) in near {
+            if let Owner::Row(row, number) = owner
+                && own != Some(row)
+                && self.gives_way(row)
+            {
+                self.hide(row, number);
             }
         }
     }
 
     /// Takes out what is left of interrupted rows between two points, where that is too short for a line.
-    pub(super) fn drop_crumbs(&mut self) {
-        for (row, hidden) in self.rows.iter().zip(&mut self.placed.hidden).filter(|(row, _)| row.is_weak) {
-            let left = row.dots.chunk_by(|a, b| hidden.contains(a) == hidden.contains(b));
-            let is_crumb = |part: &&[MmPoint]| part.len() < LEAST_DOTS && !hidden.contains(&part[0]);
-            let crumbs: Vec<MmPoint> = left.filter(is_crumb).flatten().copied().collect();
-            if !hidden.is_empty() {
-                hidden.extend(crumbs);
-            }
+    pub(super) fn drop_scraps(&mut self) {
+        for row in 0..self.rows.len() {
+            let (Row { dots, closed, .. }, hidden) = (&self.rows[row], &self.placed.hidden[row]);
+            let Some(first) = dots.iter().position(|dot| hidden.contains(dot)).filter(|_| self.gives_way(row)) else {
+                continue;
+            };
+            let mut dots = dots.clone();
+            // what is left of a ring goes on over its begin
+            dots.rotate_left(if *closed { first } else { 0 });
+            let parts = dots.chunk_by(|a, b| hidden.contains(a) == hidden.contains(b));
+            let is_scrap = |part: &&[MmPoint]| part.len() < LEAST_DOTS && !hidden.contains(&part[0]);
+            let scraps: Vec<MmPoint> = parts.filter(is_scrap).flatten().copied().collect();
+            self.placed.hidden[row].extend(scraps);
         }
     }
 }

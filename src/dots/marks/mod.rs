@@ -59,7 +59,7 @@ pub(super) struct Row {
     pub(super) closed: bool,
     /// Whether it is to have a second row.
     pub(super) is_heavy: bool,
-    /// Whether it is that of a faint stroke, such as a gridline.
+    /// Whether its line is weak beside the others of the figure, as gridlines are: a tenth of the strongest or less.
     pub(super) is_weak: bool,
 }
 
@@ -190,6 +190,7 @@ fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice
         places.placed.shown.scales.push(shown);
     }
     places.alone(marks.points.iter().enumerate().filter(|(number, point)| point.is_alone && wanted[*number]).collect());
+    places.drop_scraps();
     places.placed
 }
 
@@ -231,13 +232,13 @@ impl Places<'_> {
         if !self.rows_stay(&hidden) {
             return false;
         }
-        for &(dot, owner) in &hidden {
-            self.field.take_out(|other, of| lattice.are_one(other, dot) && of == owner, dot, 1.0);
-            if let Owner::Row(row, _) = owner {
-                self.placed.hidden[row].push(lattice.to_mm(dot));
+        for (_, owner) in hidden {
+            if let Owner::Row(row, number) = owner {
+                self.hide(row, number);
             }
         }
-        let wanted = around.iter().copied().chain(inside.into_iter().filter(|_| point.is_filled));
+        self.interrupt_weak(&around, Some(row));
+        let wanted = around.into_iter().chain(inside.into_iter().filter(|_| point.is_filled));
         let mut run = Vec::new();
         for dot in wanted {
             if !self.field.around(dot, 1.0).any(|(_, other, _)| lattice.are_one(dot, other)) {
@@ -248,8 +249,19 @@ impl Places<'_> {
         self.placed.runs[row].push(run);
         self.placed.has_points[row] = true;
         self.points.push(DrawnPoint { middle, radius: radius as f32 });
-        self.interrupt_weak(&around);
         true
+    }
+
+    /// Leaves a dot of a row out.
+    fn hide(&mut self, row: usize, number: usize) {
+        let lattice = self.field.lattice;
+        let at = self.rows[row].dots[number];
+        if !self.placed.hidden[row].contains(&at) {
+            let dot = lattice.to_steps(at);
+            let is_it = |other: GridPoint, of: Owner| lattice.are_one(other, dot) && of == Owner::Row(row, number);
+            self.field.take_out(is_it, dot, 1.0);
+            self.placed.hidden[row].push(at);
+        }
     }
 
     /// The radius of a point, in steps: the side of a disc is that of its outermost dots, and a ring is drawn along its
@@ -297,7 +309,7 @@ impl Places<'_> {
     fn rows_stay(&self, hidden: &[(GridPoint, Owner)]) -> bool {
         let rows = || hidden.iter().filter_map(|(_, owner)| row_of(*owner));
         rows().all(|row| {
-            let count = self.rows[row].dots.len() - self.placed.hidden[row].len();
+            let count = self.rows[row].dots.len().saturating_sub(self.placed.hidden[row].len());
             count >= LEAST_DOTS + rows().filter(|other| *other == row).count()
         })
     }

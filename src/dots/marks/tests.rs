@@ -232,11 +232,15 @@ fn gridlines_are_interrupted_at_points_beside_them() {
     let all = placed(&[alone(60.0, true), far], &[], &rows(Some(gridline(56.0))));
     assert_eq!(all.shown.points, [true, true]);
     let mut hidden: Vec<i32> = all.hidden[1].iter().map(|dot| (dot.x / 2.0).round() as i32).collect();
-    hidden.sort_unstable();
     // two dots to both sides of each ring, whose middles are at columns 25 and 33, and one dot between them
-    hidden.dedup();
+    hidden.sort_unstable();
     assert_eq!(hidden, (22..=36).collect::<Vec<i32>>());
     assert!(all.hidden[0].is_empty(), "the axis stays");
+    // one across the axis leaves the whole of a point where they meet
+    let column = (10..30).map(|y| MmPoint::new(40.0, 2.0 * y as f32)).collect();
+    let across = Row { dots: column, closed: false, is_heavy: false, is_weak: true };
+    let on_axis = |more: Option<Row>| counts(&placed(&[point(40.0, 1.5, true)], &[], &rows(more)));
+    assert_eq!(on_axis(Some(across)), on_axis(None));
     // one with marks of its own stays, as these would be torn
     let own = PointMark { at: MmPoint::new(50.0, 56.0), is_alone: false, ..alone(56.0, true) };
     let beside = PointMark { at: MmPoint::new(80.0, 60.0), ..alone(60.0, false) };

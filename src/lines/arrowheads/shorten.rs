@@ -40,7 +40,8 @@ pub(super) fn make_room(
             let counts = |line: u32| is_other(line) && may_be_pointed_at[line as usize];
             others.nearest(at, STEP, |segment| counts(segment.line)).map(|(distance, ..)| distance)
         };
-        let inside = (0..=(BEYOND * tip.axis().length() / STEP) as u32).map(|step| step as f32 * STEP);
+        let most = (polylines[shaft.line].length() - params.min_length).clamp(0.0, BEYOND * tip.axis().length());
+        let inside = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
         let cut = |cut: f32| {
             let line = shortened(&polylines[shaft.line], shaft.which, cut);
             end(&line, shaft.which).and_then(to_other).map(|distance| (distance, line))

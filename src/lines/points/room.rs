@@ -28,8 +28,9 @@ pub(in crate::lines) fn make_room(points: &[Point], polylines: &mut [Polyline<Ve
                 (*at - end).length() < beside && distance(*at, line) > PASSES * radius
             };
             let near: Vec<&(MmPoint, f32)> = signs.iter().filter(is_beside).collect();
+            let leads = |(at, radius): &(MmPoint, f32)| (*at - end).length() <= PASSES * radius;
             let is_on = |(other, of): (usize, &Polyline<Vertex>)| other != number && distance(end, of) <= TOUCH;
-            if near.is_empty() || polylines.iter().enumerate().any(is_on) {
+            if near.is_empty() || signs.iter().any(leads) || polylines.iter().enumerate().any(is_on) {
                 continue;
             }
             let most = (line.length() - params.min_length).clamp(0.0, params.max_spacing());

@@ -40,6 +40,10 @@ fn an_area_that_is_one_with_its_neighbour_or_open_is_missing() {
     let open: &[(f32, f32)] = &[(0.1, 0.2), (0.1, 0.1), (0.9, 0.1), (0.9, 0.9), (0.1, 0.9), (0.1, 0.4)];
     assert_eq!(with(&[open, LEFT, RIGHT]), (3, 1));
     assert_eq!(with(&[]), (3, 3));
+    // one that has most of the figure
+    assert_eq!(missing(&[BOX], &lines(OVERVIEW, &[])), (1, 1));
+    assert_eq!(missing(&[BOX], &lines(OVERVIEW, &[open])), (1, 1));
+    assert_eq!(missing(&[BOX], &lines(OVERVIEW, &[BOX])), (1, 0));
 }
 
 #[test]

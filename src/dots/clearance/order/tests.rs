@@ -9,7 +9,11 @@ fn line(points: &[(f32, f32)]) -> Line {
 }
 
 fn order_of(lines: &[Line]) -> Vec<usize> {
-    order(lines, MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), 5.0)
+    order_of_those(lines, &vec![false; lines.len()])
+}
+
+fn order_of_those(lines: &[Line], weak: &[bool]) -> Vec<usize> {
+    order(lines, weak, MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), 5.0)
 }
 
 fn bar(x: f32) -> Line {
@@ -23,6 +27,14 @@ fn an_axis_goes_before_the_bars_that_stand_on_it_and_no_other_line_changes_its_p
     // a tick on a bar, the bar on the axis
     assert_eq!(order_of(&[alone.clone(), tick, bar(50.0), bar(25.0), axis.clone()]), [0, 4, 3, 1, 2]);
     assert_eq!(order_of(&[axis, bar(50.0), alone]), [0, 1, 2]);
+}
+
+#[test]
+fn a_line_of_a_grid_goes_before_no_shape_whose_corner_lies_on_it() {
+    let lines = [bar(50.0), line(&[(10.0, 80.0), (90.0, 80.0)])];
+    assert_eq!(order_of_those(&lines, &[false, false]), [1, 0]);
+    assert_eq!(order_of_those(&lines, &[false, true]), [0, 1]);
+    assert_eq!(order_of_those(&lines, &[true, true]), [1, 0]);
 }
 
 #[test]

@@ -23,7 +23,7 @@ pub(crate) fn throughput(bench: &Bench<'_>) -> Table {
     let about = format!(
         "{many} photographs of 12 megapixels in one call, each with a core to itself. *Promised* is what a single run on \
          one core makes in a second, times the cores; *reached* is the share of it that the call makes, wanted {WANTED} at \
-         least. Above 1, as one call starts once and reuses its memory. Of vtracer one photograph is measured. The \
+         least. It may be above 1, as one call starts once and reuses its memory. Of vtracer one photograph is measured. The \
          last rows are memory: one process in which so many threads make two pages each at once, as a call does on a \
          machine of so many cores."
     );
