@@ -119,6 +119,55 @@ fn what_is_wrong_with_a_picture_is_told_apart() {
     assert_eq!(id(tactograph::feel(&deep, &PageOptions::new())), Some("too-complex"));
 }
 
+/// Drawings that are beyond what can be drawn, each with the limit that is to be told.
+fn beyond() -> Vec<(&'static str, Vec<u8>)> {
+    let join = |count: u32, each: &dyn Fn(u32) -> String| (0..count).map(each).collect::<String>();
+    let filtered = |filter: &str| {
+        let group = "<g filter='url(#f)'><rect width='99' height='99'/></g>".repeat(400);
+        format!("<filter id='f'>{filter}</filter>{group}")
+    };
+    let doubled = join(30, &|i| format!("<g id='u{}'>{}</g>", i + 1, format!("<use href='#u{i}'/>").repeat(2)));
+    let patterns = join(201, &|i| format!("<pattern id='p{i}'/>"));
+    let references = join(201, &|i| format!("url(#p{i})"));
+    let rules = |count: usize| format!("<style>{}</style>", ".a{fill:url(#a)}".repeat(count));
+    // usvg panics on it, which is caught
+    let flat = "<image width='64' height='32' href='data:image/svg+xml,%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 \
+                width=%22999999999%22 height=%221%22/%3E'/>";
+    let inside = [
+        ("200 elements deep", format!("{}{}", "<g>".repeat(300), "</g>".repeat(300))),
+        ("9 digits", "<path d='M0 0L1e12 5'/>".to_owned()),
+        ("7 digits", flat.to_owned()),
+        ("1000000 elements", format!("<g id='u0'/>{doubled}")),
+        ("5000000 attributes", "=".repeat(5_000_001)),
+        ("200 patterns", format!("{patterns}<g style='{references}'/>")),
+        ("more than 20000", format!("<path d='M0 0{}'/>", "L100 100L0 0".repeat(8000))),
+        ("10 are the most", filtered("<feGaussianBlur stdDeviation='2'/>")),
+        ("16 octaves", filtered("<feTurbulence numOctaves='17'/>")),
+        ("2 %", filtered("<feMorphology radius='3'/>")),
+        ("30000 letters", format!("<text>{}</text>", "a".repeat(30_001))),
+        ("8000 rules", rules(8001)),
+        ("more than 10000000", format!("{}{}", rules(5000), "<g/>".repeat(2000))),
+    ];
+    let drawings = inside.into_iter().map(|(limit, inner)| (limit, svg(100, 100, &inner)));
+    drawings.chain([("over 4000000", svg(5_000_000, 100, ""))]).collect()
+}
+
+#[test]
+fn what_is_too_complex_is_told_with_its_limit_and_a_remedy() {
+    let assert_told = |error: Option<Error>, limit: &str, remedy: &str| {
+        let Some(refused @ Error::TooComplex { .. }) = &error else { panic!("{limit}: {error:?}") };
+        let told = refused.to_string();
+        assert!(told.contains(limit) && told.contains(remedy), "{limit}: {told}");
+        assert_eq!(told.lines().count(), 1, "{told}");
+    };
+    let options = Options::new(profile("swell-a4"));
+    for (limit, picture) in beyond() {
+        assert_told(tactograph::convert(&picture, &options).err(), limit, "; simplify it or make it smaller");
+    }
+    let page = svg(100, 100, "<g id='lines'><path d='M0 0L1e8 5'/></g>");
+    assert_told(tactograph::check(&page, &PageOptions::new()).err(), "7 digits", "; put that right in the program");
+}
+
 #[test]
 fn why_dots_are_not_written_is_told_apart() {
     let printed = empty_page([210.0, 297.0]).expect("a page");

@@ -8,6 +8,10 @@ const DEEPEST: usize = 10;
 /// How much longer a text may become, bytes: those of Illustrator take a few thousand.
 const MOST_MORE: usize = 1 << 20;
 
+fn too_much() -> String {
+    format!("its entities stand for too much text: more than {MOST_MORE} bytes, or over {DEEPEST} one inside the other")
+}
+
 /// The text without its declarations, each entity of which is replaced.
 ///
 /// # Errors
@@ -87,7 +91,7 @@ fn expand(
             }
             (None, Some((value, after))) => {
                 if depth >= DEEPEST || out.len() + value.len() > most {
-                    return Err("its entities stand for too much text".to_owned());
+                    return Err(too_much());
                 }
                 expand(value, entities, depth + 1, out, most)?;
                 after
@@ -99,7 +103,7 @@ fn expand(
         };
     }
     out.push_str(rest);
-    if out.len() > most { Err("its entities stand for too much text".to_owned()) } else { Ok(()) }
+    if out.len() > most { Err(too_much()) } else { Ok(()) }
 }
 
 #[cfg(test)]

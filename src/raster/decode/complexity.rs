@@ -113,7 +113,8 @@ pub(crate) fn no_longer_than(document: &Document<'_>, most: usize) -> Result<(),
         let object = node.attribute("id").map_or_else(tag, |id| format!("\"{id}\""));
         let (at, name) = (document.text_pos_at(node.range().start), of.name());
         Some(format!(
-            "line {}, column {}: {name} of {object} has a place or size too large to compute with",
+            "line {}, column {}: {name} of {object} has a place or size too large to compute with, of more than {most} \
+             digits before the point",
             at.row, at.col
         ))
     };
@@ -171,7 +172,10 @@ impl Graph {
         let ids = Ids::of(elements);
         let rules = Rules::of(elements);
         if rules.0.len().saturating_mul(elements.len()) > MOST_COMPARISONS {
-            return Err("its style sheets are too long for so many elements".into());
+            return Err(format!(
+                "its style sheets are too long for so many elements: rules with references times elements are more \
+                 than {MOST_COMPARISONS}"
+            ));
         }
         let mut below = HashMap::<NodeId, Vec<NodeId>>::with_capacity(elements.len());
         // The patterns and markers that hold for what is inside an element.

@@ -195,8 +195,9 @@ fn with_notes(decoded: Decoded, left_out: DrawingLosses) -> Decoded {
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
 /// has no height where it is put (found by the test of damaged pictures, and a test of its own now).
 pub(crate) fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
-    guarded(work)
-        .map_err(|_| Error::too_complex(FORMAT, "it has places or sizes too large or too small to compute with"))
+    const WHY: &str = "it has places or sizes too large or too small to compute with (beside one another, as numbers \
+                       have 7 digits)";
+    guarded(work).map_err(|_| Error::too_complex(FORMAT, WHY))
 }
 
 /// What is drawn of a document.
@@ -209,9 +210,7 @@ pub(crate) fn tree_of(document: &Document<'_>, parsing: &usvg::Options<'_>) -> R
         usvg::Error::InvalidSize => {
             Error::undecodable(FORMAT, "it has no size: neither a width and height above zero nor a viewBox")
         }
-        usvg::Error::ElementsLimitReached => {
-            Error::too_complex(FORMAT, "it has more than a million elements or too deep a nesting")
-        }
+        usvg::Error::ElementsLimitReached => Error::too_complex(FORMAT, complexity::too_many_elements()),
         other => Error::undecodable(FORMAT, one_line(&other)),
     })
 }
@@ -235,7 +234,9 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     const SHAPE: f32 = 1.0 / 3000.0;
     let (mut width, mut height) = (size.width(), size.height());
     if width.max(height) > LONGEST_SIDE {
-        return Err(Error::too_complex(FORMAT, format!("its size of {width} x {height} pixels is beyond any page")));
+        let why =
+            format!("its size of {width} x {height} pixels is beyond any page: no side can be over {LONGEST_SIDE}");
+        return Err(Error::too_complex(FORMAT, why));
     }
     let keeps_shape = |width: f32, height: f32| {
         ((width.round() / width) / (height.round() / height) - 1.0).abs() <= SHAPE && width.min(height) >= 0.5

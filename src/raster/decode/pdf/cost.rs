@@ -50,9 +50,10 @@ struct Costs(HashMap<ObjectIdentifier, Option<u64>>);
 
 impl Costs {
     fn of_content(&mut self, content: &[u8], resources: &Resources<'_>, levels: u32) -> Result<u64, Error> {
-        let levels = levels
-            .checked_sub(1)
-            .ok_or_else(|| Error::too_complex(FORMAT, "it is drawn in too many levels, one inside the other"))?;
+        let levels = levels.checked_sub(1).ok_or_else(|| {
+            let told = format!("it is drawn in too many levels, more than {MOST_LEVELS} one inside the other");
+            Error::too_complex(FORMAT, told)
+        })?;
         // The dearest pattern and font that were chosen so far: what is chosen again later is not followed.
         let (mut pattern, mut font) = (0, 0);
         let mut total = 0_u64;
