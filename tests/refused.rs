@@ -119,6 +119,32 @@ fn what_is_wrong_with_a_picture_is_told_apart() {
     assert_eq!(id(tactograph::feel(&deep, &PageOptions::new())), Some("too-complex"));
 }
 
+#[test]
+fn the_narrowest_pictures_are_told_and_the_smallest_make_pages() {
+    let options = Options::new(profile("swell-a4"));
+    for ([width, height], expected) in [
+        ([1_u32, 1], Some("too-few-pixels")),
+        ([400, 1], Some("too-few-pixels")),
+        ([1, 400], Some("too-few-pixels")),
+        ([400, 7], Some("too-few-pixels")),
+        ([7, 400], Some("too-few-pixels")),
+        ([400, 8], Some("too-narrow")),
+        ([8, 400], Some("too-narrow")),
+        ([100, 8], None),
+        ([8, 100], None),
+        ([8, 8], None),
+    ] {
+        let step = |x: u32, y: u32| if x + y < (width + height) / 2 { 30_u8 } else { 230 };
+        let noise = |x: u32, y: u32| ((x * 31 + y * 17) * 7 % 61 * 4) as u8;
+        let values: [&dyn Fn(u32, u32) -> u8; 2] = [&step, &noise];
+        for (at, value) in values.into_iter().enumerate() {
+            let pixels: Vec<u8> = (0..width * height).map(|i| value(i % width, i / width)).collect();
+            let picture = [format!("P5 {width} {height} 255\n").into_bytes(), pixels].concat();
+            assert_eq!(id(tactograph::convert(&picture, &options)), expected, "{width} x {height}, {at}");
+        }
+    }
+}
+
 /// Drawings that are beyond what can be drawn, each with the limit that is to be told.
 fn beyond() -> Vec<(&'static str, Vec<u8>)> {
     let join = |count: u32, each: &dyn Fn(u32) -> String| (0..count).map(each).collect::<String>();

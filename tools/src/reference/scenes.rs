@@ -72,6 +72,7 @@ pub fn all() -> Vec<(&'static str, Raster)> {
         ),
         ("8 x 8 px", grey([8, 8], |x, y| linear(if x + y < 8.0 { 30.0 } else { 230.0 }))),
         ("1 x 400 px", grey([1, 400], |_, y| linear(if y < 200.0 { 30.0 } else { 230.0 }))),
+        ("400 x 1 px", grey([400, 1], |x, _| linear(if x < 200.0 { 30.0 } else { 230.0 }))),
         ("400 x 3 px", grey([400, 3], |x, _| linear(127.0 + 100.0 * (PI * x / 40.0).sin()))),
     ];
     for (name, share) in [("noise of 1 %", 0.01), ("noise of 10 %", 0.1), ("noise of 100 %", 1.0)] {
