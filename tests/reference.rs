@@ -3,7 +3,7 @@
 
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph_tools::reference::edges::quantile;
-use tactograph_tools::reference::{colours, edges, glyphs, scenes};
+use tactograph_tools::reference::{colours, edges, glyphs, samples, scenes};
 
 fn plan() -> Plan {
     Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("built-in profiles make sense")
@@ -28,6 +28,26 @@ fn positions_and_heights_of_edges_are_those_of_f64() {
         assert!(found.other_axis <= 1 + found.both / 50, "{name}: {} of {} points", found.other_axis, found.both);
     }
     assert!(looked_at > 10_000, "{looked_at}");
+}
+
+/// What `docs/stability.md` says of the samples, and a quarter more, as vectors of other machines may round otherwise.
+#[test]
+fn the_samples_are_as_near_to_f64_as_the_docs_say() {
+    let plan = plan();
+    let lines = plan.lines();
+    let mm_per_unit = f64::from((lines.width_max - lines.width_min) / (lines.full_strength - lines.least_strength));
+    for (name, raster) in samples::all().expect("the samples are there") {
+        let found = edges::compare(&raster, &plan.edges(samples::PX_PER_MM));
+        let (px, strength) = if name.ends_with(".svg") { (0.0004, 0.11) } else { (0.022, 0.5) };
+        let [off_px, off_strength] = [&found.px, &found.height].map(|values| quantile(values, 1.0));
+        assert!(off_px <= 1.25 * px, "{name}: {off_px} px");
+        assert!(off_strength <= 1.25 * strength, "{name}: {off_strength} of strength");
+        let width = mm_per_unit * quantile(&found.height, 0.999);
+        assert!(width <= 1.25 * 0.013, "{name}: lines {width} mm wider or narrower");
+        assert!(found.both > 3000 && found.single * 300 <= found.both, "{name}: {} of {}", found.single, found.both);
+        let classes = colours::compare(samples::codes(&raster), &plan.classes(samples::PX_PER_MM));
+        assert!(classes.colours > 100_000 && classes.other <= 3, "{name}: {classes:?}");
+    }
 }
 
 #[test]

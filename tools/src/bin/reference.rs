@@ -7,27 +7,14 @@
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
 use tactograph::internals::profile::{Plan, Profile};
-use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{DecodeOptions, Header, decode};
-use tactograph::internals::units::Size;
 use tactograph_tools::reference::edges::quantile;
+use tactograph_tools::reference::samples::{self, PX_PER_MM, codes};
 use tactograph_tools::reference::{colours, edges, glyphs, scenes};
-
-/// Working pixels along the longer side, as of a figure 174 mm wide.
-const LONGEST: f32 = 696.0;
-/// Working pixels for a millimetre.
-const PX_PER_MM: f32 = 4.0;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let plan = Plan::new(&Profile::named("swell-a4")?)?;
-    let mut pictures: Vec<(String, Raster)> = Vec::new();
-    for name in ["bars.svg", "cell.svg", "chart.svg", "landscape.svg", "map.svg", "portrait.svg"] {
-        pictures.push((name.to_owned(), sample(name)?));
-    }
-    for name in ["astronaut.png", "chelsea.png", "coffee.png", "rocket.jpg"] {
-        pictures.push((name.to_owned(), sample(name)?));
-    }
-    pictures.extend(scenes::all().into_iter().map(|(name, raster)| (name.to_owned(), raster)));
+    let mut pictures = samples::all()?;
+    pictures.extend(scenes::all());
     println!(
         "| | points | along the other axis | of one only | position, px: 99.9 % | all | strength: 99.9 % | all | as a \
          share: 99.9 % | all | line width, mm: 99.9 % | other class |"
@@ -61,24 +48,4 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (off, marks) = glyphs::compare(&plan.textures());
     println!("marks of textures: {off:.8} mm ({marks} marks)");
     Ok(())
-}
-
-/// The colours of a picture as sRGB values 0..=1.
-fn codes(raster: &Raster) -> impl Iterator<Item = [f32; 3]> {
-    let planes = raster.planes().as_slice();
-    let encoded =
-        |linear: f32| if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    let plane = move |channel: usize| &planes[channel.min(planes.len() - 1)];
-    (0..planes[0].len()).map(move |i| [0, 1, 2].map(|channel| encoded(plane(channel)[i]).clamp(0.0, 1.0)))
-}
-
-fn sample(name: &str) -> Result<Raster, Box<dyn std::error::Error>> {
-    let bytes = std::fs::read(format!("{}/samples/{name}", tactograph_tools::ROOT))?;
-    let working_size = |source: Header| -> Result<Size, tactograph::Error> {
-        let longer = source.size.width.max(source.size.height) as f32;
-        let scale = if source.is_drawing { LONGEST / longer } else { (LONGEST / longer).min(1.0) };
-        let side = |pixels: u32| (pixels as f32 * scale).round() as u32;
-        Ok(Size::new(side(source.size.width), side(source.size.height)))
-    };
-    Ok(decode(&bytes, &DecodeOptions { keep_text: false, ..DecodeOptions::whole(&working_size) })?.raster)
 }
