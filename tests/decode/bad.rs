@@ -290,6 +290,39 @@ fn damaged_pictures_never_panic() {
     assert!(panicked.is_empty(), "{}", panicked.join("\n"));
 }
 
+#[test]
+fn every_hundredth_of_a_file_is_a_picture_or_one_clear_line() {
+    let mut paths: Vec<_> = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let limits = Limits { megapixels: 4, memory_mb: 64 };
+    let working_size = |_: Header| Ok(Size::new(16, 16));
+    let options = DecodeOptions { limits, ..DecodeOptions::whole(&working_size) };
+    let (mut faults, mut refused) = (Vec::new(), 0);
+    for path in paths {
+        let bytes = std::fs::read(&path).unwrap();
+        if matches!(path.extension().and_then(|e| e.to_str()), Some("py" | "md" | "ttf" | "icc")) {
+            continue;
+        }
+        for percent in 1..100 {
+            let cut = &bytes[..bytes.len() * percent / 100];
+            let tried = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| decode(cut, &options).err()));
+            let told = match tried {
+                Ok(None) => continue,
+                Ok(Some(fault)) => fault.to_string(),
+                Err(_) => "a panic".to_owned(),
+            };
+            refused += 1;
+            // a panic that `decode` itself catches counts as well
+            let is_clear = told.lines().count() == 1 && told.len() < 400 && told.contains(' ') && told != "a panic";
+            if !is_clear || told.contains("its decoder failed") || told.chars().any(char::is_control) {
+                faults.push(format!("{}, {percent} %: {told}", path.display()));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(refused > 1000, "{refused}");
+}
+
 /// A TIFF of floating point samples, two rows of two pixels.
 fn float_tiff(planes: u32, samples: [f32; 4]) -> Vec<u8> {
     let data: Vec<u8> = samples.iter().flat_map(|value| value.to_le_bytes().repeat(planes as usize)).collect();
