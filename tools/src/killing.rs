@@ -57,16 +57,26 @@ const WAYS: [Way; 4] = [
 /// How long the program may take in all.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Kills `program` so many times. `seed` gives other moments.
+/// Most rounds for each run that is to be killed, and some more: a quarter of the runs have ended before.
+const MOST_ROUNDS: usize = 10;
+
+/// Kills `program` until it was killed so many times; runs that had ended before do not count. `seed` gives other
+/// moments.
 ///
 /// # Errors
-/// A file that is neither the old one nor the new one, or what the next run leaves.
-pub fn kill(program: &Path, rounds: usize, seed: u64) -> Result<Tally, String> {
+/// A file that is neither the old one nor the new one, what the next run leaves, or that nearly all runs had ended.
+pub fn kill(program: &Path, kills: usize, seed: u64) -> Result<Tally, String> {
     let mut rng = Rng::new(seed);
     let mut tally = Tally::default();
     let grounds: Vec<Ground> =
         WAYS.iter().map(|way| Ground::new(program, *way).map_err(told)?.proven()).collect::<Result<_, _>>()?;
-    for round in 0..rounds {
+    for round in 0.. {
+        if tally.killed >= kills {
+            break;
+        }
+        if round >= MOST_ROUNDS * (kills + 10) {
+            return Err(format!("of {round} runs only {} could be killed before they ended", tally.killed));
+        }
         let ground = &grounds[round % grounds.len()];
         let at_sight = round / grounds.len() % 2 == 1;
         ground

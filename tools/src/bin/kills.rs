@@ -1,8 +1,8 @@
 //! Is nothing lost when the program is killed? See `tools/src/killing.rs`.
 //!
 //! ```text
-//! cargo build --release && cargo run --release -p tactograph-tools --bin kills       1000 runs killed (10 minutes)
-//!   --runs N           so many
+//! cargo build --release && cargo run --release -p tactograph-tools --bin kills       1000 runs killed (15 minutes)
+//!   --runs N           so many killed; those that had ended before do not count
 //!   --seed N           other moments (default 1)
 //!   --program PATH     the program to kill (default target/release/tactograph)
 //! ```
