@@ -77,8 +77,9 @@ impl Stretch {
     }
 }
 
-/// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a grid
-/// are long beside a curve. A line of squared paper may be strong for a part only, where the side of a shape is on it.
+/// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a
+/// grid are long beside a curve. A line of squared paper may be strong for a part only, where the side of a shape is on
+/// it.
 fn strong(contours: &[Contour], size: Size) -> f32 {
     let places = contours.iter().flat_map(|contour| contour.segments());
     let mut all: Vec<(f32, f32)> = places.map(|(a, b)| (a.strength.min(b.strength), (b.at - a.at).length())).collect();

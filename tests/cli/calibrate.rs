@@ -101,7 +101,7 @@ fn a_device_gets_its_own_sheets() {
         "dots 2 mm apart",
         "dots 2.5 mm apart",
         " b (dots.line_gap): pairs of lines",
-        "3 pitches, each in files of its own; for one alone --set dots.pitch=1.6",
+        "3 pitches, each in files of its own that are named by it; for one alone --set dots.pitch=1.6",
     ] {
         assert!(run.err.contains(told), "{told}: {}", run.err);
     }
