@@ -16,7 +16,7 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
         leave_out_strips(&mut left, &before, texture.area / before.len() as f32, placed);
     }
     if left.len() < before.len() && params.least_texture > 0.0 {
-        leave_out_few_rows(&mut left, placed, params.least_texture);
+        leave_out_few_rows(&mut left, side_by_side(&before, texture.area), placed, params.least_texture);
     }
     let step = (texture.area / before.len().max(1) as f32).sqrt();
     let is_cut = left.len() < before.len();
@@ -29,8 +29,24 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
 const COMPANY: usize = 2;
 const AROUND: f32 = 9.0;
 const NEAR_LABEL: f32 = 12.0;
-/// Signs no further apart than this are of one part of a texture, mm: the widest steps of its rows, across.
+/// Signs no further apart than this are of one part of a texture, mm: the widest steps of its rows, across; but where
+/// its rows of dots are farther apart, as far as those are, with so much more, and no farther than the latter.
 const SIDE_BY_SIDE: f32 = 5.7;
+const UNEVEN: f32 = 1.1;
+const FARTHEST_ROWS: f32 = 10.0;
+/// Every how many-th sign is asked for its nearest.
+const SAMPLED: usize = 20;
+
+/// How far apart signs of one part of a texture are at most, mm, of those that it has on this area, mm2.
+fn side_by_side(signs: &[Glyph], area: f32) -> f32 {
+    let to_others = |sign: &Glyph| {
+        let others = signs.iter().filter(|other| other.at != sign.at);
+        others.map(|other| (other.at - sign.at).length()).fold(f32::INFINITY, f32::min)
+    };
+    let along = signs.iter().step_by(SAMPLED).map(to_others).fold(f32::INFINITY, f32::min);
+    let across = UNEVEN * area / (signs.len() as f32 * along);
+    SIDE_BY_SIDE.max(across.min(FARTHEST_ROWS))
+}
 
 /// The glyphs of a texture without those that are left alone beside labels, or farther off by what labels took of those
 /// that were there `before`.
@@ -89,10 +105,11 @@ fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: 
     left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
 }
 
-/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high.
-fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, placed: &[&Placed], least: f32) {
+/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high; signs of one
+/// part are no further apart than `apart` mm.
+fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, apart: f32, placed: &[&Placed], least: f32) {
     let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
-    let parts = components::of_points(&points, SIDE_BY_SIDE, |between| between.length() <= SIDE_BY_SIDE);
+    let parts = components::of_points(&points, apart, |between| between.length() <= apart);
     components::retain(glyphs, &parts, |glyphs, part| {
         let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
         extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))

@@ -306,7 +306,7 @@ pub(super) fn mended(rule: &Rule) -> Option<&'static str> {
     const MENDED: [(Rule, &str); 5] = [
         (LINE_WIDTH, "gives it the least width of the profile"),
         (TEXTURE_GAP, "leaves these marks out"),
-        (FILLED, "draws the outline of a filled shape as a line"),
+        (FILLED, "draws the outline of a filled shape as a line, or in a layer of textures fills it with its texture"),
         (TEXTURE_SIGN, "draws the marks of its colour"),
         (BLACK_ONLY, "prints them black, or fills areas with the textures of their colours"),
     ];

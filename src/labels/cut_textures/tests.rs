@@ -65,6 +65,18 @@ fn a_texture_that_was_two_rows_before_stays_beside_a_label() {
 }
 
 #[test]
+fn rows_of_dots_that_are_far_apart_are_one_texture() {
+    // rows of dots 2 mm apart, 8 mm from one to the next, as on an Index
+    let at = |row: u32, dot: u32| MmPoint::new(2.0 * dot as f32, 20.0 + 8.0 * row as f32);
+    let dots = (0..10).flat_map(|row| (0..50).map(move |dot| at(row, dot)));
+    let glyphs: Vec<Glyph> = dots.map(|at| Glyph { at, shape: Shape::Dot { diameter: 1.6 } }).collect();
+    let texture = Texture { area: 16.0 * glyphs.len() as f32, glyphs, ..rows(1) };
+    let left = left(texture, 50.0, false, 12.0);
+    let ends = left.iter().filter(|at| at.x < 20.0).count();
+    assert_eq!(ends, 100, "rows beside the label are as long as they were, away from it");
+}
+
+#[test]
 fn on_dots_parts_that_are_too_low_go_as_well() {
     // three rows above a label as wide as the texture
     let top = 33.0;
