@@ -25,13 +25,9 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     let params = dots::Params { whole_rows: of_paths, ..plan.dots(medium) };
     let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (mut lines, mut shown) = press(&drawn);
-    let grid = torn_gridlines(&drawn.lines, &lines, area, plan.lines().least_strength);
-    if !grid.is_empty() {
-        let (of_grid, others): (Vec<_>, Vec<_>) =
-            std::mem::take(&mut drawn.lines).into_iter().enumerate().partition(|(number, _)| grid.contains(number));
-        drawn.lines = others.into_iter().map(|(_, line)| line).collect();
-        (lines, shown) = press(&drawn);
-        drawn.lost.without_gridlines(grid.len(), of_grid.iter().map(|(_, line)| line.length()).sum());
+    let least_strength = plan.lines().least_strength;
+    if let Some((others, alone)) = without_squared_grid(&drawn, &lines, press, area, least_strength) {
+        (drawn, (lines, shown)) = (others, alone);
     }
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     // the dots of a line through a small ring are near to all of it, and none of them is its own
@@ -66,6 +62,34 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }
 
+/// The lines without a squared grid, and how they are pressed, if there is one that is torn among those `pressed`, or
+/// takes too much of the others.
+fn without_squared_grid<P>(
+    drawn: &Lines,
+    pressed: &[Line],
+    press: impl Fn(&Lines) -> (Vec<Line>, P),
+    area: MmRect,
+    least_strength: f32,
+) -> Option<(Lines, (Vec<Line>, P))> {
+    let grid = squared_grid(&drawn.lines, least_strength);
+    let numbered = || drawn.lines.iter().cloned().enumerate();
+    let of_grid: Vec<Line> = numbered().filter(|(number, _)| grid.contains(number)).map(|(_, line)| line).collect();
+    if of_grid.is_empty() {
+        return None;
+    }
+    let lines = numbered().filter(|(number, _)| !grid.contains(number)).map(|(_, line)| line).collect();
+    let mut others = Lines { lines, ..drawn.clone() };
+    let alone = press(&others);
+    let length = |lines: &[Line]| lines.iter().map(Line::length).sum::<f32>();
+    let is_torn = kept_length(&of_grid, pressed, area) < GRID_WHOLE * length(&of_grid);
+    let hidden = kept_length(&others.lines, &alone.0, area) - kept_length(&others.lines, pressed, area);
+    if !is_torn && hidden <= HIDDEN * length(&others.lines) {
+        return None;
+    }
+    others.lost.without_gridlines(grid.len(), length(&of_grid));
+    Some((others, alone))
+}
+
 /// The share of lines that become dots, by length: what a grid has no room for counts as crowded out too. `shares` are
 /// those of each line by its own dots. These are shorter than the line by a step of `pitch` mm where it ends at another
 /// one, and cut its corners, which is no loss: there are dots no further from it than a step. Of a line that is gone
@@ -83,12 +107,14 @@ fn kept_of((lines, shares): (&[Line], &[f32]), pressed: &[Line], area: MmRect, p
 
 /// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines.
 const GRID_WHOLE: f32 = 0.8;
+/// It is also left out where the other lines lack more than this share of their length by it, such as the corner of a
+/// triangle that lies on it: its dots are those of any line.
+const HIDDEN: f32 = 0.01;
 /// So many lines each way are a squared grid.
 const GRID_LINES: usize = 4;
 
-/// The numbers of the lines of a squared grid, thin and pale ones level and upright, if too little of it is among
-/// `pressed`.
-fn torn_gridlines(lines: &[Line], pressed: &[Line], area: MmRect, least_strength: f32) -> Vec<usize> {
+/// The numbers of the lines of a squared grid, thin and pale ones level and upright; none if there is no such grid.
+fn squared_grid(lines: &[Line], least_strength: f32) -> Vec<usize> {
     let way = |line: &Line| {
         let size = extent(line).size();
         (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
@@ -96,14 +122,14 @@ fn torn_gridlines(lines: &[Line], pressed: &[Line], area: MmRect, least_strength
     let weak = lines.iter().zip(which_are_weak(lines, least_strength)).enumerate().filter(|(_, (_, is_weak))| *is_weak);
     let ways: Vec<(usize, bool)> = weak.filter_map(|(number, (line, _))| Some((number, way(line)?))).collect();
     let count = |level: bool| ways.iter().filter(|(_, of)| *of == level).count();
-    if count(true) < GRID_LINES || count(false) < GRID_LINES {
-        return Vec::new();
-    }
+    let is_grid = count(true) >= GRID_LINES && count(false) >= GRID_LINES;
+    if is_grid { ways.into_iter().map(|(number, _)| number).collect() } else { Vec::new() }
+}
+
+/// How much of some lines is among those that are `pressed`, mm.
+fn kept_length(lines: &[Line], pressed: &[Line], area: MmRect) -> f32 {
     let (_, shares) = kept_lines::matched(lines, area, pressed, area);
-    let length = |number: usize| lines[number].length();
-    let whole: f32 = ways.iter().map(|(number, _)| length(*number)).sum();
-    let kept: f32 = ways.iter().map(|(number, _)| shares[*number].min(1.0) * length(*number)).sum();
-    if kept < GRID_WHOLE * whole { ways.into_iter().map(|(number, _)| number).collect() } else { Vec::new() }
+    lines.iter().zip(shares).map(|(line, share)| share.min(1.0) * line.length()).sum()
 }
 /// A level or upright line is no farther from being so, mm.
 const STRAIGHT: f32 = 0.3;

@@ -6,6 +6,10 @@ use crate::dots::grid_dot::GridPoint;
 use crate::dots::params::LEAST_DOTS;
 use crate::units::MmPoint;
 
+/// What is left of a row between two points and is shorter than this share of the shortest line says nothing. Chosen by
+/// us.
+const SCRAP: f32 = 0.5;
+
 impl Places<'_> {
     /// Whether a row is interrupted where a point beside it is near: a weak one without marks.
     pub(super) fn gives_way(&self, row: usize) -> bool {
@@ -43,7 +47,9 @@ impl Places<'_> {
             // what is left of a ring goes on over its begin
             dots.rotate_left(if *closed { first } else { 0 });
             let parts = dots.chunk_by(|a, b| hidden.contains(a) == hidden.contains(b));
-            let is_scrap = |part: &&[MmPoint]| part.len() < LEAST_DOTS && !hidden.contains(&part[0]);
+            let length = |part: &[MmPoint]| part.len().saturating_sub(1) as f32 * self.params.pitch;
+            let is_short = |part: &[MmPoint]| part.len() < LEAST_DOTS || length(part) < SCRAP * self.params.min_length;
+            let is_scrap = |part: &&[MmPoint]| is_short(part) && !hidden.contains(&part[0]);
             let scraps: Vec<MmPoint> = parts.filter(is_scrap).flatten().copied().collect();
             self.placed.hidden[row].extend(scraps);
         }

@@ -4,7 +4,7 @@ use super::*;
 use crate::units::MmPoint;
 
 #[test]
-fn a_squared_grid_that_is_torn_is_known_as_such() {
+fn a_squared_grid_that_is_torn_or_hides_others_is_left_out() {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
     let line = |from: (f32, f32), to: (f32, f32), strength: f32| Line {
         strength,
@@ -17,10 +17,19 @@ fn a_squared_grid_that_is_torn_is_known_as_such() {
     let all = |to: f32| -> Vec<Line> {
         std::iter::once(axis.clone()).chain(places().map(|y| level(y, to))).chain(places().map(upright)).collect()
     };
-    assert_eq!(torn_gridlines(&all(90.0), &all(90.0), area, 7.0), [0; 0], "it is whole");
-    assert_eq!(torn_gridlines(&all(90.0), &all(30.0), area, 7.0), (1..=10).collect::<Vec<_>>());
+    // how many lines are drawn without it, if it is left out
+    let left = |drawn: &[Line], pressed: &[Line]| {
+        let drawn = Lines { lines: drawn.to_vec(), ..Lines::default() };
+        let press = |_: &Lines| (vec![axis.clone()], ());
+        without_squared_grid(&drawn, pressed, press, area, 7.0).map(|(others, _)| others.lines.len())
+    };
+    assert_eq!(left(&all(90.0), &all(90.0)), None, "it is whole");
+    assert_eq!(left(&all(90.0), &all(30.0)), Some(1), "it is torn");
+    let mut cut = all(90.0);
+    cut[0] = line((5.0, 50.0), (80.0, 50.0), 90.0);
+    assert_eq!(left(&all(90.0), &cut), Some(1), "it hides a part of the axis");
     let only_level: Vec<Line> = places().map(|y| level(y, 90.0)).collect();
-    assert_eq!(torn_gridlines(&only_level, &[], area, 7.0), [0; 0], "gridlines of a chart are each told");
+    assert_eq!(left(&only_level, &[]), None, "gridlines of a chart are each told");
 }
 
 /// Of a bar on a grid the dots begin a step above the axis that it stands on, and its corners are cut.
