@@ -199,7 +199,7 @@ impl OverviewSource<'_> {
         if !drawn.marks.points.is_empty() && drawn.lost.rings > 0 {
             // what has no room as a point may have room as it is
             let plain = draw(lines::Params { takes_points: false, ..params });
-            if (plain.lost.rings, plain.lost.share()) < (drawn.lost.rings, drawn.lost.share()) {
+            if lacks_less(&plain.lost, &drawn.lost) {
                 drawn = plain;
             }
         }
@@ -230,6 +230,16 @@ impl OverviewSource<'_> {
         scales.filter_map(|scale| self.layout.overview_at(scale, &params)).collect()
     }
 }
+
+/// Whether one way to draw an overview lacks less than another: by the share of lines if they differ by as much as a
+/// shape, such as a wheel, and else by rings, of which one may be the hub of a wheel.
+fn lacks_less(one: &Lost, other: &Lost) -> bool {
+    let less = other.share() - one.share();
+    if less.abs() > A_SHAPE { less > 0.0 } else { (one.rings, one.share()) < (other.rings, other.share()) }
+}
+
+/// Share of a drawing's lines that is more than a few small rings. Chosen by us.
+const A_SHAPE: f32 = 0.02;
 
 /// Whether an overview has all that matters of a drawing.
 fn is_enough(lost: &Lost) -> bool {

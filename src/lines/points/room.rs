@@ -1,11 +1,10 @@
 //! Room for points: a line that ends beside one, as the arc over a number line does, ends a little before it.
 
-use super::Point;
 use super::drawn::{PASSES, radius};
+use super::{FROM_SIDE, Point};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::arrowheads::shortened;
-use crate::lines::clearance::TOUCH;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Tip, Vertex};
 use crate::units::MmPoint;
@@ -14,7 +13,8 @@ use crate::units::MmPoint;
 const STEP: f32 = 0.25;
 
 /// Shortens the lines that end nearer to points than their signs allow, and lead to none of these, by at most the
-/// distance of two lines. An end on another line stays, as that is near to the point as well.
+/// distance of two lines. An end at another line stays, as that is near to the point as well: the two are led together
+/// later.
 pub(in crate::lines) fn make_room(points: &[Point], polylines: &mut [Polyline<Vertex>], params: &Params) {
     // discs are moved themselves
     let signs: Vec<(MmPoint, f32)> =
@@ -29,7 +29,7 @@ pub(in crate::lines) fn make_room(points: &[Point], polylines: &mut [Polyline<Ve
             };
             let near: Vec<&(MmPoint, f32)> = signs.iter().filter(is_beside).collect();
             let leads = |(at, radius): &(MmPoint, f32)| (*at - end).length() <= PASSES * radius;
-            let is_on = |(other, of): (usize, &Polyline<Vertex>)| other != number && distance(end, of) <= TOUCH;
+            let is_on = |(other, of): (usize, &Polyline<Vertex>)| other != number && distance(end, of) <= FROM_SIDE;
             if near.is_empty() || signs.iter().any(leads) || polylines.iter().enumerate().any(is_on) {
                 continue;
             }
