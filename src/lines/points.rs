@@ -46,8 +46,8 @@ const ROUND: f32 = 0.85;
 const CIRCLE: f32 = 0.98;
 /// A line leads to the middle of a point no farther from it than this share of its radius.
 const MIDDLE: f32 = 0.4;
-/// An end of a line lies no farther from the side of a point, or of another line, than this, mm: in a bitmap the two are
-/// found apart.
+/// An end of a line lies no farther from the side of a point, or of another line, than this, mm: in a bitmap the two
+/// are found apart.
 const FROM_SIDE: f32 = 1.0;
 /// A disc is drawn at most so many times as large as it is: smaller ones are the dots of a dotted line or of a shade.
 const MAGNIFIED: f32 = 3.0;
