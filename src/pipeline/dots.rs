@@ -82,7 +82,10 @@ fn without_squared_grid<P>(
     let alone = press(&others);
     let length = |lines: &[Line]| lines.iter().map(Line::length).sum::<f32>();
     let is_torn = kept_length(&of_grid, pressed, area) < GRID_WHOLE * length(&of_grid);
-    let hidden = kept_length(&others.lines, &alone.0, area) - kept_length(&others.lines, pressed, area);
+    // a line of the grid at the same place does not stand for another
+    let strong = pressed.iter().zip(which_are_weak(pressed, least_strength)).filter(|(_, is_weak)| !is_weak);
+    let strong: Vec<Line> = strong.map(|(line, _)| line.clone()).collect();
+    let hidden = kept_length(&others.lines, &alone.0, area) - kept_length(&others.lines, &strong, area);
     if !is_torn && hidden <= HIDDEN * length(&others.lines) {
         return None;
     }
