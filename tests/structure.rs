@@ -39,6 +39,19 @@ fn regions_say_what_they_are(document: &Document<'_>, page: &tactograph::Page, n
     }
 }
 
+/// Figure and overview each say where they lie on the sheet, so that what they draw can be laid on the picture.
+fn parts_say_where_they_lie(document: &Document<'_>, page: &tactograph::Page, name: &str) {
+    let overview = page.overview.as_ref().map(|overview| ("overview", overview.place));
+    assert_eq!(by_id(document, "overview").is_some(), overview.is_some(), "{name}");
+    for (id, place) in [("figure", page.figure.place)].into_iter().chain(overview) {
+        let group = by_id(document, id).expect("the part has a group");
+        let place = [place.min.x, place.min.y, place.width(), place.height()];
+        let said = numbers(group, "data-box");
+        let is_near = |(said, place): (&f32, f32)| (said - place).abs() <= 0.0051;
+        assert!(said.len() == 4 && said.iter().zip(place).all(is_near), "{name}: {id} lies at {place:?}, not {said:?}");
+    }
+}
+
 #[test]
 fn pages_have_the_structure_that_others_rely_on() {
     for name in samples::names() {
@@ -49,8 +62,8 @@ fn pages_have_the_structure_that_others_rely_on() {
         let root_values = ["width", "height", "viewBox"].map(|attribute| root.attribute(attribute));
         assert_eq!(root_values, [Some("210mm"), Some("297mm"), Some("0 0 210 297")], "{name}");
 
+        parts_say_where_they_lie(&document, page, &name);
         let figure = by_id(&document, "figure").expect("there is a figure");
-        assert_eq!(numbers(figure, "data-box").len(), 4, "{name}");
         assert_eq!(numbers(figure, "data-source"), [page.figure.source.width as f32, page.figure.source.height as f32]);
         assert_eq!(by_id(&document, "lines").is_some(), !page.figure.lines.is_empty(), "{name}");
         for (id, parent) in [("textures", "figure"), ("lines", "figure"), ("texture-blue", "textures")] {
