@@ -2,9 +2,10 @@
 //!
 //! ```text
 //! cargo run --release -p tactograph-tools --bin people -- BSDS500/data
-//!   --split NAME       val (the default) or train; the constants were chosen on val
+//!   --split NAME       val (the default), train or test; docs/photographs.md says which the constants were chosen on
 //!   --pictures N       so many of it, evenly spaced (default 50)
 //!   --after K          of each of those the K-th picture after it instead: others of the same set
+//!   --all              val, train, and train --after 2, each with contours alone and as it is: the whole table
 //!   --set KEY=VALUE    changes a value of the profile (lines.regions=false: contours alone)
 //! ```
 //!
@@ -29,47 +30,97 @@ use tactograph_tools::cores::on_all_cores;
 /// What the command line asks for.
 struct Args {
     data: PathBuf,
-    split: String,
+    split: Option<String>,
     pictures: usize,
     after: usize,
+    all: bool,
     profile: Profile,
+}
+
+/// Pictures, and how pages are made of them.
+struct Set {
+    split: String,
+    after: usize,
+    profile: Profile,
+    /// What is said of its rows.
+    told: &'static str,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args = args()?;
-    let ids = ids(&args)?;
-    let of_picture = |id: &String| measured(id, &args).map_err(|error| format!("{id}: {error}"));
-    let all: Vec<[Agreement; 2]> = on_all_cores(&ids, of_picture).into_iter().collect::<Result<_, _>>()?;
-    println!("| {}, {} pictures | precision | recall | F | lines | closed | covering |", args.split, all.len());
+    println!("| | precision | recall | F | lines | closed | covering |");
     println!("|---|---|---|---|---|---|---|");
-    for (part, name) in ["figure", "overview"].into_iter().enumerate() {
-        let of_part: Vec<Agreement> = all.iter().map(|parts| parts[part]).collect();
-        let sum = |of: fn(&Agreement) -> usize| of_part.iter().map(of).sum::<usize>() as f64;
-        let mean = |of: fn(&Agreement) -> f64| of_part.iter().map(of).sum::<f64>() / of_part.len().max(1) as f64;
-        let precision = sum(|of| of.right) / sum(|of| of.drawn).max(1.0);
-        let recall = sum(|of| of.found) / sum(|of| of.wanted).max(1.0);
-        let f = 2.0 * precision * recall / (precision + recall).max(f64::MIN_POSITIVE);
-        let (lines, closed, covering) = (mean(|of| of.lines as f64), mean(|of| of.closed), mean(|of| of.covering));
-        println!("| {name} | {precision:.3} | {recall:.3} | {f:.3} | {lines:.1} | {closed:.3} | {covering:.3} |");
+    let mut last = String::new();
+    for set in args.sets()? {
+        let ids = ids(&args, &set)?;
+        let of_picture = |id: &String| measured(id, &args.data, &set).map_err(|error| format!("{id}: {error}"));
+        let all: Vec<[Agreement; 2]> = on_all_cores(&ids, of_picture).into_iter().collect::<Result<_, _>>()?;
+        let after = if set.after > 0 { format!(", {} after each of those", set.after) } else { String::new() };
+        let head = format!("| **{}, {} pictures{after}** | | | | | | |", set.split, all.len());
+        if head != last {
+            println!("{head}");
+            last = head;
+        }
+        for (part, name) in ["figure", "overview"].into_iter().enumerate() {
+            let of_part: Vec<Agreement> = all.iter().map(|parts| parts[part]).collect();
+            println!("{}", row(&format!("{name}{}", set.told), &of_part));
+        }
     }
     Ok(())
+}
+
+/// The row of a part of pages: how it agrees in all pictures.
+fn row(name: &str, of_part: &[Agreement]) -> String {
+    let sum = |of: fn(&Agreement) -> usize| of_part.iter().map(of).sum::<usize>() as f64;
+    let mean = |of: fn(&Agreement) -> f64| of_part.iter().map(of).sum::<f64>() / of_part.len().max(1) as f64;
+    let precision = sum(|of| of.right) / sum(|of| of.drawn).max(1.0);
+    let recall = sum(|of| of.found) / sum(|of| of.wanted).max(1.0);
+    let f = 2.0 * precision * recall / (precision + recall).max(f64::MIN_POSITIVE);
+    let (lines, closed, covering) = (mean(|of| of.lines as f64), mean(|of| of.closed), mean(|of| of.covering));
+    format!("| {name} | {precision:.3} | {recall:.3} | {f:.3} | {lines:.1} | {closed:.3} | {covering:.3} |")
+}
+
+impl Args {
+    /// The sets of pictures that are asked for.
+    fn sets(&self) -> Result<Vec<Set>, Box<dyn Error>> {
+        let set = |split: &str, after: usize, profile: &Profile, told: &'static str| Set {
+            split: split.to_owned(),
+            after,
+            profile: profile.clone(),
+            told,
+        };
+        if !self.all {
+            return Ok(vec![set(self.split.as_deref().unwrap_or("val"), self.after, &self.profile, "")]);
+        }
+        if self.split.is_some() || self.after > 0 {
+            return Err("--all: it has splits of its own; leave out --split and --after".into());
+        }
+        let mut alone = self.profile.clone();
+        alone.set("lines.regions", "false")?;
+        let ways = [(&alone, ", contours alone"), (&self.profile, "")];
+        let pictures = [("val", 0), ("train", 0), ("train", 2)];
+        let of_pictures = |(split, after)| ways.map(|(profile, told)| set(split, after, profile, told));
+        Ok(pictures.into_iter().flat_map(of_pictures).collect())
+    }
 }
 
 fn args() -> Result<Args, Box<dyn Error>> {
     let mut args = Args {
         data: PathBuf::new(),
-        split: "val".into(),
+        split: None,
         pictures: 50,
         after: 0,
+        all: false,
         profile: Profile::named("swell-a4")?,
     };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut value = || words.next().ok_or_else(|| format!("{word}: give a value"));
         match word.as_str() {
-            "--split" => args.split = value()?,
+            "--split" => args.split = Some(value()?),
             "--pictures" => args.pictures = value()?.parse()?,
             "--after" => args.after = value()?.parse()?,
+            "--all" => args.all = true,
             "--set" => {
                 let value = value()?;
                 let (key, value) = value.split_once('=').ok_or("--set: give KEY=VALUE")?;
@@ -86,9 +137,9 @@ fn args() -> Result<Args, Box<dyn Error>> {
 }
 
 /// The pictures, evenly spaced over the set.
-fn ids(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
+fn ids(args: &Args, set: &Set) -> Result<Vec<String>, Box<dyn Error>> {
     let mut all = Vec::new();
-    for entry in args.data.join("images").join(&args.split).read_dir()? {
+    for entry in args.data.join("images").join(&set.split).read_dir()? {
         let path = entry?.path();
         if path.extension().is_some_and(|extension| extension == "jpg") {
             all.extend(path.file_stem().map(|name| name.to_string_lossy().into_owned()));
@@ -100,22 +151,22 @@ fn ids(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     }
     let count = args.pictures.min(all.len());
     let at = |number: usize| number * (all.len() - 1) / (count - 1).max(1);
-    let is_next = |number: usize| args.after >= at(number + 1) - at(number);
-    if args.after > 0 && (0..count - 1).any(is_next) {
+    let is_next = |number: usize| set.after >= at(number + 1) - at(number);
+    if set.after > 0 && (0..count - 1).any(is_next) {
         return Err(
-            format!("--after {}: these would be the same pictures; the set has {}", args.after, all.len()).into()
+            format!("--after {}: these would be the same pictures; the set has {}", set.after, all.len()).into()
         );
     }
-    let at = (0..count).map(|number| at(number) + args.after);
+    let at = (0..count).map(|number| at(number) + set.after);
     Ok(at.filter_map(|at| all.get(at).cloned()).collect())
 }
 
 /// How figure and overview of a picture's page agree with what people outlined in it.
-fn measured(id: &str, args: &Args) -> Result<[Agreement; 2], Box<dyn Error + Send + Sync>> {
-    let file = |folder: &str, ending: &str| args.data.join(folder).join(&args.split).join(format!("{id}.{ending}"));
+fn measured(id: &str, data: &FilePath, set: &Set) -> Result<[Agreement; 2], Box<dyn Error + Send + Sync>> {
+    let file = |folder: &str, ending: &str| data.join(folder).join(&set.split).join(format!("{id}.{ending}"));
     let people = people(&file("groundTruth", "mat"))?;
     let picture = std::fs::read(file("images", "jpg"))?;
-    let page = tactograph::convert(&picture, &Options::new(args.profile.clone()))?.page;
+    let page = tactograph::convert(&picture, &Options::new(set.profile.clone()))?.page;
     let size = (people[0].boundaries.width as f64, people[0].boundaries.height as f64);
     let figure = agreement(&paths(&page.figure.lines, page.figure.place, size), &people);
     let overview = page.overview.as_ref().map(|overview| paths(&overview.lines, overview.place, size));
