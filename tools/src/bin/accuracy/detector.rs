@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
-use tactograph::internals::edges::{self, Edges, Params};
+use tactograph::internals::edges::{self, Edges, Params, PictureKind};
 use tactograph::internals::raster::Raster;
+use tactograph::internals::regions::Detail;
 use tactograph::internals::units::Size;
 
 use crate::draw::Picture;
@@ -21,9 +22,18 @@ pub(crate) struct Time {
     pub(crate) best: f64,
 }
 
-/// The lines that the edges of this project are.
-pub(crate) fn trace(picture: &Picture, params: &Params) -> Vec<Traced> {
-    traced(&edges::find(&raster(picture), params))
+/// The contours of this project, by name: weighted by the regions between them, as `trace --full-resolution` finds them
+/// in photographs, and alone. In drawings, as scenes without noise are, no regions are looked for, and both are the same.
+pub(crate) const OWN: [(&str, Option<Detail>); 2] =
+    [("tactograph", Some(Detail::CONTOURS)), ("tactograph (contours alone)", None)];
+
+/// The lines that the edges of this project are, weighted by regions of some detail if there is one.
+pub(crate) fn trace(picture: &Picture, params: &Params, regions: Option<Detail>) -> Vec<Traced> {
+    traced(&found(&raster(picture), params, regions))
+}
+
+fn found(raster: &Raster, params: &Params, regions: Option<Detail>) -> Edges {
+    edges::find_of_kind(raster, &PictureKind::of(raster, None), params, regions)
 }
 
 /// Edges as traced lines.
@@ -39,9 +49,9 @@ pub(crate) fn traced(edges: &Edges) -> Vec<Traced> {
 }
 
 /// Time of the edges alone: from linear light, as the decoder hands it over, to linked lines.
-pub(crate) fn time(picture: &Picture, params: &Params) -> Time {
+pub(crate) fn time(picture: &Picture, params: &Params, regions: Option<Detail>) -> Time {
     let raster = raster(picture);
-    timed(picture, || drop(std::hint::black_box(edges::find(&raster, params))))
+    timed(picture, || drop(std::hint::black_box(found(&raster, params, regions))))
 }
 
 /// Time of a job on this picture.

@@ -4,7 +4,7 @@
 //! cargo run --release -p tactograph-tools --bin accuracy                    one table: noise 0, 5 and 10, blur 0.7 px (some seconds)
 //!   --quick                  every third scene
 //!   --all                    noise 0, 2, 5, 10, 20 and blur 0.7, 1, 2 px
-//!   --colour-noise           also with noise of its own in each channel of grey scenes (columns 5c, 10c)
+//!   --colour-noise           also with noise of its own in each channel of grey scenes (5c and 10c)
 //!   --family                 also a table for each kind of scene
 //!   --scenes                 also a table of single scenes
 //!   --csv FILE               also every figure on a line of its own
@@ -12,8 +12,11 @@
 //!   --export DIR             write the pictures instead, for other detectors (peers.py names one command for all of it)
 //!   --peers DIR              other detectors' figures beside ours
 //!   --sweep                  write docs/accuracy/sweep.csv and .svg instead: run time against error at several working
-//!                            resolutions and scales; with --peers the others are in the drawing
+//!                            resolutions and scales, of contours alone; with --peers the others are in the drawing
 //! ```
+//!
+//! The first column is of contours as `trace --full-resolution` finds them, in photographs weighted by the regions
+//! between them; the second of contours alone. What the weight changes on drawn scenes is the difference.
 //!
 //! **Scenes** (`scenes/`): straight edges at 36 angles, discs of radius 5 to 200 px, ellipses, sines, polygons with
 //! corners of 30 to 150 degrees, T and X junctions, bars 1 to 6 px wide, pairs of edges 2 to 20 px apart, stairs, edges
@@ -57,7 +60,9 @@ mod sweep;
 
 use std::collections::BTreeMap;
 use std::error::Error;
+use std::path::Path;
 
+use rayon::ThreadPoolBuilder;
 use tactograph_tools::words::Words;
 
 use args::Args;
@@ -70,8 +75,11 @@ use sums::Sums;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::read(Words::of_program("tools/src/bin/accuracy/main.rs"))?;
+    // what other threads do would not be counted
+    ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global()?;
     let scenes = scenes::all(args.quick);
-    let mut columns = vec![Column { name: "tactograph".into(), time: None, results: Vec::new() }];
+    let own = detector::OWN.map(|(name, _)| Column { name: name.into(), time: None, results: Vec::new() });
+    let mut columns = Vec::from(own);
     if let Some(folder) = &args.peers {
         for name in peers::names(folder)? {
             columns.push(Column { time: peers::time(folder, &name), name, results: Vec::new() });
@@ -83,37 +91,22 @@ fn main() -> Result<(), Box<dyn Error>> {
         for condition in Condition::list(psf, args.all, args.colour_noise) {
             let pictures: Vec<Picture> =
                 scenes.iter().zip(&clean).map(|(scene, clean)| condition.shoot(scene, clean)).collect();
-            let timed = condition == TIMED;
             if let Some(folder) = &args.export {
                 peers::export(folder, condition, &scenes, &pictures)?;
-                if timed {
+                if condition == TIMED {
                     peers::export_mosaic(folder, &mosaic(&pictures))?;
                 }
                 continue;
             }
-            if timed {
-                columns[0].time = Some(detector::time(&mosaic(&pictures), &args.params));
-            }
-            let lines: Vec<_> = pictures.iter().map(|picture| detector::trace(picture, &args.params)).collect();
-            if args.scenes {
-                let sums: Vec<Sums> = scenes.iter().zip(&lines).map(|(scene, lines)| measure(scene, lines)).collect();
-                let rows = scenes.iter().map(|scene| scene.name.as_str()).zip(&sums);
-                print!("{}", report::rows(&columns[0].name, condition, rows));
-            }
-            columns[0].results.push((condition, score(scenes.iter().zip(lines))));
+            add_own(&mut columns, condition, &scenes, &pictures, &args);
             if let Some(folder) = &args.peers {
-                for column in &mut columns[1..] {
-                    let mut traced = Vec::new();
-                    for scene in &scenes {
-                        traced
-                            .extend(peers::lines(folder, &column.name, condition, scene)?.map(|lines| (scene, lines)));
-                    }
-                    column.results.push((condition, score(traced.into_iter())));
+                for column in &mut columns[detector::OWN.len()..] {
+                    column.results.push((condition, score_of_peer(folder, &column.name, condition, &scenes)?));
                 }
             }
         }
         if let Some(folder) = &args.sweep {
-            sweep::sweep(folder, &scenes, &clean, &args.params, &columns[1..])?;
+            sweep::sweep(folder, &scenes, &clean, &args.params, &columns[detector::OWN.len()..])?;
             return Ok(());
         }
         if args.export.is_none() {
@@ -134,6 +127,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Adds to the columns of this project what it traces in pictures of the scenes, in one condition.
+fn add_own(columns: &mut [Column], condition: Condition, scenes: &[Scene], pictures: &[Picture], args: &Args) {
+    for (column, (_, regions)) in columns.iter_mut().zip(detector::OWN) {
+        if condition == TIMED {
+            column.time = Some(detector::time(&mosaic(pictures), &args.params, regions));
+        }
+        let traced = |picture: &Picture| detector::trace(picture, &args.params, regions);
+        let lines: Vec<Vec<Traced>> = pictures.iter().map(traced).collect();
+        if args.scenes {
+            let sums: Vec<Sums> = scenes.iter().zip(&lines).map(|(scene, lines)| measure(scene, lines)).collect();
+            let rows = scenes.iter().map(|scene| scene.name.as_str()).zip(&sums);
+            print!("{}", report::rows(&column.name, condition, rows));
+        }
+        column.results.push((condition, score(scenes.iter().zip(lines))));
+    }
+}
+
 /// Compares what was traced with the truth, scene by scene.
 fn score<'a>(traced: impl Iterator<Item = (&'a Scene, Vec<Traced>)>) -> BTreeMap<Family, Sums> {
     let mut by_family: BTreeMap<Family, Sums> = BTreeMap::new();
@@ -141,4 +151,18 @@ fn score<'a>(traced: impl Iterator<Item = (&'a Scene, Vec<Traced>)>) -> BTreeMap
         by_family.entry(scene.family).or_default().add(&measure(scene, &lines));
     }
     by_family
+}
+
+/// Compares what another detector traced, as its files in a folder have it.
+fn score_of_peer(
+    folder: &Path,
+    name: &str,
+    condition: Condition,
+    scenes: &[Scene],
+) -> Result<BTreeMap<Family, Sums>, Box<dyn Error>> {
+    let mut traced = Vec::new();
+    for scene in scenes {
+        traced.extend(peers::lines(folder, name, condition, scene)?.map(|lines| (scene, lines)));
+    }
+    Ok(score(traced.into_iter()))
 }

@@ -74,19 +74,14 @@ const FIGURES: &[Figure] = &[
     figure("false px/MP, texture", "", 0, &[Family::Texture], Sums::per_megapixel),
 ];
 
-/// One table: a row a measure. A lone detector gets a column for each noise, several one each with the noises in it.
+/// One table: a row a measure, a column a detector, with a figure for each noise.
 pub(crate) fn table(psf: f64, columns: &[Column]) -> String {
     let mut text = String::new();
     let conditions: Vec<Condition> =
         columns[0].results.iter().map(|(condition, _)| *condition).filter(|c| c.psf.total_cmp(&psf).is_eq()).collect();
     let noises: Vec<String> = conditions.iter().map(|condition| condition.label()).collect();
-    let lone = columns.len() == 1;
     let targets = psf.total_cmp(&PSFS[0]).is_eq();
-    let heads = if lone {
-        noises.iter().map(|noise| format!("noise {noise}")).collect()
-    } else {
-        columns.iter().map(|column| column.name.clone()).collect::<Vec<_>>()
-    };
+    let heads: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
     let _ = writeln!(text, "\nPoint spread {psf} px, noise {} of 255.\n", noises.join(" / "));
     let _ = writeln!(text, "| measure | {} | wanted |", heads.join(" | "));
     let _ = writeln!(text, "|---|{}---|", "---|".repeat(heads.len()));
@@ -95,8 +90,7 @@ pub(crate) fn table(psf: f64, columns: &[Column]) -> String {
             let result = |c: &Condition| column.results.iter().find(|(condition, _)| condition == c);
             conditions.iter().map(|c| result(c).map_or("-".into(), |(_, sums)| figure.text(sums))).collect()
         };
-        let cells =
-            if lone { values(&columns[0]) } else { columns.iter().map(|column| values(column).join(" / ")).collect() };
+        let cells: Vec<String> = columns.iter().map(|column| values(column).join(" / ")).collect();
         let _ = writeln!(
             text,
             "| {} | {} | {} |",
@@ -106,8 +100,7 @@ pub(crate) fn table(psf: f64, columns: &[Column]) -> String {
         );
     }
     let times: Vec<String> = columns.iter().map(|column| time(column.time)).collect();
-    let empty = " |".repeat(if lone { noises.len() - 1 } else { 0 });
-    let _ = writeln!(text, "| ms/MP, one thread: median (best) | {}{empty} | 45 |", times.join(" | "));
+    let _ = writeln!(text, "| ms/MP, one thread: median (best) | {} | 45 |", times.join(" | "));
     text
 }
 
