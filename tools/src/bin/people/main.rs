@@ -6,6 +6,7 @@
 //!   --pictures N       so many of it, evenly spaced (default 50)
 //!   --after K          of each of those the K-th picture after it instead: others of the same set
 //!   --all              val, train, and train --after 2, each with contours alone and as it is: the whole table
+//!   --contours         in place of pages contours as data (`trace --full-resolution`): ODS, OIS and AP
 //!   --set KEY=VALUE    changes a value of the profile (lines.regions=false: contours alone)
 //! ```
 //!
@@ -15,16 +16,18 @@
 //! *covering* the segmentation covering by what the lines part.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
+mod contours;
 mod mat;
 mod measure;
 
 use std::error::Error;
 use std::path::{Path as FilePath, PathBuf};
 
+use contours::StrengthMap;
 use mat::{Array, Matrix};
 use measure::{Agreement, Outlined, Path, agreement};
 use tactograph::marks::Line;
-use tactograph::{MmRect, Options, Profile};
+use tactograph::{MmRect, Options, Profile, Tracing};
 use tactograph_tools::cores::on_all_cores;
 
 /// What the command line asks for.
@@ -34,6 +37,7 @@ struct Args {
     pictures: usize,
     after: usize,
     all: bool,
+    contours: bool,
     profile: Profile,
 }
 
@@ -48,6 +52,9 @@ struct Set {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args = args()?;
+    if args.contours {
+        return print_contours(&args);
+    }
     println!("| | precision | recall | F | lines | closed | covering |");
     println!("|---|---|---|---|---|---|---|");
     let mut last = String::new();
@@ -55,8 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let ids = ids(&args, &set)?;
         let of_picture = |id: &String| measured(id, &args.data, &set).map_err(|error| format!("{id}: {error}"));
         let all: Vec<[Agreement; 2]> = on_all_cores(&ids, of_picture).into_iter().collect::<Result<_, _>>()?;
-        let after = if set.after > 0 { format!(", {} after each of those", set.after) } else { String::new() };
-        let head = format!("| **{}, {} pictures{after}** | | | | | | |", set.split, all.len());
+        let head = format!("| **{}** | | | | | | |", set.name(all.len()));
         if head != last {
             println!("{head}");
             last = head;
@@ -65,6 +71,24 @@ fn main() -> Result<(), Box<dyn Error>> {
             let of_part: Vec<Agreement> = all.iter().map(|parts| parts[part]).collect();
             println!("{}", row(&format!("{name}{}", set.told), &of_part));
         }
+    }
+    Ok(())
+}
+
+/// Prints how contours as data agree with what people outlined. The profile has no say in them.
+fn print_contours(args: &Args) -> Result<(), Box<dyn Error>> {
+    println!("| | ODS | OIS | AP |");
+    println!("|---|---|---|---|");
+    for set in args.sets()?.into_iter().filter(|set| set.told.is_empty()) {
+        let ids = ids(args, &set)?;
+        let of_picture = |id: &String| traced(id, &args.data, &set).map_err(|error| format!("{id}: {error}"));
+        let all: Vec<(StrengthMap, Vec<Outlined>)> =
+            on_all_cores(&ids, of_picture).into_iter().collect::<Result<_, _>>()?;
+        let maps: Vec<&StrengthMap> = all.iter().map(|(map, _)| map).collect();
+        let thresholds = contours::thresholds(&maps);
+        let counts = on_all_cores(&all, |(map, people)| contours::counts(map, people, &thresholds));
+        let scores = contours::scores(&counts);
+        println!("| {} | {:.3} | {:.3} | {:.3} |", set.name(ids.len()), scores.ods, scores.ois, scores.ap);
     }
     Ok(())
 }
@@ -78,6 +102,14 @@ fn row(name: &str, of_part: &[Agreement]) -> String {
     let f = 2.0 * precision * recall / (precision + recall).max(f64::MIN_POSITIVE);
     let (lines, closed, covering) = (mean(|of| of.lines as f64), mean(|of| of.closed), mean(|of| of.covering));
     format!("| {name} | {precision:.3} | {recall:.3} | {f:.3} | {lines:.1} | {closed:.3} | {covering:.3} |")
+}
+
+impl Set {
+    /// What it is called in tables, with so many pictures.
+    fn name(&self, pictures: usize) -> String {
+        let after = if self.after > 0 { format!(", {} after each of those", self.after) } else { String::new() };
+        format!("{}, {pictures} pictures{after}", self.split)
+    }
 }
 
 impl Args {
@@ -111,6 +143,7 @@ fn args() -> Result<Args, Box<dyn Error>> {
         pictures: 50,
         after: 0,
         all: false,
+        contours: false,
         profile: Profile::named("swell-a4")?,
     };
     let mut words = std::env::args().skip(1);
@@ -121,6 +154,7 @@ fn args() -> Result<Args, Box<dyn Error>> {
             "--pictures" => args.pictures = value()?.parse()?,
             "--after" => args.after = value()?.parse()?,
             "--all" => args.all = true,
+            "--contours" => args.contours = true,
             "--set" => {
                 let value = value()?;
                 let (key, value) = value.split_once('=').ok_or("--set: give KEY=VALUE")?;
@@ -171,6 +205,20 @@ fn measured(id: &str, data: &FilePath, set: &Set) -> Result<[Agreement; 2], Box<
     let figure = agreement(&paths(&page.figure.lines, page.figure.place, size), &people);
     let overview = page.overview.as_ref().map(|overview| paths(&overview.lines, overview.place, size));
     Ok([figure, agreement(&overview.unwrap_or_default(), &people)])
+}
+
+/// The contours of a picture, as many as there are, and what people outlined in it.
+fn traced(id: &str, data: &FilePath, set: &Set) -> Result<(StrengthMap, Vec<Outlined>), Box<dyn Error + Send + Sync>> {
+    let file = |folder: &str, ending: &str| data.join(folder).join(&set.split).join(format!("{id}.{ending}"));
+    let people = people(&file("groundTruth", "mat"))?;
+    let picture = std::fs::read(file("images", "jpg"))?;
+    let tracing = Tracing::contours_at_full_resolution().thresholds(0.0, 0.0)?;
+    let trace = tactograph::trace(&picture, &tracing, &Options::new(set.profile.clone()))?.trace;
+    let outlined = &people[0].boundaries;
+    if [trace.size.width as usize, trace.size.height as usize] != [outlined.width, outlined.height] {
+        return Err("what people outlined is of another size".into());
+    }
+    Ok((StrengthMap::of(&trace), people))
 }
 
 /// What the people outlined who looked at a picture.

@@ -4,7 +4,7 @@ use crate::mat::Matrix;
 
 /// A line lies on a boundary within this share of the diagonal, as in the benchmark itself (Martin, Fowlkes and Malik
 /// 2004).
-const TOLERANCE: f64 = 0.0075;
+pub(super) const TOLERANCE: f64 = 0.0075;
 /// Lines that end so near to the edge of the picture, as a share of its diagonal, part what is on both sides of them.
 const AT_EDGE: f64 = 0.02;
 /// Gaps up to twice this, px, part it too.
@@ -39,11 +39,11 @@ pub(super) struct Agreement {
 }
 
 /// A bitmap of the size of the picture.
-#[derive(Clone)]
-struct Bits {
-    width: usize,
-    height: usize,
-    set: Vec<bool>,
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Bits {
+    pub(super) width: usize,
+    pub(super) height: usize,
+    pub(super) set: Vec<bool>,
 }
 
 impl Bits {
@@ -51,16 +51,16 @@ impl Bits {
         Self { width, height, set: vec![false; width * height] }
     }
 
-    fn of(matrix: &Matrix) -> Self {
+    pub(super) fn of(matrix: &Matrix) -> Self {
         Self { set: matrix.values.iter().map(|value| *value > 0).collect(), ..Self::none(matrix.width, matrix.height) }
     }
 
-    fn index(&self, x: i64, y: i64) -> Option<usize> {
+    pub(super) fn index(&self, x: i64, y: i64) -> Option<usize> {
         let is_on = (0..self.width as i64).contains(&x) && (0..self.height as i64).contains(&y);
         is_on.then(|| y as usize * self.width + x as usize)
     }
 
-    fn pixels(&self) -> impl Iterator<Item = (i64, i64)> {
+    pub(super) fn pixels(&self) -> impl Iterator<Item = (i64, i64)> {
         let width = self.width;
         let set = self.set.iter().enumerate().filter(|(_, set)| **set);
         set.map(move |(at, _)| ((at % width) as i64, (at / width) as i64))
@@ -95,7 +95,7 @@ impl Bits {
 }
 
 /// Offsets within a radius, px.
-fn disc(radius: f64) -> Vec<(i64, i64)> {
+pub(super) fn disc(radius: f64) -> Vec<(i64, i64)> {
     let most = radius.floor() as i64;
     let all = (-most..=most).flat_map(|y| (-most..=most).map(move |x| (x, y)));
     all.filter(|(x, y)| (*x as f64).hypot(*y as f64) <= radius).collect()
