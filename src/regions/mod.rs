@@ -17,6 +17,7 @@
 
 mod arcs;
 mod border;
+mod bumps;
 mod choose;
 mod disc;
 mod grid;

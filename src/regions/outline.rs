@@ -1,6 +1,7 @@
 //! Outlines of the most salient regions.
 
 use super::border::{Border, borders, corner_at};
+use super::bumps::Places;
 use super::choose::{Chosen, Params, choose};
 use super::label_map::label_map;
 use super::main_thing::main_thing;
@@ -31,7 +32,7 @@ impl Tree {
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
         let all = borders(&labels, regions.len(), self.grid.cells);
         let outline = |border: &Border| RegionOutline {
-            contour: self.contour_along(border, sigma, &mut placed),
+            contour: self.contour_along(border, [sigma, mm], &mut placed),
             // labels begin with 1
             region: usize::from(border.label) - 1,
         };
@@ -54,13 +55,13 @@ impl Tree {
         main_thing(self, self.mm_of_cell(mm_per_px), params.least_gain)
     }
 
-    /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.
-    fn contour_along(&self, border: &Border, sigma: f32, placed: &mut [Option<PxPoint>]) -> TracedContour {
+    /// A border without bumps that nobody sees, smoothed along itself with `sigma` cells of `mm` on the sheet. `placed`
+    /// has where the corners of those before it are.
+    fn contour_along(&self, border: &Border, [sigma, mm]: [f32; 2], placed: &mut [Option<PxPoint>]) -> TracedContour {
         let size = self.grid.cells;
         let middles = middles(border, size);
         let count = middles.len();
-        let (mut points, mut sum) = (Vec::with_capacity(count + 2), 0.0);
-        let mut is_seen = Vec::with_capacity(count + 2);
+        let (mut found, mut strengths) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (i, &middle) in middles.iter().enumerate() {
             let at = |steps: usize, forwards: bool| match (border.closed, forwards) {
                 (true, true) => middles[(i + steps) % count],
@@ -70,11 +71,13 @@ impl Tree {
             };
             let heading = (at(SPAN, true) - at(SPAN, false)).try_normalize().unwrap_or(PxVector::new(1.0, 0.0));
             let (at, strength) = self.traces.seen(middle, heading);
-            points.push(at);
-            is_seen.push([f32::from(strength > 0.0)]);
-            sum += strength;
+            found.push(at);
+            strengths.push(strength);
         }
-        let strength = sum / count.max(1) as f32;
+        let strength = strengths.iter().sum::<f32>() / count.max(1) as f32;
+        let mut is_seen: Vec<[f32; 1]> = strengths.iter().map(|strength| [f32::from(*strength > 0.0)]).collect();
+        let places = Places { points: &found, strengths: &strengths, closed: border.closed, mm };
+        let mut points = places.without_bumps();
         if let (false, Some(&first), Some(&last)) = (border.closed, border.corners.first(), border.corners.last()) {
             let at = |corner: usize| placed[corner].unwrap_or_else(|| corner_at(corner, size));
             let (first, last) = (at(first), at(last));
