@@ -179,6 +179,7 @@ pub(super) fn draw(
     };
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
+    let overview = if regions.is_some() { overview.within(&drawn.lines, &layout, plan) } else { overview };
     notes.extend(told_of_drawn(&drawn, &edges, &texts, &layout, plan));
     if let Some(of_colours) = &mut areas_of_colours {
         let size = picture.raster.size();
@@ -194,9 +195,8 @@ pub(super) fn draw(
     notes.extend(told_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
-    let of_drawing = edges.of_drawing();
+    let of_legend = (&mut legend[..], edges.of_drawing());
     drop((picture.raster, edges));
-    let of_legend = (&mut legend[..], of_drawing);
     let areas = areas_of_colours.map(|areas| (areas.classes, areas.bars));
     let (textures, told) = series::textured(areas, of_legend, &layout, &drawn.lines, plan, watch);
     notes.extend(told);

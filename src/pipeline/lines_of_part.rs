@@ -29,7 +29,7 @@ impl LinesOfPart {
         Self { index, reach }
     }
 
-    /// The share of a line of the figure at which there is one in this part of the page.
+    /// The share of a line of the other part of the page, which lies at the first place, at which there is one in this.
     pub(super) fn share_of_line(&self, line: &Line, [from, to]: [MmRect; 2]) -> f32 {
         let scale = to.width() / from.width();
         let segments = line.runs.iter().flat_map(|run| {

@@ -84,7 +84,22 @@ pub(super) struct DrawnOverview {
     pub(super) instead: Option<BarStyle>,
 }
 
-/// A line of the figure is in the overview if this share of it is.
+impl DrawnOverview {
+    /// That of a photograph within its figure, where that has lines: without the lines that are not there, as others
+    /// took their room. A finger would look for them in vain. They are contours that the figure lacks, and told as
+    /// these.
+    pub(super) fn within(mut self, figure: &[Line], layout: &Layout, plan: &Plan) -> Self {
+        if let Some((place, lines)) = self.marks.take_if(|_| !figure.is_empty()) {
+            let of_figure = LinesOfPart::of(figure, layout.figure, layout, plan);
+            let is_there = |line: &Line| of_figure.share_of_line(line, [place, layout.figure]) >= HALF;
+            let seen: Vec<Line> = lines.into_iter().filter(is_there).collect();
+            self.marks = (!seen.is_empty()).then_some((place, seen));
+        }
+        self
+    }
+}
+
+/// A line of one part of the page is in the other if this share of it is.
 const HALF: f32 = 0.5;
 
 /// How an overview has the rings of a drawing.

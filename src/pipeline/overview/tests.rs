@@ -2,9 +2,10 @@
 
 use super::*;
 use crate::edges::{ChainKind, Edgel};
+use crate::lines::Run;
 use crate::pipeline::request::Fit;
 use crate::profile::Profile;
-use crate::units::{PxPoint, Size};
+use crate::units::{MmPoint, PxPoint, Size};
 
 /// A drawing with a frame and a small square in it of this side, px. On an A4 sheet it has 1.6 px for a millimetre.
 fn drawing(side: f32) -> Edges {
@@ -37,6 +38,27 @@ fn overview(edges: &Edges, settings: &[(&str, &str)], size: OverviewSize) -> (Dr
 
 fn width(drawn: &DrawnOverview) -> f32 {
     drawn.marks.as_ref().expect("it has lines").0.width()
+}
+
+#[test]
+fn an_overview_of_a_photograph_has_no_line_that_its_figure_lacks() {
+    let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it makes sense");
+    let layout = Fit::default().layout(Size::new(300, 200), &plan, OverviewSize::Own).expect("there is room");
+    let place = layout.overview.expect("there is room for one");
+    let line = |of: MmRect, [from, to]: [(f32, f32); 2]| {
+        let at = |(x, y): (f32, f32)| MmPoint::new(of.min.x + x * of.width(), of.min.y + y * of.height());
+        Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![at(from), at(to)])] }
+    };
+    let (long, half, none) = ([(0.1, 0.2), (0.9, 0.2)], [(0.1, 0.5), (0.9, 0.5)], [(0.1, 0.8), (0.9, 0.8)]);
+    let figure = [line(layout.figure, long), line(layout.figure, [(0.1, 0.5), (0.6, 0.5)])];
+    let drawn = |lines: Vec<Line>| DrawnOverview { marks: Some((place, lines)), ..DrawnOverview::default() };
+    let all = drawn(vec![line(place, long), line(place, half), line(place, none)]);
+    let (_, lines) = all.within(&figure, &layout, &plan).marks.expect("two are in the figure");
+    assert_eq!(lines, [line(place, long), line(place, half)]);
+    let lacking = drawn(vec![line(place, none)]);
+    assert!(lacking.within(&figure, &layout, &plan).marks.is_none(), "an overview has lines");
+    let beside_textures = drawn(vec![line(place, none)]);
+    assert!(beside_textures.within(&[], &layout, &plan).marks.is_some(), "a figure without lines leaves it as it is");
 }
 
 #[test]
