@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use super::class::{Class, Classes, Region};
 use super::clean::join;
 use crate::geom::components::{self, Connectivity};
+use crate::units::Size;
 
 type AreaClass = Option<Class>;
 
@@ -14,16 +15,17 @@ type AreaClass = Option<Class>;
 const CLEARLY: f32 = 0.65;
 
 /// Gives outlined areas one class each, and components within an area or between areas, which are smaller than
-/// `min_cells` cells, to their neighbours on the same side of the outline. `area` has the number of the area of each
-/// cell, 0 for the ground between them, which may have any classes. Returns the numbers of the areas that still have
-/// several classes.
-pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> Vec<usize> {
+/// `min_cells` cells or narrower everywhere than `narrowest`, to their neighbours on the same side of the outline, the
+/// smaller to the larger: stripes become one area. `area` has the number of the area of each cell, 0 for the ground
+/// between them, which may have any classes. Returns the numbers of the areas that still have several classes.
+pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32, narrowest: f32) -> Vec<usize> {
     let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
     let before: Vec<AreaClass> = classes.region.iter().map(class_of).collect();
     let held = holders(&before, area);
     let own = before.iter().zip(area).map(|(label, area)| (*area, held[*area].unwrap_or(*label)));
-    let small = |component: &[usize]| (component.len() as f32) < min_cells;
-    let labels = join(own.collect(), classes.size, small, |component, (other, _), border| {
+    let size = classes.size;
+    let small = |component: &[usize]| (component.len() as f32) < min_cells || is_narrow(component, size, narrowest);
+    let labels = join(own.collect(), size, small, |component, (other, _), border| {
         (area[component[0]] == other).then_some(border.len() as f32)
     });
     let labels: Vec<AreaClass> = labels.into_iter().map(|(_, label)| label).collect();
@@ -34,6 +36,28 @@ pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> Vec
         is_mixed[area] |= *seen[area].get_or_insert(label) != label;
     }
     (0..is_mixed.len()).filter(|&area| is_mixed[area]).collect()
+}
+
+/// Whether a component has no room for a disc of this width, cells. The edge of the picture narrows nothing.
+fn is_narrow(component: &[usize], size: Size, width: f32) -> bool {
+    let mut is_in = vec![false; size.len()];
+    component.iter().for_each(|&cell| is_in[cell] = true);
+    // from the middle of a cell to those of the outermost ones
+    let radius = (0.5 * (width - 1.0)).max(0.0);
+    let (across, down) = (size.width as usize, size.height as usize);
+    let has_room = |&cell: &usize| {
+        let (x, y) = (cell % across, cell / across);
+        let around = |at: usize, reach: f32, end: usize| {
+            let reach = reach as usize;
+            at.saturating_sub(reach)..(at + reach + 1).min(end)
+        };
+        around(y, radius, down).all(|row| {
+            let aside = row.abs_diff(y) as f32;
+            let half = (radius * radius - aside * aside).max(0.0).sqrt();
+            around(x, half, across).all(|column| is_in[row * across + column])
+        })
+    };
+    !component.iter().any(has_room)
 }
 
 /// By area the label that holds it clearly, if one does; the ground has none.

@@ -26,6 +26,11 @@ const GROUND: f32 = 1.0 / 3.0;
 /// Share of the figure without a texture for want of room from which the maker is told. Less is a few slivers.
 const BARE: f32 = 0.03;
 
+/// Stripes of a photograph's colours narrower than this have no texture of their own, mm. Chosen by us: where rows are
+/// sparse, 8 mm apart, one row or none has room in them, and beside one another they tear an area, such as a sail with
+/// folds, to pieces of which none can be told.
+const NARROWEST: f32 = 8.0;
+
 /// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
 pub(super) fn fit_to_areas(
     classes: &mut Classes,
@@ -45,7 +50,8 @@ pub(super) fn fit_to_areas(
     };
     let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
     let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
-    let mixed = classes::unify_areas(classes, &area, min_cells);
+    let narrowest = NARROWEST / layout.figure.width() * width as f32;
+    let mixed = classes::unify_areas(classes, &area, min_cells, narrowest);
     let part = |number: &usize| ninths::NAMES[part_of_area(&area, *number, classes.size)];
     let mut places: Vec<&str> = mixed.iter().map(part).collect();
     places.sort_by_key(|place| ninths::NAMES.iter().position(|name| name == place));

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::raster::plane::Plane;
-use crate::units::Size;
 
 /// Classes of rows of letters: blue, red, white.
 fn classes(rows: &[&str]) -> Classes {
@@ -38,7 +37,8 @@ fn areas(rows: &[&str]) -> Vec<usize> {
 #[test]
 fn an_outlined_area_is_of_the_class_that_holds_it() {
     let mut sorted = classes(&["bbbbbbbb", "bbrrr.bb", "bbrrrrbb", "bbbrrrrb", "bbbbbbbb"]);
-    let mixed = unify_areas(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0);
+    let mixed =
+        unify_areas(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0, 1.0);
     assert_eq!(rows(&sorted), ["bbbbbbbb", "bbrrrrbb", "bbrrrrbb", "bbrrrrbb", "bbbbbbbb"]);
     assert_eq!(mixed, [0_usize; 0]);
     assert_eq!(sorted.regions.len(), 2);
@@ -49,7 +49,7 @@ fn an_outlined_area_is_of_the_class_that_holds_it() {
 fn an_area_of_two_classes_keeps_them_and_is_told() {
     let two = ["bbbbbb", "brrbbb", "brrbbb", "bbbbbb"];
     let mut sorted = classes(&two);
-    let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0);
+    let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0, 1.0);
     assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), vec![1]));
 }
 
@@ -58,6 +58,22 @@ fn a_crumb_joins_its_own_side() {
     // three red cells beyond the outline, fewer than the least
     let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
     let area = areas(&["1111000000", "1111000000", "1111000000", "1111000000"]);
-    assert_eq!(unify_areas(&mut sorted, &area, 4.0), [0_usize; 0]);
+    assert_eq!(unify_areas(&mut sorted, &area, 4.0, 1.0), [0_usize; 0]);
     assert_eq!(rows(&sorted), ["rrrr......"; 4]);
+}
+
+#[test]
+fn stripes_that_are_too_narrow_for_a_texture_become_one_area() {
+    let of = |stripes: &str, area: &str, narrowest: f32| {
+        let mut sorted = classes(&[stripes; 6]);
+        assert_eq!(unify_areas(&mut sorted, &areas(&[area; 6]), 2.0, narrowest), [0_usize; 0]);
+        let rows = rows(&sorted);
+        assert!(rows.iter().all(|row| *row == rows[0]), "{rows:?}");
+        rows[0].clone()
+    };
+    let stripes = "bbbrrbbbrrbbb";
+    assert_eq!(of(stripes, "0000000000000", 4.0), "bbbbbbbbbbbbb", "the broader ones win");
+    assert_eq!(of(stripes, "0000000000000", 2.0), stripes, "all have room");
+    assert_eq!(of("bbbbbbbrrrrrr", "0000000000000", 4.0), "bbbbbbbrrrrrr", "two halves");
+    assert_eq!(of("rrrrbbrrrr", "1111002222", 4.0), "rrrrbbrrrr", "between outlines it has no neighbour");
 }
