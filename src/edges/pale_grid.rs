@@ -1,14 +1,16 @@
 //! The pale grid behind a chart in a bitmap: its lines are faint, as those of a vector drawing are.
 //!
 //! In pixels a gridline and the top of a bar that ends on it are one straight stroke. It is parted where the contrast
-//! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar.
+//! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar. Where the side
+//! of a shape lies on squared paper, one gridline turns into another at its corner: such a contour is parted there.
 
 use super::contour::Contour;
 use super::faint::{BLACK, STRONG};
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};
-use crate::geom::polyline::Polyline;
-use crate::geom::walk::runs;
-use crate::units::{PxPoint, Size};
+use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::simplify::simplify;
+use crate::geom::walk::{first_beyond, runs};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// A stroke is pale up to this share of the contrast of the strong ones. Grey (`#aaa`) on white paper has a third of
 /// that of black, a grey axis (`#888`) half.
@@ -17,6 +19,10 @@ const PALE: f32 = 0.4;
 const CROSSED: f32 = 8.0;
 /// A stroke is parted where another contour ends within this distance of the change, px: at the corner of a bar.
 const AT_CORNER: f32 = 4.0;
+/// The sides of a contour are straight to this distance, px: a corner is rounded by it at most.
+const ROUNDED: f32 = 1.5;
+/// A contour has a corner where it turns by more than 45 degrees (cosine).
+const TURNED: f32 = 0.7;
 
 /// A contour, the width of its stroke, px, if it is one, and whether it is a line of a pale grid.
 pub(super) type Weighed = (Contour, Option<f32>, bool);
@@ -25,41 +31,97 @@ pub(super) type Weighed = (Contour, Option<f32>, bool);
 /// grid are parted.
 pub(super) fn parted(contours: Vec<Contour>, widths: &[Option<f32>], size: Size) -> Vec<Weighed> {
     let most = PALE * strong(&contours, size).min(BLACK);
-    let stretches: Vec<Vec<Stretch>> = contours
-        .iter()
-        .zip(widths)
-        .map(|(contour, width)| match width.and(straight_ends(contour.view())) {
-            Some(_) => stretches(contour, most),
-            None => Vec::new(),
-        })
-        .collect();
-    let ends: Vec<Option<[PxPoint; 2]>> = contours
-        .iter()
-        .zip(&stretches)
-        .flat_map(|(contour, stretches)| stretches.iter().map(|stretch| stretch.ends(contour)))
-        .collect();
+    let divided: Vec<Option<Divided>> =
+        contours.iter().zip(widths).map(|(contour, width)| width.and_then(|_| divided(contour, most))).collect();
+    let ends: Vec<Option<[PxPoint; 2]>> =
+        divided.iter().flatten().flat_map(|of| of.stretches.iter().map(|stretch| stretch.ends(&of.contour))).collect();
     let mut of_grid = which_are_gridlines(&ends).into_iter();
     let corners: Vec<PxPoint> = contours.iter().filter(|contour| !contour.closed).flat_map(tips).collect();
     let mut all = Vec::with_capacity(contours.len());
-    for ((contour, &width), stretches) in contours.into_iter().zip(widths).zip(stretches) {
+    for ((contour, &width), divided) in contours.into_iter().zip(widths).zip(divided) {
+        let Some(Divided { contour: open, stretches }) = divided else {
+            all.push((contour, width, false));
+            continue;
+        };
         let faint: Vec<bool> = of_grid.by_ref().take(stretches.len()).collect();
         if !faint.contains(&true) {
             all.push((contour, width, false));
             continue;
         }
         let mut from = 0;
-        let kinds: Vec<(usize, bool)> =
-            stretches.iter().zip(faint).map(|(stretch, faint)| (stretch.to, faint)).collect();
-        for same in kinds.chunk_by(|a, b| a.1 == b.1) {
-            let (to, faint) = same[same.len() - 1];
-            let to = if to + 1 == contour.vertices.len() { to } else { at_corner(&contour, to, &corners) };
+        let kinds: Vec<(Stretch, bool)> = stretches.into_iter().zip(faint).collect();
+        for same in kinds.chunk_by(|a, b| a.1 == b.1 && (!a.1 || a.0.side == b.0.side)) {
+            let (Stretch { to, ends_side, .. }, faint) = same[same.len() - 1];
+            let to = if ends_side { to } else { at_corner(&open, to, &corners) };
             if to > from {
-                all.push((Polyline::open(contour.vertices[from..=to].to_vec()), width, faint));
+                all.push((Polyline::open(open.vertices[from..=to].to_vec()), width, faint));
                 from = to;
             }
         }
     }
     all
+}
+
+/// A contour, opened at a corner if it is a ring, and what of it is pale.
+struct Divided {
+    contour: Contour,
+    stretches: Vec<Stretch>,
+}
+
+/// A contour of which something is pale as its straight sides: a ring of the paper's edge, and lines of which one turns
+/// into another where they meet.
+fn divided(contour: &Contour, most: f32) -> Option<Divided> {
+    if contour.vertices.iter().all(|point| point.strength > most) {
+        return None;
+    }
+    let contour = if contour.closed { opened(contour)? } else { contour.clone() };
+    let sides = sides(&contour);
+    let stretches = sides.iter().enumerate().flat_map(|(side, ends)| stretches(&contour, side, *ends, most)).collect();
+    Some(Divided { contour, stretches })
+}
+
+/// The straight pieces of a contour that are long enough to have a direction, from vertex to vertex.
+fn pieces(contour: &Contour) -> Vec<[usize; 2]> {
+    let points: Vec<PxPoint> = contour.vertices.iter().map(|point| point.at).collect();
+    let kept = simplify(PolylineRef { vertices: &points, closed: contour.closed }, ROUNDED);
+    let closing = kept.last().zip(kept.first()).filter(|_| contour.closed).map(|(last, first)| [*last, *first]);
+    let pieces = kept.windows(2).map(|pair| [pair[0], pair[1]]).chain(closing);
+    pieces.filter(|piece| along(contour, *piece).length() >= CROSSED).collect()
+}
+
+fn along(contour: &Contour, [from, to]: [usize; 2]) -> PxVector {
+    contour.vertices[to].at - contour.vertices[from].at
+}
+
+/// Whether a contour turns sharply from one piece into the next.
+fn is_corner(contour: &Contour, before: [usize; 2], after: [usize; 2]) -> bool {
+    along(contour, before).normalize().dot(along(contour, after).normalize()) <= TURNED
+}
+
+/// A ring as an open contour that begins at the corner before its longest piece, if it has corners.
+fn opened(ring: &Contour) -> Option<Contour> {
+    let pieces = pieces(ring);
+    let before = |i: usize| pieces[(i + pieces.len() - 1) % pieces.len()];
+    let length = |i: &usize| along(ring, pieces[*i]).length();
+    let at_corners = (0..pieces.len()).filter(|&i| is_corner(ring, before(i), pieces[i]));
+    at_corners.max_by(|a, b| length(a).total_cmp(&length(b))).map(|i| ring.opened_at(pieces[i][0]))
+}
+
+/// The sides of an open contour from corner to corner, from vertex to vertex; each begins where the one before ends.
+fn sides(contour: &Contour) -> Vec<[usize; 2]> {
+    let last = contour.vertices.len().saturating_sub(1);
+    if straight_ends(contour.view()).is_some() {
+        return vec![[0, last]];
+    }
+    let corners = pieces(contour);
+    let corners = corners.windows(2).filter(|pair| is_corner(contour, pair[0], pair[1]));
+    let mut from = 0;
+    let mut sides = Vec::new();
+    for to in corners.map(|pair| usize::midpoint(pair[0][1], pair[1][0])).chain([last]) {
+        sides.push([from, to]);
+        from = to;
+    }
+    sides
 }
 
 /// A part of a contour, from vertex to vertex, that is pale or not.
@@ -68,12 +130,20 @@ struct Stretch {
     from: usize,
     to: usize,
     is_pale: bool,
+    /// Number of the side that it is of.
+    side: usize,
+    /// Whether it ends where that side does.
+    ends_side: bool,
 }
 
 impl Stretch {
-    /// Where one that is pale begins and ends.
+    /// Where one that is pale begins and ends, but for the rounding of corners.
     fn ends(&self, contour: &Contour) -> Option<[PxPoint; 2]> {
-        self.is_pale.then(|| [self.from, self.to].map(|i| contour.vertices[i].at))
+        let places = || contour.vertices[self.from..=self.to].iter().map(|point| point.at);
+        let rounding = AT_CORNER.min(0.25 * along(contour, [self.from, self.to]).length());
+        let first = first_beyond(places(), contour.vertices[self.from].at, rounding)?;
+        let last = first_beyond(places().rev(), contour.vertices[self.to].at, rounding)?;
+        self.is_pale.then_some([first, last])
     }
 }
 
@@ -94,21 +164,24 @@ fn strong(contours: &[Contour], size: Size) -> f32 {
     reached.map_or(0.0, |(strength, _)| *strength)
 }
 
-/// The stretches of an open contour that are pale, with a contrast up to `most`, and those that are not. The shortest
-/// go to what is around them until none is too short for a change of contrast.
-fn stretches(contour: &Contour, most: f32) -> Vec<Stretch> {
-    let is_pale: Vec<bool> = contour.vertices.iter().map(|point| point.strength <= most).collect();
+/// The stretches of a side of an open contour that are pale, with a contrast up to `most`, and those that are not. The
+/// shortest go to what is around them until none is too short for a change of contrast. None of a side that is bent is.
+fn stretches(contour: &Contour, side: usize, [first, last]: [usize; 2], most: f32) -> Vec<Stretch> {
+    let vertices = &contour.vertices[first..=last];
+    let is_straight = straight_ends(PolylineRef { vertices, closed: false }).is_some();
+    let is_pale: Vec<bool> = vertices.iter().map(|point| is_straight && point.strength <= most).collect();
     let runs = runs(is_pale.len(), false, |a, b| is_pale[a] == is_pale[b]);
+    let stretch = |from: usize, to: usize, is_pale: bool| Stretch { from, to, is_pale, side, ends_side: to == last };
     let mut all: Vec<Stretch> =
-        runs.iter().map(|run| Stretch { from: run[0], to: run[run.len() - 1], is_pale: is_pale[run[0]] }).collect();
-    let length = |of: &Stretch| (contour.vertices[of.to].at - contour.vertices[of.from].at).length();
+        runs.iter().map(|run| stretch(first + run[0], first + run[run.len() - 1], is_pale[run[0]])).collect();
+    let length = |of: &Stretch| along(contour, [of.from, of.to]).length();
     while all.len() > 1
         && let Some(shortest) = (0..all.len()).min_by(|&a, &b| length(&all[a]).total_cmp(&length(&all[b])))
         && length(&all[shortest]) < CROSSED
     {
         let (from, to) = (shortest.saturating_sub(1), (shortest + 1).min(all.len() - 1));
         let is_pale = !all[shortest].is_pale;
-        all.splice(from..=to, [Stretch { from: all[from].from, to: all[to].to, is_pale }]);
+        all.splice(from..=to, [stretch(all[from].from, all[to].to, is_pale)]);
     }
     // each ends where the next begins
     for next in 1..all.len() {

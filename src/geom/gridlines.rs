@@ -35,6 +35,9 @@ const APART: f32 = 0.1;
 /// Share of them that end together on one side.
 const TOGETHER: f32 = 0.6;
 
+/// A piece is short beside the others if it is shorter than this share of the longest.
+const SHORT: f32 = 0.25;
+
 /// A level or upright piece: where it is across, and from where to where along.
 #[derive(Debug, Clone, Copy)]
 struct Piece {
@@ -50,7 +53,8 @@ pub fn straight_ends<V: Located>(line: PolylineRef<'_, V>) -> Option<[Point2D<f3
     Some([first.at(), last.at()])
 }
 
-/// Which of some lines are those of a grid; of each that may be one, the two ends.
+/// Which of some lines are those of a grid; of each that may be one, the two ends. Pieces that are short beside the
+/// others are asked last: they are of the grid if they lie where it has or could have a line, and hinder none.
 pub fn which_are_gridlines<U: GridUnit>(ends: &[Option<[Point2D<f32, U>; 2]>]) -> Vec<bool> {
     let mut found = vec![false; ends.len()];
     for is_level in [true, false] {
@@ -60,15 +64,29 @@ pub fn which_are_gridlines<U: GridUnit>(ends: &[Option<[Point2D<f32, U>; 2]>]) -
             ((a.1 - b.1).abs() <= U::OFF).then_some(piece)
         };
         let pieces: Vec<Option<Piece>> = ends.iter().map(|ends| ends.and_then(piece)).collect();
-        if is_grid(pieces.iter().flatten().copied().collect(), U::OFF) {
+        let all = || pieces.iter().flatten().copied();
+        if grid_step(all().collect(), U::OFF).is_some() {
             found.iter_mut().zip(&pieces).for_each(|(found, piece)| *found |= piece.is_some());
+            continue;
+        }
+        let longest = all().map(|piece| piece.to - piece.from).fold(0.0, f32::max);
+        let long: Vec<Piece> = all().filter(|piece| piece.to - piece.from >= SHORT * longest).collect();
+        if let Some(step) = grid_step(long.clone(), U::OFF) {
+            let is_in_place = |piece: &Piece| {
+                long.iter().any(|line| {
+                    let steps = (line.at - piece.at).abs() / step;
+                    (steps - steps.round()).abs() * step <= U::OFF
+                })
+            };
+            found.iter_mut().zip(&pieces).for_each(|(found, piece)| *found |= piece.as_ref().is_some_and(is_in_place));
         }
     }
     found
 }
 
-/// Whether pieces of one direction are a grid; those of one line lie no farther than `off` from its place.
-fn is_grid(mut pieces: Vec<Piece>, off: f32) -> bool {
+/// The least distance between lines if pieces of one direction are a grid; those of one line lie no farther than `off`
+/// from its place.
+fn grid_step(mut pieces: Vec<Piece>, off: f32) -> Option<f32> {
     pieces.sort_by(|a, b| a.at.total_cmp(&b.at));
     let lines: Vec<Piece> = pieces
         .chunk_by(|a, b| b.at - a.at <= off)
@@ -86,10 +104,11 @@ fn is_grid(mut pieces: Vec<Piece>, off: f32) -> bool {
         let near = |at: f32| ends.iter().filter(|end| (**end - at).abs() <= APART * longest).count();
         ends.iter().any(|end| near(*end) as f32 >= TOGETHER * ends.len() as f32)
     };
-    lines.len() >= LEAST
+    let is_grid = lines.len() >= LEAST
         && is_even
         && (end_together(lines.iter().map(|line| line.from).collect())
-            || end_together(lines.iter().map(|line| line.to).collect()))
+            || end_together(lines.iter().map(|line| line.to).collect()));
+    is_grid.then_some(step)
 }
 
 /// Treads end on rails that are so near, mm: on a grid of dots lines end a step or so before one another.

@@ -55,6 +55,43 @@ fn shapes_whose_sides_lie_on_squared_paper_are_parted_from_its_lines() {
     assert_eq!((all.len(), faint(&all).len()), (12, 8));
 }
 
+/// A contour from place to place, with a point on each pixel, as pale as a gridline.
+fn along_gridlines(places: &[(u16, u16)], closed: bool) -> Contour {
+    let next = places.iter().skip(1).chain(places.first().filter(|_| closed));
+    let vertices = places.iter().zip(next).flat_map(|(&(x0, y0), &(x1, y1))| {
+        let steps = x0.abs_diff(x1).max(y0.abs_diff(y1));
+        (0..steps).map(move |step| {
+            let share = f32::from(step) / f32::from(steps);
+            let between = |a: u16, b: u16| f32::from(a) + share * (f32::from(b) - f32::from(a));
+            let mut point = level(0.0, &[(0..1, 13.0)]).vertices[0];
+            point.at = PxPoint::new(between(x0, x1), between(y0, y1));
+            point
+        })
+    });
+    Polyline { vertices: vertices.collect(), closed }
+}
+
+#[test]
+fn gridlines_that_turn_into_one_another_and_the_edge_of_the_paper_are_lines_of_the_grid() {
+    let shape = level(330.0, &[(20..590, 140.0)]);
+    let grid = |y: u16| level(f32::from(y), &[(50..550, 13.0)]);
+    let upright = |x: u16| along_gridlines(&[(x, 50), (x, 300)], false);
+    let edge = along_gridlines(&[(50, 50), (550, 50), (550, 300), (50, 300)], true);
+    let corner = along_gridlines(&[(50, 200), (300, 200), (300, 50)], false);
+    let all = parted_strokes(vec![grid(100), grid(150), grid(250), upright(150), upright(400), edge, corner, shape]);
+    // four sides of the edge, two of the corner
+    assert_eq!(all.iter().filter(|(_, _, faint)| *faint).count(), 5 + 4 + 2);
+    assert!(all.iter().all(|(contour, ..)| !contour.closed));
+    assert!(all.iter().filter(|(_, _, faint)| *faint).all(|(contour, ..)| straight_ends(contour.view()).is_some()));
+}
+
+#[test]
+fn a_pale_shape_that_is_no_grid_stays_whole() {
+    let square = along_gridlines(&[(100, 100), (300, 100), (300, 250), (100, 250)], true);
+    let all = parted_strokes(vec![square, level(330.0, &[(20..590, 140.0)])]);
+    assert!(all[0].0.closed && all.iter().all(|(_, _, faint)| !faint));
+}
+
 #[test]
 fn a_line_across_the_grid_does_not_part_it() {
     let grid = |y: f32| level(y, &[(50..55, 140.0), (55..300, 13.0), (300..304, 140.0), (304..550, 13.0)]);

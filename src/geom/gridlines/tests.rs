@@ -42,4 +42,6 @@ fn even_lines_that_end_together_are_a_grid_and_walls_are_none() {
         [false; 3]
     );
     assert_eq!(which_are_gridlines(&grid[2..]), [false; 2]);
+    let short = [level(33.0, 2.0, 8.0), level(20.5, 70.0, 76.0), level(50.1, 70.0, 76.0)];
+    assert_eq!(which_are_gridlines(&[grid.as_slice(), &short].concat())[4..], [false, true, true]);
 }
