@@ -8,6 +8,8 @@ pub type At = [f64; 2];
 
 /// Height of a line of small text; labels keep this far apart.
 pub const LINE: f64 = 13.0;
+/// Width of a digit of small text, at most.
+const DIGIT: f64 = 7.0;
 
 /// The beginning of the document: its size, its title and description for screen readers, and a white ground.
 pub fn head([width, height]: [f64; 2], title: &str, description: &str) -> String {
@@ -71,19 +73,26 @@ impl Panel {
     pub fn grid(&self, svg: &mut String, digits: &[&str]) {
         let [left, top, right, bottom] = self.area;
         let [across, up] = &self.axes;
-        let mut line = |path: String, text: String, anchor: &str, mark: f64| {
+        let line = |svg: &mut String, path: String| {
             let _ = writeln!(svg, "<path d=\"{path}\" stroke=\"#bbb\" stroke-width=\"0.6\"/>");
-            let _ = writeln!(svg, "<text {text} text-anchor=\"{anchor}\">{mark}</text>");
         };
+        let mut free_from = f64::MIN;
         for mark in across.marks(digits) {
             let x = self.place([mark, up.low])[0];
-            let text = format!("x=\"{x:.1}\" y=\"{}\"", bottom + 18.0);
-            line(format!("M{x:.1} {top}V{bottom}"), text, "middle", mark);
+            line(svg, format!("M{x:.1} {top}V{bottom}"));
+            let half = 0.5 * DIGIT * mark.to_string().len() as f64;
+            // a number that would run into the one before it is left out
+            if x - half >= free_from {
+                let y = bottom + 18.0;
+                let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y}\" text-anchor=\"middle\">{mark}</text>");
+                free_from = x + half + DIGIT;
+            }
         }
         for mark in up.marks(digits) {
             let y = self.place([across.low, mark])[1];
-            let text = format!("x=\"{}\" y=\"{:.1}\"", left - 8.0, y + 4.0);
-            line(format!("M{left} {y:.1}H{right}"), text, "end", mark);
+            line(svg, format!("M{left} {y:.1}H{right}"));
+            let (x, y) = (left - 8.0, y + 4.0);
+            let _ = writeln!(svg, "<text x=\"{x}\" y=\"{y:.1}\" text-anchor=\"end\">{mark}</text>");
         }
     }
 }
