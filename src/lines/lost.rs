@@ -1,5 +1,6 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
+use super::clearance::LEVEL;
 use super::faint::is_faint;
 use super::params::Params;
 use super::vertex::{Vertex, nearby};
@@ -16,6 +17,8 @@ pub struct Lost {
     pub lost: f32,
     /// The same in each of nine parts of the figure, row by row from the top left.
     pub by_place: [f32; 9],
+    /// How much of that is of gridlines: of level and upright parts of thin and pale lines.
+    pub of_gridlines: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
     /// Small shapes that are not drawn, or that a device has not all dots for.
@@ -164,11 +167,16 @@ impl Lost {
         most_of(self.by_place).map(|ninth| NAMES[ninth])
     }
 
-    /// A squared grid of so many lines, of which this length was drawn, is left out as a whole, and told as such.
+    /// A squared grid of so many lines, of which this length was drawn, is left out as a whole, and told as such: what
+    /// its lines lacked before is no loss of others.
     pub fn without_gridlines(&mut self, lines: usize, length: f32) {
         self.gridlines = lines + self.gone.iter().filter(|line| line.is_faint).count();
         self.gone.retain(|line| !line.is_faint);
-        self.wanted = (self.wanted - length).max(self.lost);
+        let lacked = self.of_gridlines.iter().sum::<f32>();
+        self.by_place.iter_mut().zip(self.of_gridlines).for_each(|(of, lacked)| *of -= lacked);
+        self.lost = (self.lost - lacked).max(0.0);
+        self.wanted = (self.wanted - lacked - length).max(self.lost);
+        self.of_gridlines = [0.0; 9];
     }
 
     /// Adds lines that were to be drawn, and are not after all.
@@ -195,12 +203,13 @@ impl Lost {
 pub(super) struct LossTally {
     area: MmRect,
     lengths: [f32; 9],
+    of_gridlines: [f32; 9],
     rings: usize,
 }
 
 impl LossTally {
     pub(super) fn new(area: MmRect) -> Self {
-        Self { area, lengths: [0.0; 9], rings: 0 }
+        Self { area, lengths: [0.0; 9], of_gridlines: [0.0; 9], rings: 0 }
     }
 
     /// Adds the length of a line.
@@ -221,10 +230,15 @@ impl LossTally {
 
     /// Adds the length of those parts of a line for which `counts` is true.
     pub(super) fn add_where(&mut self, line: &Polyline<Vertex>, counts: impl Fn(MmPoint) -> bool) {
+        let is_faint = is_faint(line);
         for (a, b) in line.segments() {
-            let middle = a.at.lerp(b.at, 0.5);
+            let (middle, step) = (a.at.lerp(b.at, 0.5), b.at - a.at);
             if counts(middle) {
-                self.lengths[ninth(middle, self.area)] += (b.at - a.at).length();
+                let place = ninth(middle, self.area);
+                self.lengths[place] += step.length();
+                if is_faint && step.x.abs().min(step.y.abs()) <= LEVEL * step.length() {
+                    self.of_gridlines[place] += step.length();
+                }
             }
         }
     }
@@ -232,10 +246,11 @@ impl LossTally {
     /// What of this is not in `kept`.
     pub(super) fn lost(&self, kept: &Self) -> Lost {
         let by_place: [f32; 9] = std::array::from_fn(|i| self.lengths[i] - kept.lengths[i]);
+        let of_gridlines: [f32; 9] = std::array::from_fn(|i| self.of_gridlines[i] - kept.of_gridlines[i]);
         let kept_rings = kept.rings;
         let (wanted, kept) = (self.length(), kept.length());
         let rings = self.rings.saturating_sub(kept_rings);
-        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, ..Lost::default() }
+        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, of_gridlines, rings, ..Lost::default() }
     }
 }
 

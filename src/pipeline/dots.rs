@@ -116,17 +116,32 @@ const HIDDEN: f32 = 0.01;
 /// So many lines each way are a squared grid.
 const GRID_LINES: usize = 4;
 
-/// The numbers of the lines of a squared grid, thin and pale ones level and upright; none if there is no such grid.
+/// The numbers of the lines of a squared grid, thin and pale ones level and upright, and of their pieces; none if there
+/// is no such grid.
 fn squared_grid(lines: &[Line], least_strength: f32) -> Vec<usize> {
+    let weak = which_are_weak(lines, least_strength);
+    let weak: Vec<usize> = (0..lines.len()).filter(|&number| weak[number]).collect();
     let way = |line: &Line| {
         let size = extent(line).size();
         (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
     };
-    let weak = lines.iter().zip(which_are_weak(lines, least_strength)).enumerate().filter(|(_, (_, is_weak))| *is_weak);
-    let ways: Vec<(usize, bool)> = weak.filter_map(|(number, (line, _))| Some((number, way(line)?))).collect();
-    let count = |level: bool| ways.iter().filter(|(_, of)| *of == level).count();
-    let is_grid = count(true) >= GRID_LINES && count(false) >= GRID_LINES;
-    if is_grid { ways.into_iter().map(|(number, _)| number).collect() } else { Vec::new() }
+    let ways: Vec<bool> = weak.iter().filter_map(|&number| way(&lines[number])).collect();
+    let count = |level: bool| ways.iter().filter(|of| **of == level).count();
+    if count(true) < GRID_LINES || count(false) < GRID_LINES {
+        return Vec::new();
+    }
+    weak.into_iter().filter(|&number| way(&lines[number]).is_some() || is_led_aside(&lines[number])).collect()
+}
+
+/// Whether a line is level or upright but for where it is led aside: a piece of a gridline that ends at another line
+/// beside its place.
+fn is_led_aside(line: &Line) -> bool {
+    let size = extent(line).size();
+    let is_level = size.width > size.height;
+    let sides = line.runs.iter().flat_map(|run| run.path().zip(run.path().skip(1)));
+    let along = sides.map(|(a, b)| if is_level { (b.x - a.x, b.y - a.y) } else { (b.y - a.y, b.x - a.x) });
+    let straight: f32 = along.filter(|(along, aside)| aside.abs() <= SLOPE * along.abs()).map(|(by, _)| by.abs()).sum();
+    size.width.min(size.height) <= MOVED && straight >= MOSTLY * line.length()
 }
 
 /// How much of some lines is among those that are `pressed`, mm.
@@ -136,6 +151,11 @@ fn kept_length(lines: &[Line], pressed: &[Line], area: MmRect) -> f32 {
 }
 /// A level or upright line is no farther from being so, mm.
 const STRAIGHT: f32 = 0.3;
+/// A side of a line is level or upright if it rises by no more than this share: a gridline of 60 mm by 0.6 mm.
+const SLOPE: f32 = 0.01;
+/// A piece of a gridline that is led aside keeps its direction for at least this share of its length: the shortest
+/// line of an embosser is 12.5 mm long, and is led on by 4 mm at most (`lines.join_gap`).
+const MOSTLY: f32 = 0.6;
 
 /// What of a scale is not drawn.
 fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale> {

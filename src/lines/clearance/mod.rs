@@ -174,7 +174,7 @@ fn keeps_its_place(line: &QueuedLine, params: &Params) -> bool {
 }
 
 /// Sine of the angle by which a line is off level or upright, at most: half a degree, as of rounded coordinates.
-const LEVEL: f32 = 0.009;
+pub(super) const LEVEL: f32 = 0.009;
 /// Least share of a straight line's length that its chord has: one of 100 mm bends by 0.7 mm.
 const STRAIGHT: f32 = 0.9999;
 

@@ -1,6 +1,7 @@
 //! Tests of `lost`.
 
 use super::*;
+use crate::lines::faint::weaken;
 
 fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
     let vertex = |(x, y): (f32, f32)| Vertex { at: MmPoint::new(x, y), strength: 20.0, width: 1.0, ..Vertex::TEST };
@@ -44,4 +45,23 @@ fn what_is_lost_is_told_with_its_length_and_its_place() {
     let even = Lost { by_place: [2.0, 3.0, 3.0, 1.0, 0.0, 2.0, 1.0, 0.0, 1.0], ..lost.clone() };
     assert_eq!(even.place_name(), None);
     assert!((lost.keeping(0.5).lost - 25.0).abs() < 1e-3);
+}
+
+#[test]
+fn what_a_grid_that_is_left_out_lacked_before_is_no_loss_of_others() {
+    let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
+    let faint = |from: (f32, f32), to: (f32, f32)| weaken(line(from, to), &Params::TEST);
+    let (mut wanted, mut kept) = (LossTally::new(area), LossTally::new(area));
+    // of a gridline a part is drawn; of two other lines, one of them pale and slanted, nothing
+    wanted.add(&faint((12.0, 12.0), (92.0, 12.0)));
+    wanted.add(&line((80.0, 40.0), (95.0, 40.0)));
+    wanted.add(&faint((40.0, 60.0), (46.0, 68.0)));
+    wanted.add(&line((12.0, 30.0), (42.0, 30.0)));
+    kept.add(&faint((12.0, 12.0), (62.0, 12.0)));
+    kept.add(&line((12.0, 30.0), (42.0, 30.0)));
+    let mut lost = wanted.lost(&kept);
+    assert!((lost.lost - 55.0).abs() < 1e-3, "{lost:?}");
+    lost.without_gridlines(1, 50.0);
+    assert!((lost.lost - 25.0).abs() < 1e-3 && (lost.wanted - 55.0).abs() < 1e-3, "{lost:?}");
+    assert_eq!(lost.place_name(), Some("middle right"));
 }

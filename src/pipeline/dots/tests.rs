@@ -28,6 +28,13 @@ fn a_squared_grid_that_is_torn_or_hides_others_is_left_out() {
     let mut cut = all(90.0);
     cut[0] = line((5.0, 50.0), (80.0, 50.0), 90.0);
     assert_eq!(left(&all(90.0), &cut), Some(1), "it hides a part of the axis");
+    // a piece of an upright one, parted from the rest, that is led to a line beside it; and a slanted line
+    let mut parted = all(90.0);
+    let piece = [(70.0, 30.0), (70.0, 12.0), (68.5, 10.0)].map(MmPoint::from).to_vec();
+    parted.push(Line { strength: 7.0, runs: vec![Run::stroke(1.0, piece)] });
+    assert_eq!(left(&parted, &all(30.0)), Some(1), "the piece goes with the grid");
+    parted.push(line((40.0, 20.0), (60.0, 22.0), 7.0));
+    assert_eq!(left(&parted, &all(30.0)), Some(2), "a slanted line is no part of it");
     let only_level: Vec<Line> = places().map(|y| level(y, 90.0)).collect();
     assert_eq!(left(&only_level, &[]), None, "gridlines of a chart are each told");
 }
