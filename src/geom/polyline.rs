@@ -8,6 +8,8 @@ use std::sync::LazyLock;
 
 use lyon::geom::euclid::{Point2D, Vector2D};
 
+use super::nearest_on_segment;
+
 /// What has a position in the plane.
 pub trait Located: Copy {
     /// The unit of its coordinates.
@@ -110,6 +112,11 @@ impl<V: Located> Polyline<V> {
     /// See [`PolylineRef::arc_lengths`].
     pub fn arc_lengths(&self) -> Vec<f32> {
         self.view().arc_lengths()
+    }
+
+    /// See [`PolylineRef::distance`].
+    pub fn distance(&self, at: Point2D<f32, V::Unit>) -> f32 {
+        self.view().distance(at)
     }
 
     /// See [`PolylineRef::tangent`].
@@ -222,6 +229,12 @@ impl<'a, V: Located> PolylineRef<'a, V> {
             (Some(first), Some(last), false) => (last.at() - first.at()).length(),
             _ => 0.0,
         }
+    }
+
+    /// How far a place is from the nearest point of the polyline; infinitely far if it has no segments.
+    pub fn distance(self, at: Point2D<f32, V::Unit>) -> f32 {
+        let distances = self.segments().map(|(a, b)| nearest_on_segment(at, a.at(), b.at()).0);
+        distances.fold(f32::INFINITY, f32::min)
     }
 
     /// Length along the polyline from the first vertex to each; the first entry is 0. Of a ring there is one entry more

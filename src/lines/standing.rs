@@ -2,7 +2,6 @@
 //! the ends of its wires. The gap is what the symbol says, so that it is never closed, and made wide enough for
 //! fingers.
 
-use super::arrowheads::shortened;
 use super::lead_on::heading;
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex, nearby};
@@ -149,7 +148,7 @@ fn part(
     for (of, step) in [(first, ahead * -shift), (second, ahead * shift)] {
         let end = &mut ends[of];
         let Standing { line, which, base, .. } = *end;
-        polylines[line] = shortened(&polylines[line], which, shift);
+        polylines[line] = polylines[line].shortened(which, shift);
         polylines[base as usize].vertices.iter_mut().for_each(|vertex| vertex.at += step);
         end.at += step;
         // the wire may lead there at a small angle

@@ -12,6 +12,9 @@ pub(super) const SPACING: f32 = 0.4;
 /// Vertices farther apart than this, mm, get others between them: what looks at a line looks at its vertices.
 const LONGEST: f32 = 1.25 * SPACING;
 
+/// Steps in which lines are shortened, mm.
+pub(super) const SHORTENED_BY: f32 = 0.25;
+
 /// At a corner a line turns by at least 30 degrees (the cosine), over a short and a longer length, mm.
 pub(crate) const CORNER: f32 = 0.866;
 pub(crate) const CORNER_ARMS: [f32; 2] = [0.15, 1.0];
@@ -157,6 +160,37 @@ impl Polyline<Vertex> {
         if let (Some(first), Some(last), false) = (self.vertices.first(), self.vertices.last(), self.closed) {
             [first.at, last.at].into_iter().for_each(|at| segments.each_line_at(at, reach, &mut visit));
         }
+    }
+
+    /// An open line without so much of one of its ends, mm.
+    pub(super) fn shortened(&self, which: Tip, cut: f32) -> Self {
+        let mut vertices = self.vertices.clone();
+        if which == Tip::First {
+            vertices.reverse();
+        }
+        let mut left = cut;
+        while let [.., before, last] = vertices[..] {
+            let step = (last.at - before.at).length();
+            if step > left {
+                let share = if step > 0.0 { left / step } else { 0.0 };
+                if let Some(end) = vertices.last_mut() {
+                    *end = Vertex { at: last.at.lerp(before.at, share), ..last };
+                }
+                break;
+            }
+            left -= step;
+            vertices.pop();
+        }
+        if which == Tip::First {
+            vertices.reverse();
+        }
+        Self { vertices, closed: false }
+    }
+
+    /// An open line as it is, and without more and more of one of its ends, up to `most`, mm, in steps of
+    /// [`SHORTENED_BY`].
+    pub(super) fn shorter_ones(&self, which: Tip, most: f32) -> impl Iterator<Item = Self> {
+        (0..=(most / SHORTENED_BY) as u32).map(move |step| self.shortened(which, step as f32 * SHORTENED_BY))
     }
 
     /// A contour on the sheet.

@@ -37,6 +37,7 @@ fn a_smoothed_ring_has_no_seam() {
 fn a_ring_has_its_closing_segment_in_all_measures() {
     let square = square();
     assert_eq!(square.segment_count(), 4);
+    assert!((square.distance(MmPoint::new(-2.0, 1.5)) - 2.0).abs() < 1e-6, "from the side that closes it");
     assert_eq!(square.arc_lengths(), [0.0, 3.0, 6.0, 9.0, 12.0]);
     assert!((square.length() - 12.0).abs() < 1e-6);
     let open = Polyline::open(square.vertices.clone());

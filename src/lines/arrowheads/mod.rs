@@ -26,7 +26,6 @@ use crate::units::{MmPoint, MmRect, MmVector};
 pub use finished::{Arrow, arrows};
 pub(super) use place::{DrawnHeads, draw, find_shafts};
 pub use shapes::is_triangle;
-pub(super) use shorten::shortened;
 
 /// Short contours so near to a head are parts of it, mm.
 const CRUMB: f32 = 0.6;

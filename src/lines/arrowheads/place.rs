@@ -1,7 +1,6 @@
 //! Room for the heads of arrows among the lines that are drawn.
 
 use super::shapes::{LENGTHS, SPREAD, end};
-use super::shorten::shortened;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -55,7 +54,7 @@ impl DrawnHeads {
                 anchored.splice(if which == Tip::First { 0..0 } else { count..count }, added);
                 continue;
             }
-            let shorter = shortened(&line, which, cut);
+            let shorter = line.shortened(which, cut);
             let gone = line.vertices.len() - shorter.vertices.len();
             if which == Tip::First {
                 anchored.drain(..gone);
@@ -137,7 +136,7 @@ impl HeadPlaces<'_> {
         let line = self.lines[self.line];
         let most = (line.length() - self.params.min_length).clamp(0.0, MOST);
         let cuts = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
-        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, shortened(line, which, cut))).collect();
+        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, line.shortened(which, cut))).collect();
         let head = |(cut, shaft): &(f32, Polyline<Vertex>), length: f32| {
             let at = end(shaft, which)?;
             let strokes = strokes(at, heading(shaft, which, HEADING)?, length);

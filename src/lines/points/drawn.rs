@@ -306,8 +306,7 @@ impl DrawnPoints {
         let half = 0.5 * params.clearance(params.width_min);
         let hole = |(&(at, radius), &gap): (&(MmPoint, f32), &f32)| {
             let clearance = gap + 0.5 * params.width_min + params.play();
-            let distances = line.segments().map(|(a, b)| nearest_on_segment(at, a.at, b.at).0);
-            let distance = distances.fold(f32::INFINITY, f32::min);
+            let distance = line.distance(at);
             (distance < radius + clearance).then(|| (at, (radius + clearance).max(distance.hypot(half))))
         };
         let holes: Vec<(MmPoint, f32)> = self.discs.iter().zip(&self.gaps).filter_map(hole).collect();

@@ -2,15 +2,10 @@
 
 use super::drawn::{PASSES, radius};
 use super::{FROM_SIDE, Point};
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::lines::arrowheads::shortened;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Tip, Vertex};
 use crate::units::MmPoint;
-
-/// Steps in which a line is shortened, mm.
-const STEP: f32 = 0.25;
 
 /// Shortens the lines that end nearer to points than their signs allow, and lead to none of these, by at most the
 /// distance of two lines. An end at another line stays, as that is near to the point as well: the two are led together
@@ -25,27 +20,22 @@ pub(in crate::lines) fn make_room(points: &[Point], polylines: &mut [Polyline<Ve
             let Some(end) = which.of(line).filter(|_| !line.closed).map(|end| end.at) else { continue };
             let is_beside = |(at, radius): &&(MmPoint, f32)| {
                 let beside = params.beside_disc(*radius);
-                (*at - end).length() < beside && distance(*at, line) > PASSES * radius
+                (*at - end).length() < beside && line.distance(*at) > PASSES * radius
             };
             let near: Vec<&(MmPoint, f32)> = signs.iter().filter(is_beside).collect();
             let leads = |(at, radius): &(MmPoint, f32)| (*at - end).length() <= PASSES * radius;
-            let is_on = |(other, of): (usize, &Polyline<Vertex>)| other != number && distance(end, of) <= FROM_SIDE;
+            let is_on = |(other, of): (usize, &Polyline<Vertex>)| other != number && of.distance(end) <= FROM_SIDE;
             if near.is_empty() || signs.iter().any(leads) || polylines.iter().enumerate().any(is_on) {
                 continue;
             }
             let most = (line.length() - params.min_length).clamp(0.0, params.max_spacing());
-            let cuts = (1..=(most / STEP) as u32).map(|step| step as f32 * STEP);
             let is_clear = |line: &Polyline<Vertex>| {
-                near.iter().all(|(at, radius)| distance(*at, line) >= params.beside_disc(*radius) + params.play())
+                near.iter().all(|(at, radius)| line.distance(*at) >= params.beside_disc(*radius) + params.play())
             };
-            if let Some(shorter) = cuts.map(|cut| shortened(line, which, cut)).find(is_clear) {
+            let shorter = line.shorter_ones(which, most).skip(1).find(is_clear);
+            if let Some(shorter) = shorter {
                 polylines[number] = shorter;
             }
         }
     }
-}
-
-/// How far a line is from a place, mm.
-fn distance(at: MmPoint, line: &Polyline<Vertex>) -> f32 {
-    line.segments().map(|(a, b)| nearest_on_segment(at, a.at, b.at).0).fold(f32::INFINITY, f32::min)
 }

@@ -33,3 +33,15 @@ fn a_circle_has_no_corners() {
     assert!(circle.view().corners().is_empty());
     assert_eq!(circle.clone().smoothed_between_corners(0.6), circle.smoothed(0.6).evened());
 }
+
+#[test]
+fn an_open_line_is_shortened_at_either_end() {
+    let bent = line(&[(10.0, 10.0), (20.0, 10.0), (20.0, 15.0)], false);
+    let first = bent.shortened(Tip::First, 4.0);
+    assert!((first.length() - 11.0).abs() < 1e-3 && (first.vertices[0].at.x - 14.0).abs() < 1e-3, "{first:?}");
+    let last = bent.shortened(Tip::Last, 6.0);
+    let tip = Tip::Last.of(&last).expect("it has vertices").at;
+    assert!((last.length() - 9.0).abs() < 1e-3 && (tip - MmPoint::new(19.0, 10.0)).length() < 1e-3, "{tip:?}");
+    let lengths: Vec<f32> = bent.shorter_ones(Tip::Last, 0.6).map(|line| line.length()).collect();
+    assert!(lengths.len() == 3 && (lengths[0] - 15.0).abs() < 1e-3 && (lengths[2] - 14.5).abs() < 1e-3, "{lengths:?}");
+}
