@@ -7,6 +7,7 @@ use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::faint::is_faint;
 use crate::lines::lead_on::heading;
+use crate::lines::links;
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{HEADING, Params};
 use crate::lines::vertex::{SHORTENED_BY, Tip, Vertex, nearby};
@@ -40,7 +41,7 @@ pub(super) fn make_room(
             others.nearest(at, SHORTENED_BY, |segment| counts(segment.line)).map(|(distance, ..)| distance)
         };
         let line = &polylines[shaft.line];
-        let most = (line.length() - params.min_length).clamp(0.0, BEYOND * tip.axis().length());
+        let most = (line.length() - links::shortest(params)).clamp(0.0, BEYOND * tip.axis().length());
         let up_to = up_to_pointed_at(line, shaft.which, most, to_pointed_at);
         if let Some((shorter, at)) = up_to {
             polylines[shaft.line] = shorter;
@@ -48,6 +49,7 @@ pub(super) fn make_room(
         }
         let is_free = |at: MmPoint, toward: MmVector| is_free_before(at, toward, &others, reach, is_other);
         let line = &polylines[shaft.line];
+        // at a line a short shaft is a link; before one it would be nothing
         let most = (line.length() - params.min_length).clamp(0.0, 2.0 * reach);
         let free = until_free(line, shaft.which, most, is_free);
         if let Some((shorter, at, toward)) = free {

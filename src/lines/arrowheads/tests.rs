@@ -114,6 +114,11 @@ fn a_shaft_ends_before_what_it_points_at() {
     assert!((PARAMS.max_clearance()..PARAMS.max_clearance() + 0.5).contains(&gap), "{gap}");
     assert!(inside(&[(62.0, 48.0), (62.0, 52.0)]) > 62.9);
     assert!(inside(&[(60.0, 10.0), (60.0, 90.0)]) > 62.9, "most of the head is beyond the line");
+    // a short one, which is a link, leads up to the line too, and is not cut back before it
+    let short = contour(&[(53.0, 50.0), (58.0, 50.0)], false);
+    let head = contour(&[(58.0, 49.0), (60.0, 50.0), (58.0, 51.0)], true);
+    let at = taken(vec![short, head, contour(&[(59.5, 10.0), (59.5, 90.0)], false)]).0[0].at.x;
+    assert!((at - 59.5).abs() < 0.01, "{at}");
 }
 
 /// The finished lines of contours with heads at their ends, and which heads are drawn.
