@@ -29,6 +29,7 @@ mod lost_marks;
 mod lost_signs;
 mod margins;
 mod named;
+mod open_rings;
 mod outlines;
 mod overview;
 mod print_words;

@@ -3,11 +3,13 @@
 use super::finish::{PageSays, finished, origin, title_of_overview};
 use super::kept_lines;
 use super::lost_signs::{MOVED, extent, is_small_ring, kind};
+use super::open_rings;
 use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
 use crate::dots::ShownScale;
+use crate::edges::Edges;
 use crate::geom::polygon::holds_box;
 use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
 use crate::page::layout::Layout;
@@ -15,21 +17,21 @@ use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Par
 use crate::profile::Plan;
 use crate::units::MmRect;
 
-/// Lines in `area` as the device presses them; on a printed page they stay.
-pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
+/// Lines of these contours in `area` as the device presses them; on a printed page they stay.
+pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else {
         let heads = drawn.marks.heads.iter().filter(|head| !head.is_drawn);
         drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, kind: SignKind::Arrowhead }));
         return drawn;
     };
-    let params = dots::Params { whole_rows: of_paths, ..plan.dots(medium) };
+    let params = dots::Params { whole_rows: is_of_paths(edges), ..plan.dots(medium) };
     let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (mut lines, mut shown) = press(&drawn);
     let least_strength = plan.lines().least_strength;
     if let Some((others, alone)) = without_squared_grid(&drawn, &lines, press, area, least_strength) {
         (drawn, (lines, shown)) = (others, alone);
     }
-    let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
+    let (stand_for, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     // the dots of a line through a small ring are near to all of it, and none of them is its own
     let around = |line: &Line| {
         let points = || line.runs.iter().flat_map(|run| run.points.iter());
@@ -39,9 +41,12 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         let reach = extent(ring).inflate(MOVED, MOVED);
         lines.iter().any(|line| holds_box(reach, extent(line)) && around(line) >= WHOLE * ring.length())
     };
-    let rings = drawn.lines.iter().zip(&shares).filter(|(line, _)| is_small_ring(line));
-    let signs: Vec<LostSign> = rings
-        .filter(|(line, share)| **share < WHOLE || !has_own(line))
+    let is_lost_sign = |(line, share): &(&Line, &f32)| is_small_ring(line) && (**share < WHOLE || !has_own(line));
+    let signs: Vec<LostSign> = drawn
+        .lines
+        .iter()
+        .zip(&shares)
+        .filter(is_lost_sign)
         .map(|(line, _)| LostSign { at: extent(line).center(), kind: kind(line, &lines) })
         .collect();
     let mut lost = drawn.lost.keeping(kept_of((&drawn.lines, &shares), &lines, area, medium.pitch));
@@ -52,7 +57,12 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
         closed: false,
         is_faint: false,
     }));
-    lost.gaps.extend(drawn.lines.iter().zip(&shares).filter_map(gap));
+    let open = open_rings::gaps(&drawn.lines, &lines, &stand_for, [params.pitch, params.centres()]);
+    // of a photograph a small gap says little
+    let of_drawing = edges.of_drawing();
+    let open = open.into_iter().map(|gap| gap.filter(|_| of_drawing));
+    let rings = drawn.lines.iter().zip(&shares).zip(open).filter(|(of, _)| *of.1 >= GONE && !is_lost_sign(of));
+    lost.gaps.extend(rings.filter_map(|(of, gap)| lost_of_ring(of).or(gap)));
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, kind: SignKind::Ring }));
@@ -60,6 +70,11 @@ pub(super) fn pressed(mut drawn: Lines, of_paths: bool, area: MmRect, layout: &L
     lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, kind: SignKind::Arrowhead }));
     lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
+}
+
+/// Whether contours are the paths of a vector drawing, each of one strength: those in pixels are stronger in parts.
+fn is_of_paths(edges: &Edges) -> bool {
+    edges.of_drawing() && edges.chains.iter().all(|chain| chain.kind.exact)
 }
 
 /// The lines without a squared grid, and how they are pressed, if there is one that is torn among those `pressed`, or
@@ -164,17 +179,13 @@ fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale
     Some(LostScale { ticks: scale.len(), lost: 1 + lost.count(), every: shown.every, first })
 }
 
-/// What a closed line lacks of which so much becomes dots, if that is a gap.
-fn gap((line, share): (&Line, &f32)) -> Option<LostLine> {
-    gap_or_gone((line, share)).filter(|_| *share >= GONE)
-}
-
-/// The same, also if there is hardly any of it.
-fn gap_or_gone((line, share): (&Line, &f32)) -> Option<LostLine> {
-    let is_closed = line.runs.iter().any(|run| run.closed) && !is_small_ring(line);
+/// What a closed line lacks of which this share becomes dots, if that is more than a little.
+fn lost_of_ring((line, share): (&Line, &f32)) -> Option<LostLine> {
+    let is_small = is_small_ring(line);
+    let is_closed = is_small || line.runs.iter().any(|run| run.closed);
+    let least = if is_small { WHOLE } else { WHOLE_RING };
     let length = (1.0 - share) * line.length();
-    let is_open = is_closed && *share < WHOLE_RING;
-    is_open.then(|| LostLine { extent: extent(line), length, closed: true, is_faint: false })
+    (is_closed && *share < least).then(|| LostLine { extent: extent(line), length, closed: true, is_faint: false })
 }
 
 /// A closed line of which less than this share becomes dots is open: less is lost where lines meet.
@@ -189,8 +200,10 @@ pub(super) fn of_overview(mut drawn: Lines, area: MmRect, layout: &Layout, plan:
     let heavy_from = if medium.device.has_heights() { 0.0 } else { f32::INFINITY };
     let params = dots::Params { heavy_from, ..plan.dots(medium) };
     let (lines, shown) = dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
-    let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
-    drawn.lost.gaps = drawn.lines.iter().zip(&shares).filter_map(gap_or_gone).collect();
+    let (stand_for, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
+    let open = open_rings::gaps(&drawn.lines, &lines, &stand_for, [params.pitch, params.centres()]);
+    let rings = drawn.lines.iter().zip(&shares).zip(open);
+    drawn.lost.gaps = rings.filter_map(|(of, gap)| lost_of_ring(of).or(gap)).collect();
     drawn.lost.rings += shown.points.iter().filter(|is_drawn| !**is_drawn).count();
     Lines { lines, ..drawn }
 }

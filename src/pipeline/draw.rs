@@ -453,7 +453,7 @@ fn draw_whole(
         if matches!(layout.medium, Medium::Dots(_)) {
             drawn.lines = by_hand_first(drawn.lines, edges, transform);
         }
-        let mut drawn = dots::pressed(drawn, is_of_paths(edges), layout.figure, layout, plan);
+        let mut drawn = dots::pressed(drawn, edges, layout.figure, layout, plan);
         of_dots.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
         if is_all {
             drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
@@ -466,11 +466,6 @@ fn draw_whole(
     }
     let plain = draw(&lines::Params { takes_points: false, ..*params });
     if plain.lost.signs.len() < drawn.lost.signs.len() { plain } else { drawn }
-}
-
-/// Whether contours are the paths of a vector drawing, each of one strength: those in pixels are stronger in parts.
-fn is_of_paths(edges: &Edges) -> bool {
-    edges.of_drawing() && edges.chains.iter().all(|chain| chain.kind.exact)
 }
 
 /// What the maker is told of a figure that is narrower than asked for.
