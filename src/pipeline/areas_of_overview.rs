@@ -109,7 +109,11 @@ impl Cells {
             let half = if is_stroke { 0.5 * run.width + CLOSES * side } else { CLOSES_DOTS * pitch };
             let reach = half / side;
             let to_cells = |at: MmPoint| ((at - part.min) / side).to_point();
-            let path: Vec<MmPoint> = run.path().collect();
+            let mut path: Vec<MmPoint> = run.path().collect();
+            if !is_stroke && let (Some(first), true) = (path.first().copied(), path.len() > 2) {
+                // a ring of dots does not repeat its first one, and where its ends are far apart it is open
+                path.push(first);
+            }
             let single = path.first().map(|&only| [only, only]).filter(|_| path.len() == 1);
             for [a, b] in path.windows(2).map(|pair| [pair[0], pair[1]]).chain(single) {
                 // a row of dots is interrupted where a point is hollow

@@ -61,4 +61,11 @@ fn lines_of_dots_close_areas() {
     };
     assert_eq!(missing(&[BOX, LEFT, RIGHT], &[dots(BOX), dots(LEFT), dots(RIGHT)]), (3, 0));
     assert_eq!(missing(&[BOX, LEFT, RIGHT], &[dots(BOX), dots(RIGHT)]), (3, 1));
+    // the dots of a ring end where it begins, a diagonal step from its first one
+    let mut ring = dots(BOX);
+    ring.runs[0].points.pop();
+    ring.runs[0].points.remove(0);
+    assert_eq!(missing(&[BOX], &[ring.clone()]), (1, 0));
+    ring.runs[0].points.truncate(20);
+    assert_eq!(missing(&[BOX], &[ring]), (1, 1));
 }
