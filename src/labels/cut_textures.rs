@@ -10,15 +10,16 @@ use crate::units::{MmPoint, MmRect};
 /// few rows, at ends of rows and by itself beside them.
 pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Params) {
     let before = std::mem::take(&mut texture.glyphs);
+    // from sign to sign, as if they lay in a square
+    let step = (texture.area / before.len().max(1) as f32).sqrt();
     let is_apart = |glyph: &Glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius());
     let mut left: Vec<Glyph> = before.iter().filter(|glyph| is_apart(glyph)).copied().collect();
     if left.len() < before.len() {
-        leave_out_strips(&mut left, &before, texture.area / before.len() as f32, placed);
+        leave_out_strips(&mut left, &before, step, placed);
     }
     if left.len() < before.len() && params.least_texture > 0.0 {
-        leave_out_few_rows(&mut left, side_by_side(&before, texture.area), placed, params.least_texture);
+        leave_out_few_rows(&mut left, side_by_side(&before, step), placed, params.least_texture);
     }
-    let step = (texture.area / before.len().max(1) as f32).sqrt();
     let is_cut = left.len() < before.len();
     left = without_stray(left, &before, placed);
     texture.glyphs = if is_cut { without_torn(left, &before, step, placed) } else { left };
@@ -37,14 +38,14 @@ const FARTHEST_ROWS: f32 = 10.0;
 /// Every how many-th sign is asked for its nearest.
 const SAMPLED: usize = 20;
 
-/// How far apart signs of one part of a texture are at most, mm, of those that it has on this area, mm2.
-fn side_by_side(signs: &[Glyph], area: f32) -> f32 {
+/// How far apart signs of one part of a texture are at most, mm, of those that it has, in steps of `step` mm.
+fn side_by_side(signs: &[Glyph], step: f32) -> f32 {
     let to_others = |sign: &Glyph| {
         let others = signs.iter().filter(|other| other.at != sign.at);
         others.map(|other| (other.at - sign.at).length()).fold(f32::INFINITY, f32::min)
     };
     let along = signs.iter().step_by(SAMPLED).map(to_others).fold(f32::INFINITY, f32::min);
-    let across = UNEVEN * area / (signs.len() as f32 * along);
+    let across = UNEVEN * step * step / along;
     SIDE_BY_SIDE.max(across.min(FARTHEST_ROWS))
 }
 
@@ -86,9 +87,9 @@ const STEPS_AROUND: f32 = 2.5;
 const BROAD: f32 = 0.6;
 
 /// Leaves out what labels leave of a texture in strips of one or two rows beside them, as between a label and a line:
-/// signs in a row are felt as a line. `before` are all signs of the texture, each for `area` mm2.
-fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], area: f32, placed: &[&Placed]) {
-    let reach = STEPS_AROUND * area.sqrt();
+/// signs in a row are felt as a line. `before` are all signs of the texture, in steps of `step` mm.
+fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], step: f32, placed: &[&Placed]) {
+    let reach = STEPS_AROUND * step;
     let far = |glyph: &Glyph| placed.iter().map(|label| label.distance(glyph.at)).fold(f32::INFINITY, f32::min);
     let near = |all: &[Glyph]| -> Vec<MmPoint> {
         all.iter().filter(|glyph| far(glyph) < NEAR_LABEL + 2.0 * reach).map(|glyph| glyph.at).collect()
