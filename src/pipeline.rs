@@ -25,6 +25,7 @@ mod label_params;
 mod leaders;
 mod legend;
 mod lines_of_part;
+mod links_of_overview;
 mod lost_marks;
 mod lost_signs;
 mod margins;

@@ -12,6 +12,7 @@ use super::joined_bars::{BarTolerances, Redraw};
 use super::key::KeySheets;
 use super::leaders;
 use super::legend::{self, LegendEntry};
+use super::links_of_overview;
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
@@ -188,7 +189,7 @@ pub(super) fn draw(
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
-    notes.extend(areas_of_overview::told(&edges, &drawn.lines, &overview, &layout, plan));
+    notes.extend(told_of_shapes(&edges, &drawn.lines, &overview, &layout, plan));
     notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
@@ -213,6 +214,18 @@ fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, 
     let left_out = told_left_out(drawn, edges, layout).into_iter().chain(told_whole(drawn, texts));
     let dashed = if plan.profile().figure.lines { told_dashed(edges) } else { None };
     left_out.chain(lost_marks::told(&drawn.lost, plan)).chain(dashed).collect()
+}
+
+/// What the maker is told of areas of the figure, and of lines between its shapes, that the overview lacks.
+fn told_of_shapes(
+    edges: &Edges,
+    lines: &[Line],
+    overview: &DrawnOverview,
+    layout: &Layout,
+    plan: &Plan,
+) -> impl Iterator<Item = Note> {
+    let areas = areas_of_overview::told(edges, lines, overview, layout, plan);
+    areas.into_iter().chain(links_of_overview::told(edges, lines, overview, layout, plan))
 }
 
 /// What the maker is told of lines that a person drew: of what runs beside those that are added, and of those that are
