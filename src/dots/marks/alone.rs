@@ -100,7 +100,7 @@ impl Places<'_> {
     /// Whether dots are apart from all points, and from all rows but those that give way.
     fn has_room_alone(&self, dots: &[GridPoint], taken: &[DrawnPoint]) -> bool {
         let lattice = self.field.lattice;
-        let stays = |owner: Owner| !matches!(owner, Owner::Row(row, _) if self.gives_way(row));
+        let stays = |owner: Owner| !matches!(owner, Owner::Row(row, dot) if self.gives_way(row, dot));
         dots.iter().all(|dot| {
             lattice.holds(*dot)
                 && !self.near(*dot).any(|(_, owner)| stays(owner))

@@ -4,16 +4,32 @@ use super::lattice::Owner;
 use super::{Places, Row};
 use crate::dots::grid_dot::GridPoint;
 use crate::dots::params::LEAST_DOTS;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmRect};
 
 /// What is left of a row between two points and is shorter than this share of the shortest line says nothing. Chosen by
 /// us.
 const SCRAP: f32 = 0.5;
+/// The dots of a level or upright row lie less than this apart across it, in steps: rounding to the grid may move some
+/// by one.
+const LEVEL: f32 = 1.5;
 
 impl Places<'_> {
-    /// Whether a row is interrupted where a point beside it is near: a weak one without marks.
-    pub(super) fn gives_way(&self, row: usize) -> bool {
+    /// Whether a row may be interrupted where points beside it are near: a weak one without marks.
+    fn may_give_way(&self, row: usize) -> bool {
         self.rows[row].is_weak && self.placed.runs[row].is_empty()
+    }
+
+    /// Whether a row is interrupted at this one of its dots, by its number: where it goes on on both sides, so that a
+    /// finger finds the rest, or anywhere if it is level or upright, as gridlines and ticks are.
+    pub(super) fn gives_way(&self, row: usize, dot: usize) -> bool {
+        let (Row { dots, closed, .. }, pitch) = (&self.rows[row], self.params.pitch);
+        let beyond = dot.min(dots.len().saturating_sub(dot + 1));
+        let goes_on = || *closed || beyond.saturating_sub(1) as f32 * pitch >= SCRAP * self.params.min_length;
+        let is_level_or_upright = || {
+            let size = MmRect::from_points(dots).size();
+            size.width.min(size.height) < LEVEL * pitch
+        };
+        self.may_give_way(row) && (goes_on() || is_level_or_upright())
     }
 
     /// The dots that are nearer to a dot than lines may be.
@@ -29,7 +45,7 @@ impl Places<'_> {
         for (_, owner) in near {
             if let Owner::Row(row, number) = owner
                 && own != Some(row)
-                && self.gives_way(row)
+                && self.gives_way(row, number)
             {
                 self.hide(row, number);
             }
@@ -40,7 +56,8 @@ impl Places<'_> {
     pub(super) fn drop_scraps(&mut self) {
         for row in 0..self.rows.len() {
             let (Row { dots, closed, .. }, hidden) = (&self.rows[row], &self.placed.hidden[row]);
-            let Some(first) = dots.iter().position(|dot| hidden.contains(dot)).filter(|_| self.gives_way(row)) else {
+            let first_hidden = dots.iter().position(|dot| hidden.contains(dot));
+            let Some(first) = first_hidden.filter(|_| self.may_give_way(row)) else {
                 continue;
             };
             let mut dots = dots.clone();

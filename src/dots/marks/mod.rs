@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Points come first, then heads, then ticks. A line with any has one row of dots, so that they stand out from it.
-//! Points beside all lines, such as those of a scatter plot, come last, where they have room; gridlines are
-//! interrupted there.
+//! Points beside all lines, such as those of a scatter plot, come last, where they have room; gridlines, and other weak
+//! lines that go on on both sides, are interrupted there.
 
 mod alone;
 mod head;
@@ -301,8 +301,11 @@ impl Places<'_> {
         }
         let reach = radius as f32 + if matches!(lattice, Lattice::Free { .. }) { 0.8 } else { 0.0 };
         let leads: Vec<usize> = self.field.around(middle, reach).filter_map(|(.., owner)| row_of(owner)).collect();
-        let stays = |row: usize| !leads.contains(&row) && !self.gives_way(row);
-        !around.iter().flat_map(|dot| self.near(*dot)).filter_map(|(_, owner)| row_of(owner)).any(stays)
+        let stays = |owner: Owner| match owner {
+            Owner::Row(row, number) => !leads.contains(&row) && !self.gives_way(row, number),
+            Owner::Tick(..) => false,
+        };
+        !around.iter().flat_map(|dot| self.near(*dot)).any(|(_, owner)| stays(owner))
     }
 
     /// Whether rows are lines without these dots.

@@ -241,6 +241,16 @@ fn gridlines_are_interrupted_at_points_beside_them() {
     let across = Row { dots: column, closed: false, is_heavy: false, is_weak: true };
     let on_axis = |more: Option<Row>| counts(&placed(&[point(40.0, 1.5, true)], &[], &rows(more)));
     assert_eq!(on_axis(Some(across)), on_axis(None));
+    // one that ends there stays, unless it is level, and one that goes on on both sides is interrupted
+    let slanting = |from: f32, steps: std::ops::Range<i32>| {
+        let dots = steps.map(|k| MmPoint::new(from + 2.0 * k as f32, 60.0 - 2.0 * k as f32)).collect();
+        Row { dots, ..gridline(0.0) }
+    };
+    let beside = |row: Row| placed(&[alone(60.0, false)], &[], &rows(Some(row))).shown.points;
+    assert_eq!(beside(slanting(54.0, 0..9)), [false]);
+    assert_eq!(beside(slanting(56.0, -9..9)), [true]);
+    let level = (27..40).map(|x| MmPoint::new(2.0 * x as f32, 60.0)).collect();
+    assert_eq!(beside(Row { dots: level, ..gridline(0.0) }), [true]);
     // one with marks of its own stays, as these would be torn
     let own = PointMark { at: MmPoint::new(50.0, 56.0), is_alone: false, ..alone(56.0, true) };
     let beside = PointMark { at: MmPoint::new(80.0, 60.0), ..alone(60.0, false) };
