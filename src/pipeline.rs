@@ -194,11 +194,10 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let DrawnMarks { mut figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, mut notes } =
-        marks;
+    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes } = marks;
     let legend = if words.own_texts { legend } else { words.legend.to_vec() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
-    let coloured_ground = textures::has_coloured_ground(&notes);
+    let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
@@ -223,8 +222,8 @@ fn compose(
     })?;
     notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
     if page.is_empty() {
-        told_empty(&mut notes, all_erased);
-    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
+        told_empty(&mut notes, facts.all_erased);
+    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !facts.is_flat {
         notes.push(Note::NoLines);
     }
     match &layout.medium {

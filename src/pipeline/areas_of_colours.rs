@@ -28,6 +28,8 @@ pub(super) struct AreasOfColours {
     with_small: Option<Classes>,
     /// The bars of a chart, each of one colour.
     pub(super) bars: Vec<ColouredBar>,
+    /// Whether the ground has a colour, and no texture.
+    pub(super) coloured_ground: bool,
 }
 
 impl AreasOfColours {
@@ -40,7 +42,7 @@ impl AreasOfColours {
         plan: &Plan,
         watch: &mut Watch<'_>,
     ) -> Option<Self> {
-        let of = |classes: Classes| Self { classes, with_small: None, bars: Vec::new() };
+        let of = |classes: Classes| Self { classes, with_small: None, bars: Vec::new(), coloured_ground: false };
         if let Some(areas) = &given.areas {
             return plan.profile().figure.textures.then(|| of(areas.clone()));
         }
@@ -76,7 +78,7 @@ impl AreasOfColours {
         layout: &Layout,
         plan: &Plan,
     ) -> Vec<Note> {
-        let Self { classes, with_small, .. } = self;
+        let Self { classes, with_small, coloured_ground, .. } = self;
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
         // what is erased is not there on purpose
@@ -87,7 +89,9 @@ impl AreasOfColours {
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, picture, layout, plan)));
         notes.extend(without_remnants(classes, &decisions.erased, layout, plan));
         if of_picture {
-            notes.extend(blank_ground(classes, plan));
+            let ground = blank_ground(classes, plan);
+            *coloured_ground = ground.is_some();
+            notes.extend(ground);
             decisions.calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, picture));
         }
         notes

@@ -5,7 +5,7 @@ use super::areas_of_overview;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
 use super::find_edges::{edges_of, find_edges};
-use super::finish::PageSays;
+use super::finish::{PageSays, PictureFacts};
 use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
 use super::joined_bars::{BarTolerances, Redraw};
@@ -47,9 +47,7 @@ pub(super) struct DrawnMarks {
     pub(super) figure: Figure,
     pub(super) overview: Option<(MmRect, Vec<Line>)>,
     pub(super) layout: Layout,
-    pub(super) is_flat: bool,
-    /// Whether all contours were erased.
-    pub(super) all_erased: bool,
+    pub(super) facts: PictureFacts,
     /// What the page says of itself.
     pub(super) said: PageSays,
     /// Small closed shapes of a drawing that are not on the page, or not whole.
@@ -67,8 +65,7 @@ pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout, &dyn Fn(Size) -> Re
 /// A picture that is read and laid out, with its contours.
 pub(super) struct Found {
     picture: decode::Decoded,
-    is_flat: bool,
-    all_erased: bool,
+    facts: PictureFacts,
     layout: Layout,
     texts: Vec<Text>,
     edges: Edges,
@@ -143,8 +140,8 @@ pub(super) fn find(
     let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
-    let is_flat = content.is_uniform();
-    Ok(Found { picture, is_flat, all_erased, layout, texts, edges, decisions, legend, overview, notes })
+    let facts = PictureFacts { is_flat: content.is_uniform(), all_erased, coloured_ground: false };
+    Ok(Found { picture, facts, layout, texts, edges, decisions, legend, overview, notes })
 }
 
 /// Everything but the page: draws the contours and colours that were found.
@@ -155,7 +152,7 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, is_flat, all_erased, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
+    let Found { picture, mut facts, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
     let (mut legend, mut notes) = (found.legend, found.notes);
     let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
     let has_contours = !edges.is_empty() || lines_of(given, regions.as_ref(), &decisions).has_subject();
@@ -183,9 +180,9 @@ pub(super) fn draw(
     let overview = if regions.is_some() { overview.within(&drawn.lines, &layout, plan) } else { overview };
     notes.extend(told_of_drawn(&drawn, &edges, &texts, &layout, plan));
     if let Some(of_colours) = &mut areas_of_colours {
-        let size = picture.raster.size();
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
-        notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), size, &layout, plan));
+        notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), picture.raster.size(), &layout, plan));
+        facts.coloured_ground = of_colours.coloured_ground;
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
@@ -206,7 +203,7 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let (lost_signs, overview) = (drawn.lost.signs, overview.marks);
-    Ok(DrawnMarks { figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, notes })
+    Ok(DrawnMarks { figure, overview, layout, facts, said, lost_signs, legend, texts, notes })
 }
 
 /// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.

@@ -22,6 +22,17 @@ pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, 
     Ok(described(page, Wording::nearest(request.language)))
 }
 
+/// What is known of a picture beside its marks.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct PictureFacts {
+    /// Whether it is of one colour.
+    pub(super) is_flat: bool,
+    /// Whether all its contours were erased.
+    pub(super) all_erased: bool,
+    /// Whether its ground has a colour that has no texture on the page.
+    pub(super) coloured_ground: bool,
+}
+
 /// What a page says of itself, beside how it was made.
 #[derive(Debug, Clone)]
 pub(super) struct PageSays {

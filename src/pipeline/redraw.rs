@@ -3,7 +3,7 @@
 use super::areas;
 use super::decisions::LinesOf;
 use super::draw::{DrawnMarks, FigureLines, draw_lines};
-use super::finish::PageSays;
+use super::finish::{PageSays, PictureFacts};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::leaders;
@@ -106,7 +106,7 @@ pub(super) fn marks(
     notes.extend(told_by_hand(of_figure, &drawn.lines, &overview, &layout));
     request.go_on()?;
     let of_drawing = !LeftOut::of(page).of_photograph;
-    let (textures, of_areas) = textures(old, &drawn.lines, of_drawing, &layout, plan, watch);
+    let (textures, of_areas, coloured_ground) = textures(old, &drawn.lines, of_drawing, &layout, plan, watch);
     notes.extend(of_areas);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let left_out = left_out(&drawn.lost, overview.lost.rings, of_drawing);
@@ -116,8 +116,7 @@ pub(super) fn marks(
         figure,
         overview: overview.marks,
         layout,
-        is_flat: false,
-        all_erased: false,
+        facts: PictureFacts { coloured_ground, ..PictureFacts::default() },
         said,
         lost_signs: drawn.lost.signs,
         legend: legend::of_page(page),
@@ -126,7 +125,8 @@ pub(super) fn marks(
     })
 }
 
-/// The textures of the areas of a page, beside these lines, and what is told of areas without one.
+/// The textures of the areas of a page, beside these lines, what is told of areas without one, and whether the ground
+/// is such an area of its own colour.
 fn textures(
     old: OldPage<'_>,
     lines: &[Line],
@@ -134,7 +134,7 @@ fn textures(
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Vec<Texture>, Vec<Note>) {
+) -> (Vec<Texture>, Vec<Note>, bool) {
     let (classes, of_ground) = areas_of(old.page, old.plan, plan);
     let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
     let mut unlearned = take_unlearned(&mut textures, plan.profile().colours.min_area, |_| true);
@@ -144,8 +144,9 @@ fn textures(
     }
     let told = |classes| told_bare(classes, &textures, lines, layout, (of_drawing, &unlearned), plan);
     let bare = classes.as_ref().and_then(told);
+    let coloured_ground = of_ground.is_some();
     let notes = of_ground.into_iter().chain(bare.or_else(|| told_unlearned(&unlearned, plan))).collect();
-    (textures, notes)
+    (textures, notes, coloured_ground)
 }
 
 /// The lines of a page that are told otherwise where they are not drawn: heads of arrows, and those that lie outside of

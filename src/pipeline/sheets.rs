@@ -7,7 +7,6 @@ use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run_stage};
 use super::request::{Request, SLACK};
-use super::textures;
 use super::words::{OnPage, Words, WrittenWords};
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
@@ -67,11 +66,10 @@ pub fn convert<'p>(
     let layout_of = |size: Size, _| Ok(together(&lay(size)?));
     let found = find(picture.into(), FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
-    let DrawnMarks { mut figure, overview, layout, is_flat, all_erased, said, lost_signs, legend, texts, mut notes } =
-        marks;
+    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes } = marks;
     let legend = if words.own_texts { legend } else { Vec::new() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
-    let coloured_ground = textures::has_coloured_ground(&notes);
+    let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
@@ -97,8 +95,8 @@ pub fn convert<'p>(
     notes.extend(print_words::left_out(sheets.all(), plan));
     let of_picture = || sheets.overview.iter().chain(&sheets.pages);
     if of_picture().all(Page::is_empty) {
-        told_empty(&mut notes, all_erased);
-    } else if plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
+        told_empty(&mut notes, facts.all_erased);
+    } else if plan.profile().figure.lines && figure.lines.is_empty() && !facts.is_flat {
         notes.push(Note::NoLines);
     }
     match &sheet.medium {

@@ -104,11 +104,6 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
     Some(Note::NotOnPage(About::Areas, Reason::GroundBlank, told))
 }
 
-/// Whether these tell of a ground that has a colour.
-pub(super) fn has_coloured_ground(notes: &[Note]) -> bool {
-    notes.iter().any(|note| matches!(note, Note::NotOnPage(About::Areas, Reason::GroundBlank, _)))
-}
-
 /// What lines divide the regions of a figure into.
 struct DividedAreas {
     /// The number of the area of each cell; none on lines, and where there is no texture.
