@@ -83,3 +83,30 @@ fn on_an_embosser_the_grid_goes_and_the_triangle_stays() {
         assert!(told.contains("the squared grid"), "{squares} squares: {told}");
     }
 }
+
+/// Of a gridline that is cut beside two points which overlap, one piece leads aside to these.
+#[test]
+fn on_an_embosser_no_piece_of_a_grid_stays_beside_points() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 600'><rect width='800' height='600' \
+                   fill='#fff'/>"
+        .to_owned();
+    for i in 0..5 {
+        let (x, y) = (212 + 132 * i, 428 - 92 * i);
+        write!(svg, "<path stroke='#ddd' d='M{x} 520V40M80 {y}H760'/>").expect("it is a string");
+        write!(svg, "<path stroke='#000' stroke-width='2' d='M{x} 520V528M72 {y}H80'/>").expect("it is a string");
+    }
+    svg += "<path d='M80 520H760' stroke='#000' stroke-width='3'/><path d='M80 520V40' stroke='#000' \
+            stroke-width='3'/><circle cx='620.66' cy='229.83' r='6' fill='#14a'/><circle cx='616.74' cy='221.54' \
+            r='6' fill='#14a'/></svg>";
+    let profile = Profile::named("index-basic-d").expect("it is built in");
+    let drawing = tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page");
+    let told: String = drawing.notes.iter().map(|note| format!("{note}\n")).collect();
+    assert!(told.contains("the squared grid"), "{told}");
+    let is_straight = |run: &&Run| {
+        let (first, last) = (run.points[0], run.points[run.points.len() - 1]);
+        let size = (last - first).abs();
+        size.x.max(size.y) > 10.0 && size.x.min(size.y) < 0.1
+    };
+    let straight = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).filter(is_straight).count();
+    assert_eq!(straight, 0, "the axes are one line with a corner: {told}");
+}
