@@ -1,5 +1,5 @@
-//! Closed lines that are open as dots: of a narrow box one side is too near to the other, and a piece of it is left out,
-//! which may be little of the whole.
+//! Closed lines that are open as dots: of a narrow box one side is too near to the other, and a piece of it is left
+//! out, which may be little of the whole.
 
 use crate::lines::{Line, LostLine};
 use crate::units::{MmPoint, MmRect};
