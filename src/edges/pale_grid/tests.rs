@@ -78,7 +78,7 @@ fn gridlines_that_turn_into_one_another_and_the_edge_of_the_paper_are_lines_of_t
     let upright = |x: u16| along_gridlines(&[(x, 50), (x, 300)], false);
     let edge = along_gridlines(&[(50, 50), (550, 50), (550, 300), (50, 300)], true);
     let corner = along_gridlines(&[(50, 200), (300, 200), (300, 50)], false);
-    let all = parted_strokes(vec![grid(100), grid(150), grid(250), upright(150), upright(400), edge, corner, shape]);
+    let all = parted_strokes(vec![grid(100), grid(150), grid(250), upright(175), upright(425), edge, corner, shape]);
     // four sides of the edge, two of the corner
     assert_eq!(all.iter().filter(|(_, _, faint)| *faint).count(), 5 + 4 + 2);
     assert!(all.iter().all(|(contour, ..)| !contour.closed));
