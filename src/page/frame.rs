@@ -49,7 +49,7 @@ pub(super) fn empty(params: &FrameParams, medium: &DotMedium) -> i32 {
     (params.gap / medium.pitch).round().max(1.0) as i32
 }
 
-/// The frame around a picture on a grid: every so many dots of a ring, one in each corner.
+/// The frame around a picture on a grid: dots of a ring about so many apart, one in each corner.
 fn ring(picture: MmRect, grid: &Grid, params: &FrameParams, medium: &DotMedium) -> Dots {
     let out = empty(params, medium) + 1;
     let step = (params.pitch / medium.pitch).round().max(2.0) as i32;
@@ -60,17 +60,27 @@ fn ring(picture: MmRect, grid: &Grid, params: &FrameParams, medium: &DotMedium) 
     };
     let [left, right] = range(picture.min.x, picture.max.x, &grid.columns);
     let [top, bottom] = range(picture.min.y, picture.max.y, &grid.rows);
-    // from both corners to the middle, so that a flipped picture has the flipped frame
-    let steps = |low: i32, high: i32| {
-        let half = (low..=(low + high) / 2).step_by(step as usize);
-        half.flat_map(move |at| [at, low + high - at])
-    };
-    let mut cells: Vec<(i32, i32)> = steps(left, right).flat_map(|x| [(x, top), (x, bottom)]).collect();
-    cells.extend(steps(top, bottom).flat_map(|y| [(left, y), (right, y)]));
+    let mut cells: Vec<(i32, i32)> = along(left, right, step).flat_map(|x| [(x, top), (x, bottom)]).collect();
+    cells.extend(along(top, bottom, step).flat_map(|y| [(left, y), (right, y)]));
     cells.sort_unstable_by_key(|&(x, y)| (y, x));
     cells.dedup();
     let at = cells.into_iter().filter_map(|(x, y)| grid.at(usize::try_from(x).ok()?, usize::try_from(y).ok()?));
     Dots { diameter: medium.diameter(), at: at.collect() }
+}
+
+/// Places from `low` to `high`, both of them, about `step` dots of a grid apart: even to one dot, and never side by side,
+/// as a finger on a frame feels one wider or narrower space as a mark. They lie alike from both ends, so that a flipped
+/// picture has the flipped frame; an odd length so has an odd number of spaces.
+fn along(low: i32, high: i32, step: i32) -> impl Iterator<Item = i32> {
+    let length = high - low;
+    let most = (length / 2).max(1);
+    let nearest = ((2 * length + step) / (2 * step)).clamp(1, most);
+    let may_be = |count: &i32| (1..=most).contains(count) && (length % 2 == 0 || count % 2 == 1);
+    let around = [nearest, nearest - 1, nearest + 1].into_iter().filter(may_be);
+    let count = around.min_by_key(|count| (length - count * step).abs()).unwrap_or(1);
+    // rounded to the nearest dot
+    let offset = move |k: i32| (2 * k * length + count) / (2 * count);
+    (0..=count / 2).flat_map(move |k| [low + offset(k), high - offset(k)])
 }
 
 #[cfg(test)]

@@ -33,3 +33,27 @@ fn no_two_dots_touch_and_all_keep_their_distance_from_the_picture() {
         assert!(dots.at[..i].iter().all(|q| (*q - *p).length() > params.dot + 0.3), "a dot touches {p:?}");
     }
 }
+
+#[test]
+fn the_spaces_of_a_frame_on_a_grid_are_even_to_one_dot_from_corner_to_corner() {
+    for (length, step) in (6..150).flat_map(|length| (2..7).map(move |step| (length, step))) {
+        let mut places: Vec<i32> = along(3, 3 + length, step).collect();
+        places.sort_unstable();
+        places.dedup();
+        assert_eq!((places.first(), places.last()), (Some(&3), Some(&(3 + length))));
+        let spaces: Vec<i32> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let (least, most) = (spaces.iter().min().copied(), spaces.iter().max().copied());
+        let (least, most) = (least.expect("a space"), most.expect("a space"));
+        assert!(least >= 2 && most - least <= 1, "{length} dots, every {step}: {spaces:?}");
+        let backwards: Vec<i32> = spaces.iter().rev().copied().collect();
+        assert_eq!(spaces, backwards, "{length} dots, every {step}");
+        // on a side of some length they are as far apart as asked, to one dot
+        let is_as_asked = length < 6 * step || (step - 1..=step + 1).contains(&least);
+        assert!(is_as_asked, "{length} dots, every {step}: {spaces:?}");
+    }
+    // a side of an Index page that had two dots side by side in its middle
+    let mut places: Vec<i32> = along(0, 73, 2).collect();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(places.windows(2).filter(|pair| pair[1] - pair[0] == 3).count(), 3, "{places:?}");
+}
