@@ -53,6 +53,14 @@ line-upright = Eine gerade senkrechte Linie { $place }, { $length } mm lang{ $lo
 }.
 line-slanting = Eine gerade schräge Linie { $place }, { $length } mm lang.
 line-bent = Eine gebogene Linie { $place }, { $length } mm lang.
+line-bowed = Eine gebogene Linie { $place }, { $length } mm lang, bis zu { $off } mm { $way ->
+    [left] links von
+    [up] über
+    [right] rechts von
+   *[down] unter
+} der Geraden zwischen ihren Enden.
+line-winding = Eine geschlängelte Linie { $place }, { $length } mm lang, bis zu { $off } mm neben der
+    Geraden zwischen ihren Enden.
 arrow = Ein Pfeil { $place }, { $length } mm lang; seine Spitze zeigt { $way ->
     [left] nach links
     [up] nach oben

@@ -58,6 +58,15 @@ line-upright = A straight upright line { $place }, { $length } mm long{ $long ->
 }.
 line-slanting = A straight slanting line { $place }, { $length } mm long.
 line-bent = A bent line { $place }, { $length } mm long.
+# $way: on which side it lies
+line-bowed = A bent line { $place }, { $length } mm long, up to { $off } mm { $way ->
+    [left] left of
+    [up] above
+    [right] right of
+   *[down] below
+} the straight between its ends.
+line-winding = A winding line { $place }, { $length } mm long, up to { $off } mm off the straight between
+    its ends.
 # $way: where the head points
 arrow = An arrow { $place }, { $length } mm long, whose head points { $way ->
     [left] to the left

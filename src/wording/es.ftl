@@ -53,6 +53,14 @@ line-upright = Una línea recta vertical { $place }, de { $length } mm de largo{
 }.
 line-slanting = Una línea recta inclinada { $place }, de { $length } mm de largo.
 line-bent = Una línea curva { $place }, de { $length } mm de largo.
+line-bowed = Una línea curva { $place }, de { $length } mm de largo, hasta { $off } mm { $way ->
+    [left] a la izquierda
+    [up] por encima
+    [right] a la derecha
+   *[down] por debajo
+} de la recta entre sus extremos.
+line-winding = Una línea sinuosa { $place }, de { $length } mm de largo, hasta { $off } mm de la recta
+    entre sus extremos.
 arrow = Una flecha { $place }, de { $length } mm de largo, cuya punta señala { $way ->
     [left] a la izquierda
     [up] hacia arriba

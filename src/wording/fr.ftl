@@ -53,6 +53,14 @@ line-upright = Une ligne droite verticale { $place }, longue de { $length } mm{ 
 }.
 line-slanting = Une ligne droite oblique { $place }, longue de { $length } mm.
 line-bent = Une ligne courbe { $place }, longue de { $length } mm.
+line-bowed = Une ligne courbe { $place }, longue de { $length } mm, jusqu'à { $off } mm { $way ->
+    [left] à gauche
+    [up] au-dessus
+    [right] à droite
+   *[down] au-dessous
+} de la droite entre ses extrémités.
+line-winding = Une ligne sinueuse { $place }, longue de { $length } mm, jusqu'à { $off } mm de la droite
+    entre ses extrémités.
 arrow = Une flèche { $place }, longue de { $length } mm, dont la pointe est dirigée { $way ->
     [left] vers la gauche
     [up] vers le haut

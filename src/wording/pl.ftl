@@ -48,6 +48,14 @@ line-upright = Prosta pionowa linia { $place }, długości { $length } mm{ $long
 }.
 line-slanting = Prosta ukośna linia { $place }, długości { $length } mm.
 line-bent = Zagięta linia { $place }, długości { $length } mm.
+line-bowed = Zagięta linia { $place }, długości { $length } mm, do { $off } mm { $way ->
+    [left] na lewo od prostej
+    [up] nad prostą
+    [right] na prawo od prostej
+   *[down] pod prostą
+} między jej końcami.
+line-winding = Kręta linia { $place }, długości { $length } mm, do { $off } mm od prostej między jej
+    końcami.
 arrow = Strzałka { $place }, długości { $length } mm; jej grot wskazuje { $way ->
     [left] w lewo
     [up] w górę

@@ -65,3 +65,30 @@ fn a_bar_on_an_axis_is_an_open_rectangle_and_a_second_row_of_dots_no_length() {
     let heavy = Line { strength: 90.0, runs: vec![row(70.0), row(72.5)] };
     assert!(told_of(heavy).contains("100 mm long"));
 }
+
+#[test]
+fn a_river_is_not_straight_and_how_it_bends_is_told() {
+    let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let told_of = |line: Line| told(&[line], figure, 9, Wording::english()).concat();
+    // along 100 mm from (25, 75) on: `off` mm above the straight, by the share of the way
+    let along = |off: &dyn Fn(f32) -> f32| {
+        let at = |k: u8| MmPoint::new(25.0 + f32::from(k), 75.0 - off(f32::from(k) / 100.0));
+        line((0..=100).map(at).collect())
+    };
+    let bow = |height: f32| along(&move |share: f32| height * (PI * share).sin());
+    assert!(told_of(bow(1.5)).starts_with("A straight level line in the middle, 100 mm long"), "{}", told_of(bow(1.5)));
+    let above = "A bent line in the middle, 102 mm long, up to 8 mm above the straight between its ends.";
+    assert_eq!(told_of(bow(8.0)), above, "its ends are 0.98 of its length apart");
+    assert!(told_of(bow(-8.0)).contains("up to 8 mm below the straight"), "{}", told_of(bow(-8.0)));
+    let river = along(&|share: f32| 5.0 * (2.0 * PI * share).sin());
+    let winds = "A winding line in the middle, 102 mm long, up to 5 mm off the straight between its ends.";
+    assert_eq!(told_of(river), winds);
+    // turned by a quarter, what lay above lies on the right
+    let upright = |height: f32| {
+        let at = |k: u8| MmPoint::new(75.0 + height * (PI * f32::from(k) / 100.0).sin(), 25.0 + f32::from(k));
+        line((0..=100).map(at).collect())
+    };
+    assert!(told_of(upright(8.0)).contains("up to 8 mm right of the straight"), "{}", told_of(upright(8.0)));
+    assert!(told_of(upright(-8.0)).contains("up to 8 mm left of the straight"), "{}", told_of(upright(-8.0)));
+    assert!(told_of(bow(60.0)).ends_with(" mm long."), "of a hook it is not told: {}", told_of(bow(60.0)));
+}
