@@ -173,6 +173,31 @@ fn lines_that_are_found_beside_added_ones_are_told() {
 }
 
 #[test]
+fn a_closed_line_stays_closed_where_an_added_one_ends_before_it() {
+    let ring = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>\
+                <rect width='300' height='200' fill='#fff'/>\
+                <circle cx='180' cy='100' r='60' fill='none' stroke='#000' stroke-width='3'/></svg>";
+    // 3 px before it, about 2 mm; on it; and into it
+    for to in [117, 120, 150] {
+        let own = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>\
+             <path d='M20 100H{to}' fill='none' stroke='#000' stroke-width='3'/></svg>"
+        );
+        let options = options().add_lines(own).expect("a drawing");
+        let drawing = tactograph::convert(ring.as_bytes(), &options).expect("a page");
+        let place = drawing.page.figure.place;
+        let lines = drawing.page.figure.lines.iter();
+        let rings: Vec<_> = lines.filter(|line| line.length() > 1.1 * place.width()).collect();
+        assert_eq!(rings.len(), 1, "to {to}: {} lines", drawing.page.figure.lines.len());
+        let points: Vec<_> = rings[0].runs.iter().flat_map(|run| &run.points).collect();
+        let ends = (*points[0] - *points[points.len() - 1]).length();
+        let is_closed = rings[0].runs.iter().any(|run| run.closed) || ends < 0.05;
+        assert!(is_closed, "to {to}: its ends are {ends} mm apart");
+        assert!(!told(&drawing.notes).contains("open on the page"), "{}", told(&drawing.notes));
+    }
+}
+
+#[test]
 fn the_overview_is_told_of_as_what_becomes_of_it() {
     let page = page(&options());
     let svg = with_line(&page.to_svg(), &rectangle("mine", &page, [0.53, 0.02, 0.99, 0.33], 0.0, 1.5));

@@ -248,7 +248,7 @@ impl Options {
     }
 
     /// Adds the lines of a page, or of any SVG as [`Options::lines`] takes them, to those that are found. What is found
-    /// too near to them gives way. Called again, the last counts.
+    /// along them, too near, gives way. Called again, the last counts.
     ///
     /// # Errors
     /// As [`Options::lines`] of an SVG; [`Error::NotAPage`] of anything else.

@@ -4,7 +4,8 @@ use lyon::geom::euclid::Box2D;
 
 use crate::edges::{ChainRange, Edgel, Edges};
 use crate::geom::nearby::Nearby;
-use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::polyline::{Located, Polyline, PolylineRef};
+use crate::geom::walk::runs;
 use crate::lines::Line;
 use crate::units::{PageTransform, Px, PxPoint, Size};
 
@@ -15,6 +16,8 @@ const STEP: f32 = 0.1;
 const MEETS: f32 = 0.25;
 /// A line only crosses another if it is beside it for no longer than this, in the same unit: at 42 degrees or more.
 const CROSSING: f32 = 3.0;
+/// A line runs along another if their directions differ by no more than 40 degrees: the cosine.
+pub(super) const ALONG: f32 = 0.77;
 
 /// Side of the cells in which lines are found again, px.
 const CELL: f32 = 16.0;
@@ -65,6 +68,54 @@ pub(super) fn take_out(edges: &mut Edges, is_gone: impl Fn(usize, &ChainRange, &
     }
 }
 
+/// Takes the parts of contours out that run along lines nearer than `reach`, px.
+pub(super) fn take_out_along(edges: &mut Edges, near: &Nearby<Px>, reach: f32) {
+    let (edgels, chains) = (std::mem::take(&mut edges.edgels), std::mem::take(&mut edges.chains));
+    for range in &chains {
+        for (vertices, closed) in parts_apart(&edgels[range.edgels.clone()], range.closed, near, reach) {
+            edges.push_as(range.kind, vertices.into_iter(), closed);
+        }
+    }
+}
+
+/// The parts of a contour that are left without those that run along lines nearer than `reach`, px, and
+/// whether each is closed.
+pub(super) fn parts_apart<V: Located<Unit = Px>>(
+    vertices: &[V],
+    closed: bool,
+    near: &Nearby<Px>,
+    reach: f32,
+) -> Vec<(Vec<V>, bool)> {
+    parts_marked(vertices.iter().copied().zip(run_along(vertices, closed, near, reach)).collect(), closed)
+}
+
+/// Which vertices of a contour lie in stretches along lines nearer than `reach`, px: at most of the vertices of such a
+/// stretch its direction is that of the line beside it. Where a line only crosses the contour, or ends before it, there
+/// is none: it would open a closed outline at its end, and two lines may meet.
+fn run_along<V: Located<Unit = Px>>(vertices: &[V], closed: bool, near: &Nearby<Px>, reach: f32) -> Vec<bool> {
+    let contour = PolylineRef { vertices, closed };
+    let is_beside = |(number, vertex): (usize, &V)| {
+        let (_, _, segment) = near.nearest(vertex.at(), reach, |_| true)?;
+        let way = (segment.b - segment.a).try_normalize().unwrap_or_default();
+        Some(contour.tangent(number).dot(way).abs() >= ALONG)
+    };
+    let beside: Vec<Option<bool>> = vertices.iter().enumerate().map(is_beside).collect();
+    let mut along = vec![false; vertices.len()];
+    for stretch in runs(vertices.len(), closed, |a, b| beside[a].is_some() == beside[b].is_some()) {
+        let count = stretch.iter().filter(|&&number| beside[number] == Some(true)).count();
+        if count > 0 && 2 * count >= stretch.len() {
+            stretch.iter().for_each(|number| along[*number] = true);
+        }
+    }
+    along
+}
+
+/// The parts of a contour that are left, and whether each is closed; with each vertex stands whether it is gone.
+fn parts_marked<V: Copy>(marked: Vec<(V, bool)>, closed: bool) -> Vec<(Vec<V>, bool)> {
+    let parts = parts_left(&marked, closed, |(_, is_gone)| *is_gone);
+    parts.into_iter().map(|(part, closed)| (part.into_iter().map(|(vertex, _)| vertex).collect(), closed)).collect()
+}
+
 /// The parts of a contour that do not run along lines nearer than `reach`, px; where it meets one, those up to `gap`
 /// from it.
 pub(super) fn parts_beside(
@@ -97,9 +148,7 @@ pub(super) fn parts_beside(
     if are_gone.iter().all(|is_gone| !is_gone) {
         return vec![(whole.vertices, closed)];
     }
-    let marked: Vec<(Edgel, bool)> = vertices.into_iter().zip(are_gone).collect();
-    let parts = parts_left(&marked, closed, |(_, is_gone)| *is_gone);
-    parts.into_iter().map(|(part, closed)| (part.into_iter().map(|(edgel, _)| edgel).collect(), closed)).collect()
+    parts_marked(vertices.into_iter().zip(are_gone).collect(), closed)
 }
 
 /// A segment from its first end on, in steps of at most this length, px.
@@ -111,3 +160,6 @@ fn steps(a: &Edgel, b: &Edgel, longest: f32) -> impl Iterator<Item = Edgel> + us
         Edgel { at: a.at.lerp(b.at, share), strength: a.strength + share * (b.strength - a.strength), ..a }
     })
 }
+
+#[cfg(test)]
+mod tests;

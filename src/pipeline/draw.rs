@@ -6,7 +6,7 @@ use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
 use super::find_edges::{edges_of, find_edges};
 use super::finish::{PageSays, PictureFacts};
-use super::given::{Given, GivenLines, erase};
+use super::given::{Given, GivenLines, erase, is_in};
 use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
 use super::joined_bars::{BarTolerances, Redraw};
 use super::key::KeySheets;
@@ -28,7 +28,9 @@ use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::told_bars::{self, BarStyle};
-use super::told_lines::{left_out, told_beside_added, told_dashed, told_left_out, told_simplified, told_whole};
+use super::told_lines::{
+    left_out, told_beside_added, told_cut, told_dashed, told_left_out, told_opened, told_simplified, told_whole,
+};
 use super::too_near::{self, Rules};
 use super::words::{Words, become_labels};
 use crate::edges::{self, Edges};
@@ -39,7 +41,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
-use crate::units::{MmRect, MmVector, PageTransform, Size};
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Size};
 use crate::{About, Error, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
@@ -187,7 +189,7 @@ pub(super) fn draw(
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
     notes.extend(told_of_shapes(&edges, &drawn.lines, &overview, &layout, plan));
-    notes.extend(told_of_person(given, &drawn.lines, &overview, &layout, plan));
+    notes.extend(told_of_person((given, &decisions), &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(told_bars::told(instead, overview.instead));
@@ -225,17 +227,25 @@ fn told_of_shapes(
     areas.into_iter().chain(links_of_overview::told(edges, lines, overview, layout, plan))
 }
 
-/// What the maker is told of lines that a person drew: of what runs beside those that are added, and of those that are
-/// not in the overview.
+/// What the maker is told of lines that a person drew: of what runs beside those that are added or is open there, of
+/// what is missing of them, and of those that are not in the overview.
 fn told_of_person(
-    given: &Given,
+    (given, decisions): (&Given, &Decisions),
     lines: &[Line],
     overview: &DrawnOverview,
     layout: &Layout,
     plan: &Plan,
 ) -> impl Iterator<Item = Note> {
-    let beside = told_beside_added(given.added.as_ref(), lines, layout, plan);
-    beside.into_iter().chain(told_by_hand(given.hand_lines(), lines, overview, layout))
+    let added = given.added.as_ref();
+    let is_erased = |at: MmPoint| {
+        let [from, size] = [at - layout.figure.min, layout.figure.size().to_vector()];
+        is_in([from.x / size.x, from.y / size.y], &decisions.erased)
+    };
+    let cut = told_cut(added, lines, is_erased, layout, plan);
+    let opened = told_opened(added, lines, layout, plan);
+    let beside = told_beside_added(added, lines, layout, plan);
+    let of_added = cut.into_iter().chain(opened).chain(beside);
+    of_added.chain(told_by_hand(given.hand_lines(), lines, overview, layout))
 }
 
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.

@@ -1,7 +1,7 @@
 //! What a person gives beside the picture, and the parts of it that are erased.
 
 use super::Fit;
-use super::cut_contours::{index_of_edges, parts_left, take_out};
+use super::cut_contours::{index_of_edges, parts_apart, parts_left, take_out};
 use super::decisions::Decisions;
 use super::hand_lines::{HandLines, added};
 use super::label::Position;
@@ -250,20 +250,19 @@ pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -
     blank
 }
 
-/// The parts of outlines of regions that are not erased, and make room for the lines that were added.
+/// The parts of outlines of regions that are not erased and do not run along lines that were added.
 pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges, decisions: &Decisions) -> Vec<RegionOutline> {
     let own = added(edges);
     if decisions.erased.is_empty() && own.is_empty() {
         return outlines;
     }
     let near = index_of_edges(&own);
-    let gone = |point: &TracePoint| {
-        is_in(share(point.at, edges.size), &decisions.erased)
-            || near.nearest(point.at, decisions.room_of_added, |_| true).is_some()
-    };
+    let is_erased = |point: &TracePoint| is_in(share(point.at, edges.size), &decisions.erased);
     let parts = |RegionOutline { contour, region }: &RegionOutline| {
+        let left = parts_left(&contour.vertices, contour.closed, is_erased).into_iter();
+        let apart = left.flat_map(|(part, closed)| parts_apart(&part, closed, &near, decisions.room_of_added));
         let part = |(vertices, closed)| RegionOutline { contour: TracedContour { vertices, closed }, region: *region };
-        parts_left(&contour.vertices, contour.closed, gone).into_iter().map(part).collect::<Vec<_>>()
+        apart.map(part).collect::<Vec<_>>()
     };
     outlines.iter().flat_map(parts).collect()
 }

@@ -5,7 +5,7 @@ mod thickness;
 
 use std::collections::HashSet;
 
-use super::cut_contours::{index_of_edges, parts_beside, take_out};
+use super::cut_contours::{index_of_edges, parts_beside, take_out_along};
 use super::kept_lines::LineName;
 use crate::edges::{ChainKind, Edgel, Edges};
 use crate::geom::polyline::Polyline;
@@ -165,15 +165,14 @@ impl HandLines {
         Ok(edges)
     }
 
-    /// Adds the lines to contours that were found, of which the parts nearer than `reach`, px, give way.
+    /// Adds the lines to contours that were found, of which the parts that run along them, nearer than `reach`, px, give
+    /// way.
     ///
     /// # Errors
     /// As [`HandLines::contours`].
     pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<(), Error> {
         let own = self.contours_of(self.lines.iter(), found.size, ADDED)?;
-        let near = index_of_edges(&own);
-        let is_near = |at: PxPoint| near.nearest(at, reach, |_| true).is_some();
-        take_out(found, |_, _, edgel| is_near(edgel.at));
+        take_out_along(found, &index_of_edges(&own), reach);
         for range in &own.chains {
             found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
         }

@@ -42,12 +42,7 @@ const MOST_BY_HAND: usize = 20;
 /// The line of `before` that each line of `after` stands for, none where none is near, and what share of each line of
 /// `before` is there. Both are lines of one figure, that lies in `from` and in `to`.
 pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect) -> (Vec<Option<usize>>, Vec<f32>) {
-    let mut near = Nearby::new(from, REACH);
-    for (line, of) in (0..).zip(before) {
-        for (a, b) in of.runs.iter().flat_map(steps_of) {
-            near.insert(Segment { a, b, half_width: 0.0, line, index: 0, arc: 0.0 });
-        }
-    }
+    let near = index_of(before, from, REACH);
     let scale = from.width() / to.width().max(f32::MIN_POSITIVE);
     let mut lengths = vec![0.0; before.len()];
     let mut stand_for = Vec::with_capacity(after.len());
@@ -78,12 +73,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
 /// What share of each line of `before` has some line of `after` within `reach`, mm: dots of others too, at which it
 /// ends where it meets them. Both are lines of one figure.
 pub(super) fn covered(before: &[Line], after: &[Line], area: MmRect, reach: f32) -> Vec<f32> {
-    let mut near = Nearby::new(area, reach);
-    for (line, of) in (0..).zip(after) {
-        for (a, b) in of.runs.iter().flat_map(steps_of) {
-            near.insert(Segment { a, b, half_width: 0.0, line, index: 0, arc: 0.0 });
-        }
-    }
+    let near = index_of(after, area, reach);
     let share = |line: &Line| {
         let (mut all, mut met) = (0_u32, 0_u32);
         for (a, b) in path_of(line) {
@@ -97,6 +87,42 @@ pub(super) fn covered(before: &[Line], after: &[Line], area: MmRect, reach: f32)
         if all > 0 { met as f32 / all as f32 } else { 1.0 }
     };
     before.iter().map(share).collect()
+}
+
+/// How much of lines has no line of `after` within `reach`, mm, and where the middle of that is, as far as `is_asked`
+/// lets places pass; none if nothing is missing. Both are lines of one figure.
+pub(super) fn missing(
+    lines: &[Line],
+    after: &[Line],
+    area: MmRect,
+    reach: f32,
+    is_asked: impl Fn(MmPoint) -> bool,
+) -> Option<(f32, MmPoint)> {
+    let near = index_of(after, area, reach);
+    let mut gone: Vec<(f32, MmPoint)> = Vec::new();
+    for (a, b) in lines.iter().flat_map(path_of) {
+        let length = (b - a).length();
+        let count = (length / STEP).ceil().max(1.0);
+        for k in 0..count as u32 {
+            let at = a.lerp(b, (k as f32 + 0.5) / count);
+            if is_asked(at) && near.nearest(at, reach, |_| true).is_none() {
+                gone.push((length / count, at));
+            }
+        }
+    }
+    let all: f32 = gone.iter().map(|(mm, _)| mm).sum();
+    gone.get(gone.len() / 2).map(|(_, middle)| (all, *middle))
+}
+
+/// The segments of lines, to be found by their places.
+pub(super) fn index_of(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
+    let mut near = Nearby::new(area, reach);
+    for (line, of) in (0..).zip(lines) {
+        for (a, b) in of.runs.iter().flat_map(steps_of) {
+            near.insert(Segment { a, b, half_width: 0.0, line, index: 0, arc: 0.0 });
+        }
+    }
+    near
 }
 
 /// The segments of a run; of one point, that point.

@@ -1,12 +1,14 @@
 //! What the maker is told of lines that are not drawn, or drawn otherwise.
 
+use super::cut_contours::ALONG;
 use super::hand_lines::HandLines;
+use super::kept_lines;
 use super::lost_signs::is_small;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::nearest_on_segment;
+use crate::geom::{nearest_on_segment, polyline};
 use crate::lines::{Beyond, Line, Lines, Lost, LostLine};
 use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
@@ -35,10 +37,7 @@ pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan
 pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
     let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
     let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
-    let least = match layout.medium {
-        Medium::Print(_) => LEAST_TOLD,
-        Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
-    };
+    let least = least_told(&layout.medium, wanted);
     let (of_drawing, is_larger_turned) = (edges.of_drawing(), is_larger_turned(layout));
     let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
     let place = drawn.lost.place_name();
@@ -50,6 +49,14 @@ pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Op
     }
     let is_told = lost >= least && (of_drawing || share >= LeftOut::TOLD);
     is_told.then_some(Note::LinesLeftOut { millimetres, percent, place, is_larger_turned })
+}
+
+/// The least length of lines left out that is told, mm, of so many mm of lines.
+fn least_told(medium: &Medium, wanted: f32) -> f32 {
+    match medium {
+        Medium::Print(_) => LEAST_TOLD,
+        Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
+    }
 }
 
 /// Whether a figure would be larger if the sheet of a device lay across, as the device can take it.
@@ -153,12 +160,7 @@ pub(super) fn told_beside_added(
     plan: &Plan,
 ) -> Option<Note> {
     let (added, near) = (added?, plan.lines().max_spacing());
-    let mut own = Nearby::new(layout.figure, near);
-    let lines = added.in_place(layout.figure).into_iter();
-    let by_hand = lines.filter(|(_, number)| added.name_by_hand(*number).is_some());
-    for (number, run) in (0..).zip(by_hand.flat_map(|(line, _)| line.runs)) {
-        own.insert_line(number, run.polyline(), 0.0);
-    }
+    let own = kept_lines::index_of(&drawn_by_hand(added, layout), layout.figure, near);
     let mut beside: Vec<(f32, MmPoint)> = figure.iter().filter_map(|line| runs_beside(line, &own, near)).collect();
     beside.sort_by(|a, b| b.0.total_cmp(&a.0));
     let (mm, at) = *beside.first()?;
@@ -173,6 +175,74 @@ pub(super) fn told_beside_added(
         at.x, at.y
     );
     Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
+}
+
+/// Those of the lines that are added which a person drew, where the figure lies.
+fn drawn_by_hand(added: &HandLines, layout: &Layout) -> Vec<Line> {
+    let lines = added.in_place(layout.figure).into_iter();
+    lines.filter(|(_, number)| added.name_by_hand(*number).is_some()).map(|(line, _)| line).collect()
+}
+
+/// What the maker is told of lines that would be closed and are open beside those that a person drew and added: a piece
+/// of them gave way to these.
+pub(super) fn told_opened(added: Option<&HandLines>, figure: &[Line], layout: &Layout, plan: &Plan) -> Option<Note> {
+    let (added, near) = (added?, plan.lines().max_spacing());
+    let own = kept_lines::index_of(&drawn_by_hand(added, layout), layout.figure, near);
+    let mut gaps: Vec<(f32, MmPoint)> = figure.iter().filter_map(|line| opened(line, &own, near)).collect();
+    gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (mm, at) = *gaps.first()?;
+    let (pieces, which, they_are) = match gaps.len() {
+        1 => ("a piece of 1 closed line".to_owned(), "", "it is"),
+        count => (format!("pieces of {count} closed lines"), "the longest ", "they are"),
+    };
+    let told = format!(
+        "{pieces} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm), so that {they_are} open on the page: what is found \
+         gives way along lines that are added; draw yours up to it or across, or end it farther off",
+        at.x, at.y
+    );
+    Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
+}
+
+/// How long the gap of a line that is nearly closed is, mm, and its middle, if both ends lie beside other lines; none of
+/// one that lies on them.
+fn opened(line: &Line, others: &Nearby, near: f32) -> Option<(f32, MmPoint)> {
+    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let (first, last) = (*path.first()?, *path.last()?);
+    let is_within = |at: MmPoint, reach: f32| others.nearest(at, reach, |_| true).is_some();
+    let (gap, length) = ((last - first).length(), polyline::length(&path));
+    let is_open = !line.is_ring_of_dots() && gap > LEAST_GAP && gap <= FAR_BESIDE * near && length >= RING * gap;
+    let are_within = |reach: f32| is_within(first, reach) && is_within(last, reach);
+    // with both ends on one of them it is closed by that
+    let is_beside = are_within(FAR_BESIDE * near) && !are_within(ON * near);
+    let on = path.iter().filter(|at| is_within(**at, ON * near)).count();
+    (is_open && is_beside && 2 * on < path.len()).then(|| (gap, first.lerp(last, 0.5)))
+}
+
+/// A line is closed whose ends are no farther apart, mm: dots of a row are up to 2.5 mm apart.
+const LEAST_GAP: f32 = 2.6;
+/// A line so many times as long as its ends are apart is a closed one with a gap.
+const RING: f32 = 5.0;
+
+/// What the maker is told of what is missing of lines that a person drew and added, but for what is `erased`.
+pub(super) fn told_cut(
+    added: Option<&HandLines>,
+    figure: &[Line],
+    is_erased: impl Fn(MmPoint) -> bool,
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
+    let (added, profile) = (added.filter(|_| plan.profile().figure.lines)?, plan.profile());
+    // those that are too short for the figure are told by themselves
+    let mut own = drawn_by_hand(added, layout);
+    own.retain(|line| line.length() >= profile.lines.min_length);
+    let (all, reach) = (own.iter().map(Line::length).sum::<f32>(), plan.lines().farthest_moved());
+    let (mm, at) = kept_lines::missing(&own, figure, layout.figure, reach, |at| !is_erased(at))?;
+    let told = format!(
+        "{mm:.0} mm of the lines that you drew and added (around {:.0}, {:.0} mm): too near to others or to one \
+         another; move them apart, or erase what is found there",
+        at.x, at.y
+    );
+    (mm >= least_told(&layout.medium, all)).then_some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
 }
 
 /// How long a line is, mm, and its middle, if it runs beside other lines; none of one that lies on them.
@@ -201,8 +271,6 @@ fn runs_beside(line: &Line, others: &Nearby, near: f32) -> Option<(f32, MmPoint)
 
 /// Lines are looked at this often, mm.
 const BESIDE_STEP: f32 = 1.0;
-/// A line runs along another if their directions differ by no more than 40 degrees: the cosine.
-const ALONG: f32 = 0.77;
 /// Two lines are one nearer than this, and beside one another up to the other, both as shares of the distance at which
 /// what is found gives way to what is added. Chosen by us: a person who draws by eye is some mm off.
 const ON: f32 = 0.3;

@@ -21,7 +21,7 @@ pub(in crate::cli) struct Correcting {
 
     /// Adds lines of a page or an SVG with a layer called "lines" to those that are found
     ///
-    /// What is found too near to them gives way.
+    /// What is found along them, too near, gives way; what they only cross, or end before, stays.
     #[arg(long, value_name = "FILE.svg", conflicts_with = "lines", hide_short_help = true)]
     add_lines: Option<PathBuf>,
 

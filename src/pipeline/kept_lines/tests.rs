@@ -33,3 +33,15 @@ fn a_line_that_is_gone_is_named_though_its_neighbour_is_near() {
     let told = lost(&names, &[0.0; 30]).expect("all are lost").to_string();
     assert!((0..30).step_by(3).all(|i| told.contains(&format!("line {i}"))) && told.contains("and 20 more"), "{told}");
 }
+
+#[test]
+fn what_is_missing_of_lines_is_measured_and_found() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let drawn = [line(20.5, 10.0, 60.0), line(80.0, 0.0, 100.0)];
+    let missing_of = |lines: &[Line]| missing(lines, &drawn, area, 2.0, |_| true);
+    assert_eq!(missing_of(&[line(20.0, 10.0, 60.0), line(80.0, 20.0, 30.0)]), None);
+    let (mm, at) = missing_of(&[line(20.0, 10.0, 90.0)]).expect("its end is missing");
+    assert!((mm - 28.0).abs() < 1.01 && (at - MmPoint::new(76.0, 20.0)).length() < 1.01, "{mm} {at:?}");
+    let erased = missing(&[line(20.0, 10.0, 90.0)], &drawn, area, 2.0, |at| at.x < 60.0);
+    assert_eq!(erased, None, "what is not asked for is not missing");
+}

@@ -1,7 +1,7 @@
 //! Tests of `told_lines`.
 
 use super::*;
-use crate::lines::LostLine;
+use crate::lines::{LostLine, Run};
 use crate::units::MmRect;
 
 #[test]
@@ -38,4 +38,25 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm)"), "{hand}");
     let two = told(vec![line(20.0, 12.0, false), line(50.0, 30.0, true)]).expect("two");
     assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm)"), "{two}");
+}
+
+#[test]
+fn a_ring_that_is_open_beside_an_added_line_is_told_with_its_gap() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let stroke = |points: Vec<MmPoint>| Line { strength: 40.0, runs: vec![Run::stroke(1.5, points)] };
+    // a ring of 30 mm around (50, 50) that lacks so many degrees at its left
+    let ring = |lacks: u16| {
+        let at = |k: u16| {
+            let (sin, cos) = f32::from(180 + k).to_radians().sin_cos();
+            MmPoint::new(50.0 + 30.0 * cos, 50.0 + 30.0 * sin)
+        };
+        stroke((lacks / 2..=360 - lacks / 2).map(at).collect())
+    };
+    let added = |to: f32| stroke(vec![MmPoint::new(2.0, 50.0), MmPoint::new(to, 50.0)]);
+    let gap = |ring: Line, to: f32| opened(&ring, &kept_lines::index_of(&[added(to)], area, 4.7), 4.7);
+    let (mm, at) = gap(ring(12), 17.0).expect("it is open");
+    assert!((mm - 6.27).abs() < 0.05 && (at - MmPoint::new(20.16, 50.0)).length() < 0.1, "{mm} {at:?}");
+    assert_eq!(gap(ring(0), 17.0), None, "it is closed");
+    assert_eq!(gap(ring(12), 8.0), None, "no line is beside the gap");
+    assert_eq!(gap(ring(90), 17.0), None, "it is no ring with a gap, but an arc");
 }
