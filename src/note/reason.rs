@@ -97,6 +97,8 @@ reasons! {
     OverviewStays => "overview-stays",
     /// The overview is drawn of that of the page that was read, and not of the figure.
     OverviewOfPage => "overview-of-page",
+    /// The overview is made anew of lines that are given, and is another one than that of their page.
+    OverviewOfLines => "overview-of-lines",
     // of what a person gives
     /// Texts were typed: they are written in braille beside their places.
     WrittenBeside => "written-beside",

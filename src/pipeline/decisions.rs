@@ -9,7 +9,7 @@ use crate::units::PxPoint;
 pub(super) struct Decisions {
     /// Boxes in which nothing is drawn, in shares of the picture: left, top, right, bottom.
     pub(super) erased: Vec<[f32; 4]>,
-    /// How near to lines that a person added nothing else is drawn, px.
+    /// How near to lines that a person added nothing else is drawn along them, px.
     pub(super) room_of_added: f32,
     /// Regions whose outlines come before all others.
     pub(super) subjects: Vec<u32>,

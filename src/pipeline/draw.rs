@@ -228,7 +228,7 @@ fn told_of_shapes(
 }
 
 /// What the maker is told of lines that a person drew: of what runs beside those that are added or is open there, of
-/// what is missing of them, and of those that are not in the overview.
+/// what is missing of them, and of an overview that is made of lines that are given, and what it lacks.
 fn told_of_person(
     (given, decisions): (&Given, &Decisions),
     lines: &[Line],
@@ -244,8 +244,12 @@ fn told_of_person(
     let cut = told_cut(added, lines, is_erased, layout, plan);
     let opened = told_opened(added, lines, layout, plan);
     let beside = told_beside_added(added, lines, layout, plan);
-    let of_added = cut.into_iter().chain(opened).chain(beside);
-    of_added.chain(told_by_hand(given.hand_lines(), lines, overview, layout))
+    let anew = match (&given.lines, &overview.marks) {
+        (Some(GivenLines::Vectors(of_page)), Some((place, drawn))) => of_page.told_of_overview(*place, drawn.len()),
+        _ => None,
+    };
+    let all = cut.into_iter().chain(opened).chain(beside).chain(anew);
+    all.chain(told_by_hand(given.hand_lines(), lines, overview, layout))
 }
 
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.

@@ -34,6 +34,8 @@ pub struct HandLines {
     areas: Vec<DrawnArea>,
     /// What the lines of the figure are called, and which of them a person drew; of none that is not known.
     names: Vec<LineName>,
+    /// Width, mm, and number of lines of the overview on their page, if it has one.
+    overview: Option<(f32, usize)>,
 }
 
 /// Most lines that are named.
@@ -47,7 +49,8 @@ pub(super) const SAME_SHAPE: f32 = 0.03;
 impl HandLines {
     /// The lines of a page's figure, with the strengths that their widths stand for. `plan` says which those are.
     pub fn of_figure(page: &Page, plan: &Plan) -> Self {
-        Self { part: PartShown::of(page), ..Self::of(&page.figure.lines, page.figure.place, plan) }
+        let overview = page.overview.as_ref().map(|overview| (overview.place.width(), overview.lines.len()));
+        Self { part: PartShown::of(page), overview, ..Self::of(&page.figure.lines, page.figure.place, plan) }
     }
 
     /// The same lines, whose figure has lines of these names.
@@ -92,7 +95,8 @@ impl HandLines {
             inside.extend(parts);
         }
         let aspect = size[0] / size[1];
-        Self { lines: inside, aspect, part: None, left_outside, areas: Vec::new(), names: Vec::new() }
+        let (areas, names) = (Vec::new(), Vec::new());
+        Self { lines: inside, aspect, part: None, left_outside, areas, names, overview: None }
     }
 
     /// The same lines as contours of a picture of this size, those that a person drew as such.
@@ -194,6 +198,22 @@ impl HandLines {
         let told =
             format!("{mm} mm of lines outside of the figure{names}; move them into it, or make another page of them");
         (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, Reason::OutsideFigure, told))
+    }
+
+    /// What is told of the overview that is made of the lines, here and of so many lines, where that of their page is
+    /// another one: it is drawn of all lines of the figure, and that of a photograph of its regions.
+    pub(super) fn told_of_overview(&self, place: MmRect, lines: usize) -> Option<Note> {
+        let (width, before) = self.overview?;
+        let counted = |lines: usize| if lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") };
+        let told = format!(
+            "the overview is made anew of the lines that are given, and is {:.0} mm wide with {}; that of their page is \
+             {width:.0} mm wide with {}: look whether it is what you want, and change it in the page that is made",
+            place.width(),
+            counted(lines),
+            counted(before)
+        );
+        let is_another = before != lines || (place.width() - width).abs() >= 1.0;
+        is_another.then_some(Note::TakenAs(About::Overview, Reason::OverviewOfLines, told))
     }
 
     /// The lines that are shorter than a length in the figure, as shares of its width: what each is called, as far as

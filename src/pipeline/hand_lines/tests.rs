@@ -42,7 +42,16 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     ];
     let lines = ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect();
     let names = (0..5).map(|number| name(number == 0)).collect();
-    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside: Vec::new(), areas: Vec::new(), names };
+    let (left_outside, areas) = (Vec::new(), Vec::new());
+    let lines = HandLines { lines, aspect: 1.0, part: None, left_outside, areas, names, overview: Some((74.0, 9)) };
+    let overview = |width: f32, lines_of: usize| {
+        let place = MmRect::new(MmPoint::zero(), MmPoint::new(width, 50.0));
+        lines.told_of_overview(place, lines_of).map(|note| note.to_string())
+    };
+    assert_eq!(overview(74.3, 9), None, "it is the same");
+    let told = overview(104.0, 19).expect("it is another one");
+    assert!(told.contains("is 104 mm wide with 19 lines; that of their page is 74 mm wide with 9 lines"), "{told}");
+    assert!(overview(74.0, 1).is_some_and(|told| told.contains("with 1 line;")));
     let edges = lines.contours_by_hand_first(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
     let row = |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
     assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
