@@ -304,7 +304,7 @@ pub enum Note {
     /// Much of a drawing's lines is not in its overview, for want of room.
     #[error(
         "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do without it, \
-         or spread the figure over several sheets",
+         or, on paper, spread the picture over several sheets",
         most_in(*.place, "overview")
     )]
     LinesNotInOverview {
@@ -314,7 +314,7 @@ pub enum Note {
         place: Option<&'static str>,
     },
     /// No line has room in an overview, so there is none.
-    #[error("there is no overview, as no line of the figure has room in it; spread the figure over several sheets")]
+    #[error("there is no overview, as no line of the figure has room in it; several sheets of paper may have one")]
     NoRoomForOverview,
     /// Few contours were found, so that the figure shows little and there is no overview: their length, mm.
     #[error(

@@ -13,13 +13,14 @@ use super::output::Existing;
 use super::places::{self, Job, Names, Target};
 use super::product::{DrawingFormat, Format, Product};
 use super::record::{Record, Written};
+use super::remedies::{self, Making};
 use super::report::{Exit, Report};
 use super::session::Session;
 use super::settings::Change;
 use super::sheets::{self, Failure, Piece};
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{input, interrupt, output, panics, remedies, settings};
+use super::{input, interrupt, output, panics, settings};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {
@@ -69,6 +70,8 @@ pub(super) struct Made {
     pub(super) sheets: Vec<String>,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
+    /// What it is, for the options that help.
+    pub(super) making: Making,
     /// What is said of it, where that was asked for.
     pub(super) description: Option<String>,
     /// What is said of each sheet, for the report.
@@ -228,7 +231,7 @@ fn work(
     let told = timings.clone();
     let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
     let options = job.page.into_iter().fold(options, Options::page);
-    let Made { files, previews, sheets, notes, checked, description } =
+    let Made { files, previews, sheets, notes, making, checked, description } =
         make(&Input { job, bytes: &bytes, options: &options, timings: &timings })
             .map_err(|error| about_picture(remedies::of_error(&error)))?;
     let pages = sheets::pieces(product, &job.target, &files, &made_up)?;
@@ -237,7 +240,7 @@ fn work(
         None => Vec::new(),
     };
     let labels_left_out = notes.iter().filter_map(labels_left_out).collect();
-    let mut notes: Vec<String> = notes.iter().map(remedies::of_note).collect();
+    let mut notes: Vec<String> = notes.iter().map(|note| remedies::of_note(note, making)).collect();
     let (wrote, page_names) = (wrote(&pages, &previews, &sheets), names_of(&pages));
     let preview_names = names_of(&previews);
     let all: Vec<Piece<'_>> = pages.into_iter().chain(previews).collect();

@@ -6,8 +6,9 @@ use anyhow::bail;
 use tactograph::{Checked, PageOptions, Profile, Rule};
 
 use super::args::{Check, CheckFormat};
+use super::remedies::{self, Making};
 use super::report::{Exit, Report};
-use super::{input, output, places, remedies, settings};
+use super::{input, output, places, settings};
 
 /// Checks pages, or lists the rules.
 pub(super) fn run(args: &Check) -> Exit {
@@ -95,7 +96,7 @@ fn checked(page: &Path, profile: Option<&Profile>, mark: bool) -> anyhow::Result
 }
 
 fn tell(args: &Check, name: &str, checked: &Checked, marked: Option<&str>, report: &Report) -> Exit {
-    checked.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note)));
+    checked.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note, Making::Other)));
     let text = match args.format {
         CheckFormat::Text if args.pages.len() > 1 => format!("{name}:\n{checked}\n"),
         CheckFormat::Text => checked.to_string(),

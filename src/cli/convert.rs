@@ -10,6 +10,7 @@ use tactograph::{
 use super::args::{Chosen, Convert, Corrections, GivenLabels};
 use super::batch::{self, Made, Order};
 use super::product::{Format, Product};
+use super::remedies::Making;
 use super::report::Exit;
 use super::session::Session;
 use super::timings::Timings;
@@ -154,6 +155,8 @@ struct PagesOfPicture {
     title: String,
     pages: Vec<Page>,
     notes: Vec<Note>,
+    /// What they are, for the options that help.
+    making: Making,
 }
 
 impl PagesOfPicture {
@@ -170,13 +173,15 @@ impl PagesOfPicture {
         } else {
             convert(bytes, options).map(notes_and_pages)
         };
-        let mut title = options.document_title().to_owned();
+        let (mut title, mut making) = (options.document_title().to_owned(), Making::of_picture(options.profile()));
         let (notes, pages) = match drawn {
             // a page that is saved into a watched directory was changed by somebody
             Err(Error::IsAPage) if session.is_some() => {
                 let own = Profile::of_page(bytes)?;
                 let rendering = RenderOptions::new().key(given.labels.key());
-                let drawing = if options.profile().name == own.name {
+                let is_its_own = options.profile().name == own.name;
+                making = if is_its_own { Making::Other } else { Making::PageAnew };
+                let drawing = if is_its_own {
                     render(bytes, &rendering)?
                 } else {
                     render(bytes, &rendering.profile(options.profile().clone()))?
@@ -186,12 +191,12 @@ impl PagesOfPicture {
             }
             drawn => drawn?,
         };
-        Ok(Self { title, pages, notes })
+        Ok(Self { title, pages, notes, making })
     }
 
     /// The files of the pages, with what is told of them.
     fn written(self, args: &Convert, chosen: Chosen, timings: &Timings) -> Result<Made, Error> {
-        let Self { title, pages, mut notes } = self;
+        let Self { title, pages, mut notes, making } = self;
         notes.extend(sheets::not_in(&pages, [Some(chosen.format), chosen.preview.map(Format::Drawing)]));
         let describe =
             |page: &Page| tactograph::describe(page.to_svg(), &PageOptions::new()).map(|told| told.to_string());
@@ -213,7 +218,7 @@ impl PagesOfPicture {
             Ok::<_, Error>((files, previews))
         })?;
         let sheets = pages.iter().map(Page::part_of_set).collect();
-        Ok(Made { files, previews, sheets, notes, checked, description })
+        Ok(Made { files, previews, sheets, notes, making, checked, description })
     }
 }
 

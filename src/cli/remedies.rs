@@ -1,6 +1,38 @@
 //! What the library says, with the options of this program that help: it does not know them.
 
-use tactograph::{Error, Note, Reason};
+use tactograph::{Error, Note, Profile, Reason};
+
+/// What is made, which says what options there are that help.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Making {
+    /// A page of a picture, for print.
+    Print,
+    /// A page of a picture, for an embosser.
+    Embossing,
+    /// A page of a picture for a pin display, which has one sheet of one size.
+    Pins,
+    /// A page that was read, laid out anew for another paper or device.
+    PageAnew,
+    /// Anything else: a page that was read as it is, what is found on it, or contours.
+    #[default]
+    Other,
+}
+
+impl Making {
+    /// That of a page of a picture with a profile.
+    pub(super) fn of_picture(profile: &Profile) -> Self {
+        match profile.dots.device {
+            None => Self::Print,
+            Some(device) if device.field().is_some() => Self::Pins,
+            Some(_) => Self::Embossing,
+        }
+    }
+
+    /// Whether a picture can be spread over several sheets.
+    fn has_sheets(self) -> bool {
+        matches!(self, Self::Print | Self::Embossing)
+    }
+}
 
 /// What went wrong, and with which option that can be mended.
 pub(super) fn of_error(error: &Error) -> String {
@@ -18,27 +50,37 @@ pub(super) fn of_error(error: &Error) -> String {
     }
 }
 
-/// What is remarked, with the option that helps.
-pub(super) fn of_note(note: &Note) -> String {
+/// What is remarked, with the option that helps where this is made.
+pub(super) fn of_note(note: &Note, making: Making) -> String {
     match note {
         Note::FirstPageOnly { pages } => {
             format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
-        Note::TooDense { .. } => format!("{note} (--sheets 2x2, --crop)"),
-        Note::NoRoomForOverview => format!("{note} (--sheets 2x2)"),
+        Note::TooDense { .. } if making.has_sheets() => format!("{note} (--sheets 2x2, --crop)"),
+        Note::NoRoomForOverview if making.has_sheets() => format!("{note} (--sheets 2x2)"),
         Note::FewContours(_) => format!("{note} (--subject X,Y)"),
-        Note::LinesNotInOverview { .. } => format!("{note} (--no-overview, --sheets 2x2)"),
+        Note::LinesNotInOverview { .. } => match making {
+            Making::Print | Making::Embossing => format!("{note} (--no-overview, --sheets 2x2)"),
+            Making::Pins => format!("{note} (--no-overview)"),
+            Making::PageAnew => format!("{note} (--set overview.on=false)"),
+            Making::Other => note.to_string(),
+        },
         Note::EmptyPage => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
-        Note::LinesLeftOut { is_larger_turned: true, .. } => {
+        Note::LinesLeftOut { is_larger_turned: true, .. } if making != Making::Other => {
             format!("{note} (--set page.orientation=landscape)")
         }
-        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => {
-            format!("{note}; a larger figure has more (--no-overview, --sheets 2x2, --profile swell-a3)")
-        }
+        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making {
+            Making::Print => {
+                format!("{note}; a larger figure has more (--no-overview, --sheets 2x2, --profile swell-a3)")
+            }
+            // its overview has a sheet of its own
+            Making::Embossing => format!("{note}; a larger figure has more (--sheets 2x2)"),
+            Making::Pins | Making::PageAnew | Making::Other => note.to_string(),
+        },
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }
@@ -49,3 +91,6 @@ pub(super) fn of_note(note: &Note) -> String {
         _ => note.to_string(),
     }
 }
+
+#[cfg(test)]
+mod tests;

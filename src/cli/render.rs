@@ -5,10 +5,11 @@ use tactograph::{Page, PageOptions, Profile, RenderOptions, Value, language_of_p
 use super::args::Render;
 use super::dots;
 use super::product::{Format, Product};
+use super::remedies::{self, Making};
 use super::report::{Exit, Report};
 use super::settings::Change;
 use super::sheets::Failure;
-use super::{input, louis, places, remedies, settings, sheets};
+use super::{input, louis, places, settings, sheets};
 
 /// Reads one page and writes it.
 pub(super) fn run(args: &Render) -> Exit {
@@ -38,7 +39,8 @@ pub(super) fn run(args: &Render) -> Exit {
         }
     };
     let formats = [Some(chosen.format), chosen.preview.map(Format::Drawing)];
-    sheets::not_in(&pages, formats).into_iter().for_each(|note| report.note(&page, &remedies::of_note(&note)));
+    let not_in_file = sheets::not_in(&pages, formats);
+    not_in_file.iter().for_each(|note| report.note(&page, &remedies::of_note(note, Making::Other)));
     // what is out of its range was told before anything was done
     let embossing = args.embossing.numbers().unwrap_or_default();
     match sheets::write_pages((&title, &pages), (chosen, embossing), &args.output, args.force) {
@@ -72,13 +74,14 @@ fn read(
     }
     let (other, table) = contracted(&bytes, &own, other, args, |why| report.note(name, why))
         .map_err(|what| (Exit::Usage, vec![what]))?;
+    let making = if other.is_some() { Making::PageAnew } else { Making::Other };
     let options = other.into_iter().fold(RenderOptions::new().key(args.key.sheets()), RenderOptions::profile);
     let options = match table {
         Some(table) => options.translator(move |text| louis::translate(&table, text)),
         None => options,
     };
     let drawing = tactograph::render(&bytes, &options).map_err(|error| failed(remedies::of_error(&error)))?;
-    drawing.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note)));
+    drawing.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note, making)));
     errors_left(&drawing.page).iter().for_each(|told| report.note(name, told));
     let title = drawing.page.title.clone();
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))
