@@ -3,6 +3,7 @@
 
 use super::placed::{Params, Placed};
 use crate::geom::components;
+use crate::geom::polygon::distance_to_box;
 use crate::page::{Glyph, Texture};
 use crate::units::{MmPoint, MmRect};
 
@@ -17,7 +18,8 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
     if left.len() < before.len() {
         leave_out_strips(&mut left, &before, step, placed);
     }
-    if left.len() < before.len() && params.least_texture > 0.0 {
+    if left.len() < before.len() && params.dot_pitch > 0.0 {
+        leave_out_short_pieces(&mut left, &before);
         leave_out_few_rows(&mut left, side_by_side(&before, step), placed, params.least_texture);
     }
     let is_cut = left.len() < before.len();
@@ -40,13 +42,17 @@ const SAMPLED: usize = 20;
 
 /// How far apart signs of one part of a texture are at most, mm, of those that it has, in steps of `step` mm.
 fn side_by_side(signs: &[Glyph], step: f32) -> f32 {
+    let across = UNEVEN * step * step / along(signs);
+    SIDE_BY_SIDE.max(across.min(FARTHEST_ROWS))
+}
+
+/// How far apart the signs of a row are, mm: as far as the nearest ones.
+fn along(signs: &[Glyph]) -> f32 {
     let to_others = |sign: &Glyph| {
         let others = signs.iter().filter(|other| other.at != sign.at);
         others.map(|other| (other.at - sign.at).length()).fold(f32::INFINITY, f32::min)
     };
-    let along = signs.iter().step_by(SAMPLED).map(to_others).fold(f32::INFINITY, f32::min);
-    let across = UNEVEN * step * step / along;
-    SIDE_BY_SIDE.max(across.min(FARTHEST_ROWS))
+    signs.iter().step_by(SAMPLED).map(to_others).fold(f32::INFINITY, f32::min)
 }
 
 /// The glyphs of a texture without those that are left alone beside labels, or farther off by what labels took of those
@@ -106,14 +112,37 @@ fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], step: f32, placed: 
     left.retain(|glyph| far(glyph) >= NEAR_LABEL || is_in(&of_left, glyph.at) || !is_in(&of_before, glyph.at));
 }
 
-/// Leaves out parts of a texture that labels cut which lie beside them and are less than `least` mm high; signs of one
-/// part are no further apart than `apart` mm.
+/// Fewest dots of a piece of a row that a label cut off: two or three in a row are letters of braille.
+const LEAST_PIECE: usize = 4;
+
+/// Leaves out pieces of rows of dots that labels cut off and that are too short to be felt as rows. `before` are all
+/// dots of the texture, those that are left in the same order.
+fn leave_out_short_pieces(left: &mut Vec<Glyph>, before: &[Glyph]) {
+    let apart = UNEVEN * along(before);
+    let pieces_of = |dots: &[Glyph]| -> Vec<usize> {
+        let points: Vec<MmPoint> = dots.iter().map(|dot| dot.at).collect();
+        let pieces = components::of_points(&points, apart, |between| between.length() <= apart);
+        (0..points.len()).map(|dot| pieces[pieces.of(dot)].len()).collect()
+    };
+    let (lengths, whole) = (pieces_of(left), pieces_of(before));
+    let mut lengths = lengths.into_iter();
+    let mut all = before.iter().zip(whole);
+    left.retain(|dot| {
+        let length = lengths.next().unwrap_or(LEAST_PIECE);
+        let whole = all.find(|(other, _)| other.at == dot.at).map_or(length, |(_, whole)| whole);
+        length >= LEAST_PIECE || length == whole
+    });
+}
+
+/// Leaves out parts of a texture that labels cut which lie beside their braille and are less than `least` mm high;
+/// signs of one part are no further apart than `apart` mm.
 fn leave_out_few_rows(glyphs: &mut Vec<Glyph>, apart: f32, placed: &[&Placed], least: f32) {
     let points: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
     let parts = components::of_points(&points, apart, |between| between.length() <= apart);
     components::retain(glyphs, &parts, |glyphs, part| {
         let extent = MmRect::from_points(part.iter().map(|&glyph| glyphs[glyph].at));
-        extent.height() >= least || !part.iter().any(|&glyph| is_near(&glyphs[glyph], placed))
+        let is_beside = |at: MmPoint| placed.iter().any(|label| distance_to_box(at, label.place) < NEAR_LABEL);
+        extent.height() >= least || !part.iter().any(|&glyph| is_beside(glyphs[glyph].at))
     });
 }
 

@@ -380,28 +380,29 @@ pub struct MadeRoom {
     pub lines: Vec<usize>,
     /// For each texture of which none is left, which of the labels lies nearest to its middle.
     pub without_texture: Vec<usize>,
-    /// The same for each of which less than half is left.
-    pub with_half_texture: Vec<usize>,
+    /// The same for each of which less than two thirds are left.
+    pub with_less_texture: Vec<usize>,
 }
 
-/// A texture of which less than this share is left is told of: an area that is mostly blank seems to be two.
-const MOSTLY_BLANK: f32 = 0.5;
+/// A texture of which less than this share is left is told of: an area of which a half is blank, such as that on one
+/// side of a river, seems to be two.
+const WITHOUT_A_THIRD: f32 = 2.0 / 3.0;
 
 /// Takes the glyphs out of a figure that labels and their leader lines need blank, and interrupts gridlines.
 pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> MadeRoom {
     let lines = interrupted::interrupt(&mut figure.lines, placed, params);
-    let (mut gone, mut halved) = (Vec::new(), Vec::new());
+    let (mut gone, mut cut) = (Vec::new(), Vec::new());
     figure.textures.retain_mut(|texture| {
         let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
         let before = texture.glyphs.len();
         cut_textures::make_room(texture, placed, params);
         let left = texture.glyphs.len();
-        if (left as f32) < MOSTLY_BLANK * before as f32 {
+        if (left as f32) < WITHOUT_A_THIRD * before as f32 {
             let far = |label: &usize| placed[*label].distance(extent.center());
             let nearest = (0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b)));
-            if left == 0 { gone.extend(nearest) } else { halved.extend(nearest) }
+            if left == 0 { gone.extend(nearest) } else { cut.extend(nearest) }
         }
         left > 0
     });
-    MadeRoom { lines, without_texture: gone, with_half_texture: halved }
+    MadeRoom { lines, without_texture: gone, with_less_texture: cut }
 }

@@ -42,6 +42,8 @@ pub struct Params {
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
     pub step: f32,
+    /// Of textures of dots, how far those of a row are apart; 0 on paper.
+    pub dot_pitch: f32,
     /// How far the marks of a leader line lie off its straight segment, at most, mm: on a grid they stand on its dots.
     pub leader_off: f32,
     /// Breadth of the line of an outline across it, at most, mm, along a slanted way.
@@ -68,6 +70,7 @@ impl Params {
             has_coloured_ground: false,
             may_cross: true,
             step: 0.5,
+            dot_pitch: 0.0,
             leader_off: 0.0,
             widest_outline: 3.0,
         }

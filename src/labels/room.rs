@@ -405,8 +405,8 @@ impl Room {
 
 /// What a glyph of a texture counts, in shares of a whole one: the dots of a row stand for little each.
 fn share_of_glyph(params: &Params) -> u32 {
-    let is_dots = params.least_texture > 0.0;
-    let share = if is_dots { (params.step * BETWEEN_ROWS / GLYPH_AREA).min(1.0) } else { 1.0 };
+    let is_dots = params.dot_pitch > 0.0;
+    let share = if is_dots { (params.dot_pitch * BETWEEN_ROWS / GLYPH_AREA).min(1.0) } else { 1.0 };
     (share * WHOLE as f32).round() as u32
 }
 

@@ -31,8 +31,13 @@ pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
 const WIDEST: f32 = 3.0;
 /// What the squares in which lines are looked at may add to the breadth of one, mm.
 const SQUARES: f32 = 1.0;
-/// From dot to dot of braille, mm, about.
-const BRAILLE_DOTS: f32 = 2.5;
+/// Parts of a texture beside braille that are lower are read as a line of it, mm: three dots, 2.5 mm apart.
+const THREE_ROWS: f32 = 7.5;
+/// The same where dots are as far apart as those of letters: two lines, 10 mm from one to the next, and a dot more.
+const TWO_LINES: f32 = 17.5;
+/// Dots that are less far apart are read as no letters, mm: those of braille are 2.3 to 2.6 mm apart, and 1.9 mm at the
+/// least that anybody embosses. Chosen by us.
+const LEAST_OF_LETTERS: f32 = 1.9;
 
 /// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
@@ -54,10 +59,10 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
     };
-    // three rows of dots are read as cells
-    let least_texture = match &layout.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => 3.0 * dots.pitch.max(BRAILLE_DOTS),
+    let (dot_pitch, least_texture) = match &layout.medium {
+        Medium::Print(_) => (0.0, 0.0),
+        Medium::Dots(dots) if dots.pitch < LEAST_OF_LETTERS => (dots.pitch, THREE_ROWS),
+        Medium::Dots(dots) => (dots.pitch, TWO_LINES),
     };
     // the second row of a heavy line lies a step beside the first; twice as broad for a slanted way across it
     let widest_outline = match &layout.medium {
@@ -82,6 +87,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         has_coloured_ground: false,
         may_cross,
         step,
+        dot_pitch,
         leader_off,
         widest_outline,
     }

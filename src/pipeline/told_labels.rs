@@ -174,15 +174,15 @@ pub(super) fn without_texture(labels: &[&str]) -> Option<Note> {
     Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
 }
 
-/// The same of textures of which less than half is left beside labels.
-pub(super) fn with_half_texture(labels: &[&str]) -> Option<Note> {
+/// The same of textures of which less than two thirds are left beside labels.
+pub(super) fn with_less_texture(labels: &[&str]) -> Option<Note> {
     let (areas, they_stand) = match labels.len() {
         0 => return None,
         1 => ("the texture of 1 area".to_owned(), "the label stands"),
         count => (format!("each of the textures of {count} areas"), "labels stand"),
     };
     let told = format!(
-        "more than half of {areas} ({}), where {they_stand} and in what is too narrow beside; make the \
+        "more than a third of {areas} ({}), where {they_stand} and in what is too narrow beside; make the \
          figure larger, or say in the labels what the colours mean",
         named(labels)
     );

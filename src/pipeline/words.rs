@@ -244,10 +244,10 @@ impl<'a> WrittenWords<'a> {
         notes.extend(of_axes(&wanted, &results));
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
-        let MadeRoom { lines, without_texture, with_half_texture } = labels::make_room(figure, &placed, &params);
+        let MadeRoom { lines, without_texture, with_less_texture } = labels::make_room(figure, &placed, &params);
         let texts = |labels: Vec<usize>| labels.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>();
         notes.extend(told_labels::without_texture(&texts(without_texture)));
-        notes.extend(told_labels::with_half_texture(&texts(with_half_texture)));
+        notes.extend(told_labels::with_less_texture(&texts(with_less_texture)));
         notes.extend(told(&wanted, &results));
         notes.extend(unwritten::on_line(&of_placed, translator));
         notes.extend(unwritten::in_other_letters(&of_placed, translator));

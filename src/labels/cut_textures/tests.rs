@@ -15,12 +15,14 @@ fn rows(count: u32) -> Texture {
     Texture { class: Class::Grey, sign: Sign::Dot, colour: [120; 3], area, glyphs }
 }
 
-/// What a label of 40 mm, or one as wide as the texture, leaves of it from y = `top` on.
+/// What a label of 40 mm, or one as wide as the texture, leaves of it from y = `top` on; on dots, where the least height
+/// is not 0.
 fn left(mut texture: Texture, top: f32, is_wide: bool, least_texture: f32) -> Vec<MmPoint> {
     let (from, to) = if is_wide { (-5.0, 105.0) } else { (30.0, 70.0) };
     let label = Placed::of_test(MmRect::new(MmPoint::new(from, top), MmPoint::new(to, top + 6.0)));
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(110.0, 150.0));
-    make_room(&mut texture, &[&label], &Params { least_texture, ..Params::of_test(area) });
+    let dot_pitch = if least_texture > 0.0 { 2.5 } else { 0.0 };
+    make_room(&mut texture, &[&label], &Params { least_texture, dot_pitch, ..Params::of_test(area) });
     texture.glyphs.iter().map(|glyph| glyph.at).collect()
 }
 
@@ -84,4 +86,26 @@ fn on_dots_parts_that_are_too_low_go_as_well() {
     assert!(above(&left(0.0), top) > 0);
     assert_eq!(above(&left(12.0), top), 0);
     assert!(left(12.0).iter().any(|at| at.y > top), "below it there are more rows");
+}
+
+#[test]
+fn on_dots_pieces_of_rows_as_short_as_letters_go() {
+    // a label leaves three dots at the left end of each row beside it
+    let at = |row: u32, dot: u32| MmPoint::new(20.0 + 2.5 * dot as f32, 20.0 + 5.0 * row as f32);
+    let all = || {
+        let dots = (0..20).flat_map(|row| (0..40).map(move |dot| at(row, dot)));
+        let glyphs: Vec<Glyph> = dots.map(|at| Glyph { at, shape: Shape::Dot { diameter: 1.6 } }).collect();
+        Texture { area: 12.5 * glyphs.len() as f32, glyphs, ..rows(1) }
+    };
+    let beside = |least: f32| {
+        let left = left(all(), 50.0, false, least);
+        left.iter().filter(|at| at.x < 27.0 && (49.0..56.0).contains(&at.y)).count()
+    };
+    assert!(beside(0.0) > 0, "signs on paper are no letters");
+    assert_eq!(beside(7.5), 0);
+    // what was as short before is a part of the texture
+    let mut texture = all();
+    texture.glyphs.retain(|glyph| glyph.at.x < 26.0 || glyph.at.y > 100.0);
+    let left = left(texture, 106.0, false, 7.5);
+    assert!(left.iter().any(|at| at.x < 26.0 && at.y < 80.0), "{left:?}");
 }

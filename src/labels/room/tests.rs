@@ -103,7 +103,7 @@ fn dots_of_a_texture_cost_a_label_less_than_printed_signs() {
     };
     assert!((cost(params()) - 8.0).abs() < 0.01, "{}", cost(params()));
     // a row of dots stands for 4 mm, and a printed sign for 11.2 mm2
-    let on_dots = |step: f32| cost(Params { least_texture: 6.0, step, ..params() });
+    let on_dots = |dot_pitch: f32| cost(Params { dot_pitch, ..params() });
     assert!((on_dots(1.4) - 4.0).abs() < 0.01, "{}", on_dots(1.4));
     assert!((on_dots(2.5) - 7.1).abs() < 0.1, "{}", on_dots(2.5));
 }
