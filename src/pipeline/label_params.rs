@@ -3,6 +3,7 @@
 use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 use super::label::CLEARANCE;
+use crate::devices::DotArea;
 use crate::labels::{FROM_KEPT_LEADER, Params};
 use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::page::Medium;
@@ -16,7 +17,7 @@ const _: () = assert!(FROM_KEPT_LEADER <= LEADER_FROM_BRAILLE);
 
 /// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
 const TO_DOTS: f32 = 6.0;
-/// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
+/// Step in which places for labels are looked for where they can stand anywhere, mm: less than a fingertip can tell.
 const STEP: f32 = 1.0;
 
 /// Blank between braille and signs, mm.
@@ -48,7 +49,11 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Dots(dots) => {
             let radius = 0.5 * dots.diameter();
             let reach = dots.area.bounds().inflate(radius, radius);
-            (dots.pitch, layout.room.intersection_unchecked(&reach))
+            let step = match dots.area {
+                DotArea::Grid(_) => dots.pitch,
+                DotArea::Free(_) => STEP,
+            };
+            (step, layout.room.intersection_unchecked(&reach))
         }
     };
     let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());

@@ -176,3 +176,13 @@ fn textures_beside_labels_are_not_read_as_braille() {
     }
     assert!(notes(&drawing).contains("as labels stand in their places"), "{}", notes(&drawing));
 }
+
+/// Where dots can stand anywhere, the name of an area stands in it though there is room in one place only.
+#[test]
+fn a_name_stands_in_its_area_on_a_braillerap() {
+    let svg = std::fs::read_to_string("samples/map.svg").expect("a sample");
+    let drawing = drawn(&svg, "braillerap");
+    let south = labels_of(&drawing).into_iter().find(|label| label.text == "South").expect("it has a place");
+    assert!(south.leader.is_none() && south.abbreviation.is_none(), "{:?}", south.abbreviation);
+    assert!(place(south).max.y < at(&drawing, [800.0, 600.0], (300.0, 520.0)).y, "above its coast");
+}
