@@ -3,7 +3,7 @@
 use super::cost::cost;
 use super::forms::Form;
 use super::interrupted::SCRAP;
-use super::placed::{Attachment, PlacedAs, Wanted};
+use super::placed::{Attachment, Params, PlacedAs, Wanted};
 use super::room::Room;
 use super::scale;
 use super::surroundings::{AT_END, NEAR, Surroundings, TO_LEADER};
@@ -178,13 +178,28 @@ impl Candidate {
     }
 }
 
-/// Places for a label in its forms.
-pub(super) fn of(label: &Wanted, forms: &[Form], around: &Surroundings<'_>, cells: &CellGrid<'_>) -> Vec<Candidate> {
+/// Up to so many labels are looked for in every step: a sheet of A3 has no room for more. The places of one label take
+/// 25 ms of one core at most, all of them no more than four seconds.
+const MOST_IN_FINE_STEPS: usize = 150;
+
+/// In which steps places of so many labels are looked for, mm: in twice the step there are a quarter as many.
+pub(super) fn step(labels: usize, params: &Params) -> f32 {
+    if labels > MOST_IN_FINE_STEPS { 2.0 * params.step } else { params.step }
+}
+
+/// Places for a label in its forms, looked for in steps of so many mm.
+pub(super) fn of(
+    label: &Wanted,
+    forms: &[Form],
+    around: &Surroundings<'_>,
+    cells: &CellGrid<'_>,
+    step: f32,
+) -> Vec<Candidate> {
     let mut candidates: Vec<Candidate> = forms
         .iter()
         .enumerate()
         .filter(|(_, form)| form.kind.is_of_one())
-        .flat_map(|(number, form)| apart(of_form(label, (number, form), around, cells)))
+        .flat_map(|(number, form)| apart(of_form(label, (number, form), around, cells, step)))
         .collect();
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     candidates
@@ -196,6 +211,7 @@ fn of_form(
     (number, form): (usize, &Form),
     around: &Surroundings<'_>,
     cells: &CellGrid<'_>,
+    step: f32,
 ) -> Vec<Candidate> {
     let Surroundings { room, params, .. } = around;
     let size = form.extent(cells);
@@ -206,12 +222,12 @@ fn of_form(
     }
     // steps from the place in the middle of the anchor, so that it is among them
     let middle = anchor - size * 0.5;
-    let steps = |half: f32| (((half + reach(label)) / params.step).ceil()) as i32;
+    let steps = |half: f32| (((half + reach(label)) / step).ceil()) as i32;
     let (across, down) = (steps(0.5 * size.x), steps(0.5 * size.y));
     let mut found = Vec::new();
     for y in -down..=down {
         for x in -across..=across {
-            let corner = middle + MmVector::new(x as f32, y as f32) * params.step;
+            let corner = middle + MmVector::new(x as f32, y as f32) * step;
             let place = cells.snapped(MmRect::new(corner, corner + size));
             if params.holds(&place) && room.is_free(place) {
                 found.extend(candidate(label, number, form, place, around));
@@ -333,6 +349,10 @@ fn leader_from(from: MmPoint, tip: MmPoint, off: f32) -> Option<[MmPoint; 2]> {
 /// lie between.
 fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
     let &Surroundings { room, end, tip, .. } = around;
+    // most places among many labels are beside what another names: the way need not be looked at then
+    if !around.is_off_others(place) {
+        return None;
+    }
     let side = around.own_side();
     let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
     let segments = starts

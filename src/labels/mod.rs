@@ -84,10 +84,11 @@ pub fn place(
     let wanted = &levels::at_their_lines(wanted, &room)[..];
     let RowsPlaced { forms, around, placed: in_rows, thinned, titles, .. } =
         place_rows_first(wanted, translator, cells, &room, params);
+    let step = candidates::step(wanted.len(), params);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],
         (None, Ok(_)) if thinned[number].is_some() || titles.contains(&number) => Vec::new(),
-        (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells),
+        (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells, step),
         (None, Err(_)) => Vec::new(),
     };
     let mut candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();

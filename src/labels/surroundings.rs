@@ -258,12 +258,14 @@ impl<'a> Surroundings<'a> {
 
     /// Whether a label and its leader line keep clear of what other labels name.
     pub(super) fn leads_to_own(&self, place: MmRect, [from, to]: [MmPoint; 2]) -> bool {
-        let to_leader = |other: MmPoint| nearest_on_segment(other, from, to).0;
-        let is_clear = |&other: &MmPoint| {
-            distance_to_box(other, place) >= TO_OTHERS
-                && (to_leader(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
-        };
-        self.others.iter().all(is_clear) && self.is_clear_of_blocked([from, to])
+        let is_clear =
+            |&other: &MmPoint| nearest_on_segment(other, from, to).0 >= TO_OTHERS || (other - to).length() < TO_OTHERS;
+        self.is_off_others(place) && self.others.iter().all(is_clear) && self.is_clear_of_blocked([from, to])
+    }
+
+    /// Whether a label in a place, without its leader line, keeps clear of what other labels name.
+    pub(super) fn is_off_others(&self, place: MmRect) -> bool {
+        self.others.iter().all(|&other| distance_to_box(other, place) >= TO_OTHERS)
     }
 
     /// Whether a leader line keeps clear of the boxes of what is on the page already: through the blank around braille

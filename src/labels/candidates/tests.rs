@@ -1,7 +1,6 @@
 //! Where a label can lie: what makes a place better than another, and which leader lines there are.
 
 use super::super::forms::FormKind;
-use super::super::placed::Params;
 use super::super::room::Room;
 use super::super::surroundings::LabelsAt;
 use super::*;
@@ -190,6 +189,13 @@ fn the_best_places_are_kept_some_distance_apart() {
     assert_eq!(near, [0, 4, 8, 12, 16], "4 mm apart, the cheapest first");
     let many = places(100, 5.0);
     assert_eq!((many.len(), many[0].form, many[47].form), (48, 0, 47));
+}
+
+#[test]
+fn more_labels_than_have_room_are_looked_for_in_coarser_steps() {
+    let is = |labels: usize, mm: f32| (step(labels, &params()) - mm).abs() < 1e-6;
+    assert!(is(1, 1.0) && is(150, 1.0), "as many as may have room");
+    assert!(is(151, 2.0) && is(300, 2.0), "more");
 }
 
 #[test]

@@ -66,8 +66,19 @@ pub(crate) fn all() -> Result<Vec<Seed>, Fault> {
             .into_bytes(),
     );
     add("labels: 100000 rows", Input::Labels, "50%,50%,apple\n".repeat(100_000).into_bytes());
+    // as many as a page takes, none of which has room in full
+    add("labels: 300 at one place", Input::Labels, "50%,50%,apple\n".repeat(300).into_bytes());
+    add("labels: 300 all over the figure", Input::Labels, labels_all_over().into_bytes());
     add("labels: one text of 1 MB", Input::Labels, format!("50%,50%,{}", "apple ".repeat(170_000)).into_bytes());
     Ok(bombs)
+}
+
+/// Labels of 300 different texts, each in another place.
+fn labels_all_over() -> String {
+    (0..300).fold(String::new(), |mut text, i| {
+        let _ = writeln!(text, "{}%,{}%,apple {i}", 2 + 37 * i % 97, 3 + 61 * i % 95);
+        text
+    })
 }
 
 fn zlib_of_zeros(count: usize) -> Result<Vec<u8>, Fault> {
