@@ -1,14 +1,14 @@
-//! A picture turned, flipped or shifted must give the page turned, flipped or shifted: no direction is special.
+//! A picture turned, flipped or shifted must give the page turned, flipped or shifted: no direction is special. All
+//! samples with the default profile, and a drawing and a photograph with one of each other family: of dots this is
+//! before lines are brought to the grid, where ties have to go one way.
 
-use std::sync::LazyLock;
-
-use crate::common::samples;
+use crate::common::{families, samples};
 use tactograph::internals::classes::{self, Class};
 use tactograph::internals::edges::{self, Edges};
 use tactograph::internals::error::Error;
 use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::lines::{self, Line};
-use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::profile::Plan;
 use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{DecodeOptions, Header, decode};
 use tactograph::internals::regions;
@@ -20,13 +20,31 @@ const LONGEST: u32 = 400;
 /// Millimetres for a pixel of the test pictures: 400 pixels on about 174 mm, as on the default sheet.
 const SCALE: f32 = 0.435;
 
-/// The thresholds and lengths that a profile ships: those of A4 swell paper.
-static PLAN: LazyLock<Plan> = LazyLock::new(|| {
-    Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("built-in profiles make sense")
-});
+/// A picture and the thresholds and lengths with which it is looked at.
+struct Case {
+    /// The picture and the profile.
+    name: String,
+    plan: Plan,
+    raster: Raster,
+}
 
-fn edge_params() -> edges::Params {
-    PLAN.edges(1.0 / SCALE)
+impl Case {
+    fn edge_params(&self) -> edges::Params {
+        self.plan.edges(1.0 / SCALE)
+    }
+}
+
+fn cases() -> Vec<Case> {
+    let of = |profile: &'static str, wanted: fn(&str) -> bool| {
+        let case = move |(name, raster): (String, Raster)| Case {
+            name: format!("{name} with {profile}"),
+            plan: families::plan(profile),
+            raster,
+        };
+        pictures(wanted).into_iter().map(case)
+    };
+    let few = |name: &str| ["chart.svg", "coffee.png"].contains(&name);
+    of(families::DEFAULT, |_| true).chain(families::DOTS.into_iter().flat_map(|profile| of(profile, few))).collect()
 }
 
 /// x and y, or width and height.
@@ -74,19 +92,20 @@ impl Change {
     }
 }
 
-fn pictures() -> Vec<(String, Raster)> {
-    samples::samples()
-        .iter()
-        .map(|path| {
+/// The samples of these names.
+fn pictures(wanted: fn(&str) -> bool) -> Vec<(String, Raster)> {
+    samples::names()
+        .into_iter()
+        .filter(|name| wanted(name))
+        .map(|name| {
             let working_size = |source: Header| -> Result<Size, Error> {
                 let scale = (LONGEST as f32 / source.size.width.max(source.size.height) as f32).min(1.0);
                 let side = |pixels: u32| (pixels as f32 * scale) as u32;
                 Ok(Size::new(side(source.size.width), side(source.size.height)))
             };
             let options = DecodeOptions { keep_text: false, ..DecodeOptions::whole(&working_size) };
-            let bytes = std::fs::read(path).expect("a sample can be read");
-            let name = path.file_name().expect("it has a name").to_string_lossy().into_owned();
-            (name, decode(&bytes, &options).expect("a sample can be decoded").raster)
+            let raster = decode(&samples::read(&name), &options).expect("a sample can be decoded").raster;
+            (name, raster)
         })
         .collect()
 }
@@ -163,11 +182,12 @@ fn sheet(size: Size) -> (PageTransform, MmRect) {
 
 #[test]
 fn edges_follow_every_flip_and_turn() {
-    for (name, raster) in pictures() {
-        let edges = edges::find(&raster, &edge_params());
+    for case in cases() {
+        let Case { name, raster, .. } = &case;
+        let edges = edges::find(raster, &case.edge_params());
         for change in &CHANGES {
             let changed = |(x, y): (f32, f32)| change.place(raster.size(), (x, y));
-            let found = edges::find(&change.raster(&raster), &edge_params());
+            let found = edges::find(&change.raster(raster), &case.edge_params());
             let off = if change.turned { EDGE_OFF_TURNED } else { EDGE_OFF };
             let lost = astray(&edges, changed, &found, |at| at, off);
             let new = astray(&found, |at| at, &edges, changed, off);
@@ -178,12 +198,13 @@ fn edges_follow_every_flip_and_turn() {
 
 #[test]
 fn lines_follow_every_flip_and_turn() {
-    for (name, raster) in pictures() {
+    for case in cases() {
+        let Case { name, raster, plan } = &case;
         let draw = |raster: &Raster| {
             let (frame, area) = sheet(raster.size());
-            line_points(&lines::draw(&edges::find(raster, &edge_params()), &frame, area, &PLAN.lines()).lines)
+            line_points(&lines::draw(&edges::find(raster, &case.edge_params()), &frame, area, &plan.lines()).lines)
         };
-        let lines = draw(&raster);
+        let lines = draw(raster);
         for change in &CHANGES {
             let (frame, _) = sheet(raster.size());
             let (new_frame, _) = sheet(change.size(raster.size()));
@@ -196,7 +217,7 @@ fn lines_follow_every_flip_and_turn() {
                     (at.x, at.y)
                 })
                 .collect();
-            let found = draw(&change.raster(&raster));
+            let found = draw(&change.raster(raster));
             let (lost, new) = (unmatched(&expected, &found, 0.1), unmatched(&found, &expected, 0.1));
             assert!(lost <= 0.001 && new <= 0.001, "{name} {}: {lost} of the lines are lost, {new} new", change.name);
         }
@@ -205,12 +226,13 @@ fn lines_follow_every_flip_and_turn() {
 
 #[test]
 fn outlines_of_regions_follow_every_flip_and_turn() {
-    let params = PLAN.regions(lines::PagePart::Figure);
+    let plan = families::plan(families::DEFAULT);
+    let params = plan.regions(lines::PagePart::Figure);
     let mut looked_at = 0;
-    for (name, raster) in pictures() {
+    for (name, raster) in pictures(|_| true) {
         let outlines = |raster: &Raster| -> Vec<(f32, f32)> {
             let (transform, _) = sheet(raster.size());
-            let tree = edges::find_with_regions(raster, &edge_params()).regions;
+            let tree = edges::find_with_regions(raster, &plan.edges(1.0 / SCALE)).regions;
             let outlines = tree.map(|tree| {
                 let chosen = tree.chosen(transform.mm_per_px(), &params, &[], &[]);
                 tree.outlines(transform.mm_per_px(), &params, &chosen).0
@@ -238,16 +260,17 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
 
 #[test]
 fn colours_follow_every_flip_and_turn() {
-    for (name, raster) in pictures() {
+    for case in cases() {
+        let Case { name, raster, plan } = &case;
         let labels = |raster: &Raster| -> (Size, Vec<Option<Class>>) {
-            let edges = edges::find(raster, &edge_params());
-            let classes = classes::sort(raster, &edges.borders(), &PLAN.classes(1.0 / SCALE));
+            let edges = edges::find(raster, &case.edge_params());
+            let classes = classes::sort(raster, &edges.borders(), &plan.classes(1.0 / SCALE));
             let label = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
             (classes.size, classes.region.iter().map(label).collect())
         };
-        let (size, before) = labels(&raster);
+        let (size, before) = labels(raster);
         for change in &CHANGES {
-            let (new_size, after) = labels(&change.raster(&raster));
+            let (new_size, after) = labels(&change.raster(raster));
             assert_eq!(new_size, change.size(size));
             let wrong = before.iter().enumerate().filter(|(i, label)| after[change.pixel(size, *i)] != **label).count();
             let share = wrong as f32 / before.len() as f32;
@@ -259,7 +282,8 @@ fn colours_follow_every_flip_and_turn() {
 #[test]
 fn edges_follow_a_shift_by_whole_pixels() {
     let (dx, dy) = (7_usize, 4_usize);
-    for (name, raster) in pictures() {
+    for case in cases() {
+        let Case { name, raster, .. } = &case;
         let size = raster.size();
         let (width, height) = (size.width as usize, size.height as usize);
         let window = |left: usize, top: usize| {
@@ -277,7 +301,7 @@ fn edges_follow_a_shift_by_whole_pixels() {
             let bottom = (height - dy) as f32 - margin;
             points.into_iter().filter(|p| p.0 > margin && p.1 > margin && p.0 < right && p.1 < bottom).collect()
         };
-        let without_suppression = edges::Params { suppression: 0.0, min_length: 0.0, ..edge_params() };
+        let without_suppression = edges::Params { suppression: 0.0, min_length: 0.0, ..case.edge_params() };
         let find = |raster: Raster| edge_points(&edges::find(&raster, &without_suppression));
         let moved = find(window(dx, dy)).into_iter().map(|(x, y)| (x + dx as f32, y + dy as f32)).collect();
         let (still, moved) = (inside(find(window(0, 0))), inside(moved));

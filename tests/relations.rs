@@ -1,7 +1,8 @@
 //! What must hold between a picture's page and the page of the same picture changed in a way that a reader would not
 //! notice, or would notice in one way only. No truth has to be known. Everything is with the thresholds that profiles
-//! ship; flips, turns and shifts are in `tests/metamorphic.rs`, detail in `tests/lines.rs`, threads in
-//! `tests/threads.rs`. What each relation tolerates, and why, is in `docs/stability.md`.
+//! ship: all with the default profile, some with one of each other family. Flips, turns and shifts are in
+//! `tests/metamorphic.rs`, detail in `tests/lines.rs`, threads in `tests/threads.rs`. What each relation tolerates, and
+//! why, is in `docs/stability.md`.
 
 use tactograph::internals::classes::{self, Class};
 use tactograph::internals::edges::{self, Edges};
@@ -13,7 +14,7 @@ use tactograph::internals::units::Size;
 use tactograph::{Options, Picture};
 use tactograph_tools::near::Near;
 
-use crate::common::samples;
+use crate::common::{families, samples};
 
 /// A picture in code values.
 struct Bitmap {
@@ -83,7 +84,12 @@ impl Bitmap {
 
     /// Its figure, so many mm wide; all that is found is drawn.
     fn figure(&self, width_mm: f32) -> Figure {
-        let mut profile = Profile::named("swell-a4").expect("it is built in");
+        self.figure_with(families::DEFAULT, width_mm)
+    }
+
+    /// The same with a built-in profile.
+    fn figure_with(&self, profile: &str, width_mm: f32) -> Figure {
+        let mut profile = Profile::named(profile).expect("it is built in");
         profile.set("overview.on", "false").expect("a key");
         let picture =
             Picture::rgba8(self.size[0] as u32, self.size[1] as u32, self.rgba.as_flattened()).expect("so many");
@@ -138,15 +144,35 @@ fn corner(figure: &Figure) -> [f32; 2] {
     [figure.place.min.x, figure.place.min.y]
 }
 
-fn plan() -> Plan {
-    Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("built-in profiles make sense")
-}
-
 /// Working pixels for a millimetre of the stages that are asked alone.
 const PX_PER_MM: f32 = 4.0;
 
 const DRAWINGS: [&str; 6] = ["bars.svg", "cell.svg", "chart.svg", "landscape.svg", "map.svg", "portrait.svg"];
 const PHOTOGRAPHS: [&str; 3] = ["astronaut.png", "chelsea.png", "coffee.png"];
+
+/// What holds for the profiles that relations are tested with holds for all: each asks the same of contours and colours
+/// as one of them.
+#[test]
+fn every_profile_is_of_one_family() {
+    let is_alike = |one: &Plan, other: &Plan| {
+        let [one_edges, other_edges] = [one, other].map(|plan| plan.edges(PX_PER_MM));
+        // a sum and difference with the diameter of a dot, which may differ by rounding
+        let is_as_wide = (one_edges.widest_stroke - other_edges.widest_stroke).abs() < 1e-3;
+        let other_edges = edges::Params { widest_stroke: one_edges.widest_stroke, ..other_edges };
+        is_as_wide && one_edges == other_edges && one.classes(PX_PER_MM) == other.classes(PX_PER_MM)
+    };
+    for profile in Profile::built_in() {
+        let own = families::plan(profile.name);
+        let of: Vec<&str> = families::all().filter(|head| is_alike(&own, &families::plan(head))).collect();
+        assert_eq!(of.len(), 1, "{} is of the families {of:?}: tests/common/families.rs", profile.name);
+        // on paper of other sizes, lines and textures are the same, too
+        let paper = families::plan(families::DEFAULT);
+        if of[0] == families::DEFAULT {
+            assert_eq!(own.lines(), paper.lines(), "{}", profile.name);
+            assert_eq!(own.textures(), paper.textures(), "{}", profile.name);
+        }
+    }
+}
 
 /// The same picture of two or three times the pixels is the same page: it is shrunk to as many pixels for a millimetre.
 #[test]
@@ -162,6 +188,21 @@ fn magnified_pictures_give_the_same_page() {
             assert!(off == 0.0, "{name} x{by}: {off} of the lines are elsewhere");
             assert_eq!(marks(&before).len(), marks(&after).len(), "{name} x{by}");
         }
+    }
+}
+
+/// So it is on dots, whose grid is where it was: but for ties of rounding, every dot.
+#[test]
+fn magnified_pictures_give_the_same_dots() {
+    for profile in families::DOTS {
+        let once = bitmap("landscape.svg");
+        let (before, after) = (once.figure_with(profile, 100.0), once.magnified(2).figure_with(profile, 100.0));
+        assert!(!before.lines.is_empty(), "{profile}");
+        assert_eq!(before.lines.len(), after.lines.len(), "{profile}");
+        let off = astray(&before.lines, corner(&before), &after.lines, corner(&after), 0.02);
+        assert!(off <= 0.002, "{profile}: {off} of the lines are elsewhere");
+        let (one, other) = (marks(&before).len(), marks(&after).len());
+        assert!(one.abs_diff(other) * 500 <= one, "{profile}: {one} dots of textures, and {other}");
     }
 }
 
@@ -202,9 +243,11 @@ fn a_border_of_background_moves_the_page_and_changes_nothing() {
 /// A grey picture as one plane and as three equal ones: the same edges and the same classes.
 #[test]
 fn grey_is_the_same_by_one_plane_and_by_three() {
-    let plan = plan();
-    for name in DRAWINGS.into_iter().chain(PHOTOGRAPHS) {
+    let default = DRAWINGS.into_iter().chain(PHOTOGRAPHS).map(|name| (families::DEFAULT, name));
+    for (profile, name) in default.chain(families::DOTS.map(|profile| (profile, "bars.svg"))) {
+        let plan = families::plan(profile);
         let bitmap = bitmap(name);
+        let name = format!("{name} with {profile}");
         let raster = bitmap.raster();
         let Planes::Colour([_, green, _]) = raster.planes() else { unreachable!("it has three planes") };
         let grey = Raster::new(raster.size(), Planes::Grey(green.clone()));
@@ -249,13 +292,17 @@ fn edges_astray(one: &Edges, other: &Edges, within: f64) -> f64 {
 /// of its own in code values, which do not scale.
 #[test]
 fn brightness_scaled_with_the_thresholds_gives_the_same_edges() {
-    let plan = plan();
-    for name in DRAWINGS {
+    const SCALES: &[f32] = &[0.25, 0.5, 0.8];
+    const HALF: &[f32] = &[0.5];
+    let default = DRAWINGS.map(|name| (families::DEFAULT, name, SCALES));
+    let others = families::DOTS.map(|profile| (profile, "bars.svg", HALF));
+    for (profile, name, scales) in default.into_iter().chain(others) {
+        let plan = families::plan(profile);
         let raster = bitmap(name).raster();
         let Planes::Colour([_, green, _]) = raster.planes() else { unreachable!("it has three planes") };
         // from 0.05 to 1: half of that is still beyond the straight part
         let lifted: Vec<f32> = green.iter().map(|value| 0.05 + 0.95 * value).collect();
-        for k in [0.25_f32, 0.5, 0.8] {
+        for &k in scales {
             let scaled = lifted.iter().map(|value| k * value).collect();
             let find = |values: Vec<f32>, by: f32| {
                 let params = plan.edges(PX_PER_MM);
@@ -263,7 +310,7 @@ fn brightness_scaled_with_the_thresholds_gives_the_same_edges() {
                 edges::find(&Raster::new(raster.size(), Planes::Grey(values)), &params)
             };
             let off = edges_astray(&find(lifted.clone(), 1.0), &find(scaled, k.powf(1.0 / 2.4)), 0.02);
-            assert!(off <= 0.003, "{name} x {k}: {off} of the edges are elsewhere");
+            assert!(off <= 0.003, "{name} x {k} with {profile}: {off} of the edges are elsewhere");
         }
     }
 }
@@ -271,7 +318,6 @@ fn brightness_scaled_with_the_thresholds_gives_the_same_edges() {
 /// Areas of pure red, green and blue whose planes change places: the regions stay, and their classes change places.
 #[test]
 fn permuted_hues_permute_the_classes() {
-    let plan = plan();
     let pure = |x: usize, y: usize| match (x / 100, y / 100) {
         (1, 1) | (3, 2) => [220, 20, 30],
         (2, 1) | (1, 3) => [30, 200, 40],
@@ -284,26 +330,28 @@ fn permuted_hues_permute_the_classes() {
         let [r, g, b] = pure(x, y);
         [b, r, g]
     });
-    let of = |bitmap: &Bitmap| {
-        let raster = bitmap.raster();
-        let edges = edges::find(&raster, &plan.edges(PX_PER_MM));
-        (labels(&raster, &edges, &plan), edges)
-    };
-    let ((before, _), (after, _)) = (of(&once), of(&turned));
     let to = |class: &Option<Class>| match class {
         Some(Class::Red) => Some(Class::Green),
         Some(Class::Green) => Some(Class::Blue),
         Some(Class::Blue) => Some(Class::Red),
         other => *other,
     };
-    let other = before.iter().zip(&after).filter(|(before, after)| to(before) != **after).count();
-    let count = |class| before.iter().filter(|label| **label == class).count();
-    assert!(
-        [Class::Red, Class::Green, Class::Blue].into_iter().all(|class| count(Some(class)) > 1000),
-        "areas are lost"
-    );
-    // at corners a cell may be of either side
-    assert!(other <= 3, "{other} of {} cells", before.len());
+    for profile in families::all() {
+        let plan = families::plan(profile);
+        let of = |bitmap: &Bitmap| {
+            let raster = bitmap.raster();
+            labels(&raster, &edges::find(&raster, &plan.edges(PX_PER_MM)), &plan)
+        };
+        let (before, after) = (of(&once), of(&turned));
+        let other = before.iter().zip(&after).filter(|(before, after)| to(before) != **after).count();
+        let count = |class| before.iter().filter(|label| **label == class).count();
+        assert!(
+            [Class::Red, Class::Green, Class::Blue].into_iter().all(|class| count(Some(class)) > 1000),
+            "areas are lost with {profile}"
+        );
+        // at corners a cell may be of either side
+        assert!(other <= 3, "{other} of {} cells with {profile}", before.len());
+    }
 }
 
 /// A figure of shapes in a square of 100 units times `k`, whose places are times `k` as well.

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use rayon::ThreadPoolBuilder;
 use tactograph::internals::output::svg;
 use tactograph::internals::pipeline::{Request, convert};
-use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::profile::Plan;
+
+use crate::common::families;
 
 fn page(picture: &[u8], plan: &Plan) -> String {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
@@ -23,11 +25,13 @@ fn page(picture: &[u8], plan: &Plan) -> String {
 
 #[test]
 fn any_number_of_threads_makes_the_same_page_again_and_again() {
-    let profiles = ["swell-a4", "index-everest-d"].map(|name| Profile::named(name).expect("built in"));
-    for profile in profiles {
-        let plan = Plan::new(&profile).expect("built-in profiles make sense");
-        // a photograph that fills many bands, one in rows of blocks, and a drawing
-        for sample in ["samples/coffee.png", "samples/rocket.jpg", "samples/chart.svg"] {
+    // a photograph that fills many bands, one in rows of blocks, and a drawing; with the other families the drawing
+    const ALL: &[&str] = &["samples/coffee.png", "samples/rocket.jpg", "samples/chart.svg"];
+    let profiles = [(families::DEFAULT, ALL), ("index-everest-d", ALL)];
+    let others = families::DOTS.map(|profile| (profile, &ALL[2..]));
+    for (name, samples) in profiles.into_iter().chain(others) {
+        let plan = families::plan(name);
+        for sample in samples {
             let picture = std::fs::read(sample).expect("the sample is there");
             let on = |threads: usize| {
                 let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be had");
@@ -36,7 +40,7 @@ fn any_number_of_threads_makes_the_same_page_again_and_again() {
             let alone = on(1);
             assert!(alone.contains("<path"), "{sample} has no lines");
             for threads in [1, 2, 3, 8] {
-                assert!(on(threads) == alone, "{sample}, {}: {threads} threads make another page", profile.name);
+                assert!(on(threads) == alone, "{sample}, {name}: {threads} threads make another page");
             }
         }
     }
