@@ -28,6 +28,7 @@ mod lettering;
 mod lines;
 mod metamorphic;
 mod pdf;
+mod periodic;
 mod plans;
 mod png;
 mod points;
