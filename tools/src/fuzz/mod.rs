@@ -17,7 +17,7 @@ use tactograph::Error;
 pub type Target = fn(&[u8]);
 
 /// All targets, by name.
-pub const TARGETS: [(&str, Target); 17] = [
+pub const TARGETS: [(&str, Target); 18] = [
     ("png", pictures::png),
     ("jpeg", pictures::jpeg),
     ("webp", pictures::webp),
@@ -35,6 +35,7 @@ pub const TARGETS: [(&str, Target); 17] = [
     ("set", plans::set),
     ("labels", pages::labels),
     ("dots", pages::dots),
+    ("words", pages::words),
 ];
 
 /// The target of a name.

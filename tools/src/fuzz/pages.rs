@@ -1,7 +1,7 @@
 //! Pages, layers and lists that somebody else wrote, and files of dots.
 
 use tactograph::internals::output::dots::{DocumentWords, DotMatrix, brf, pef, text, ubrl};
-use tactograph::{Error, Format, Label, Options, PageOptions, Picture, Profile, RenderOptions};
+use tactograph::{Error, Format, Label, Options, PageOptions, Picture, Position, Profile, RenderOptions};
 
 use super::is_clear;
 use crate::dot_reading as reading;
@@ -45,6 +45,10 @@ pub(super) fn check(bytes: &[u8]) {
             let told = checked.to_string();
             let marked = checked.marked(bytes).unwrap_or_else(|fault| panic!("it was read before: {fault}"));
             assert!(!told.is_empty() && roxmltree_reads(&marked), "a marked page that is no XML");
+            let is_json = |text: &str| serde_json::from_str::<serde_json::Value>(text).is_ok();
+            // names of files are any bytes on most systems
+            let name = String::from_utf8_lossy(bytes);
+            assert!(is_json(&checked.to_json()) && is_json(&checked.to_sarif(&name)), "findings that are no JSON");
         }
         Err(fault) => is_clear(&fault),
     }
@@ -87,6 +91,32 @@ pub(super) fn labels(bytes: &[u8]) {
             assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.contains('\n')), "{faults:?}")
         }
         Err(other) => panic!("{other:?}"),
+    }
+}
+
+/// Any words as title, description and label, in the language that the first byte says; the page is read again.
+pub(super) fn words(bytes: &[u8]) {
+    let Some((first, rest)) = bytes.split_first() else { return };
+    let Ok(text) = std::str::from_utf8(rest) else { return };
+    let languages: Vec<&str> = Options::languages().collect();
+    let language = languages[usize::from(*first) % languages.len()];
+    let middle = Position::percent(50.0).expect("a number of percent");
+    let label = Label { x: middle, y: middle, text: text.to_owned() };
+    let square = square();
+    let picture = Picture::rgba8(SIDE, SIDE, &square).expect("so many bytes");
+    let options = options().language(language).title(text).description(text).labels(vec![label]);
+    match tactograph::convert(picture, &options) {
+        Ok(drawing) => {
+            for page in std::iter::once(&drawing.page).chain(&drawing.key) {
+                let svg = page.to_svg();
+                assert!(roxmltree_reads(&svg), "a page that is no XML");
+                if let Err(fault) = tactograph::render(&svg, &RenderOptions::new()) {
+                    panic!("a page is not read: {fault}");
+                }
+            }
+            drawing.notes.iter().for_each(|note| assert!(!note.to_string().trim().is_empty(), "{note:?}"));
+        }
+        Err(fault) => is_clear(&fault),
     }
 }
 

@@ -1,0 +1,3 @@
+#![no_main]
+
+tactograph_fuzz::run!("words");
