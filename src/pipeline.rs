@@ -165,7 +165,8 @@ pub fn redraw(
     let legend = legend::of_page(page);
     // a sheet of a key stays one, and a page with a key that was asked for has one
     let key = if key == KeySheets::Auto && read_key::has_own_key(page) { KeySheets::Always } else { key };
-    let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &legend) };
+    let words = redraw::words(page, &legend);
+    let words = Words { key, translate, before: Some(&page.figure), title: old.title.or(words.title), ..words };
     let mut written = WrittenWords::new(&words, request.plan);
     if matches!(InSet::of(page), Some(InSet::One(..))) {
         written = written.beside_label(request.plan);

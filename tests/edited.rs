@@ -2,6 +2,7 @@
 
 use crate::corrections::{PICTURE, found, options, page};
 use tactograph::internals::reading::{Reading, read};
+use tactograph::marks::TextRole;
 use tactograph::{
     Checked, Crop, Drawing, Error, MmPoint, MmRect, Note, Options, Page, PageOptions, Profile, RenderOptions, SheetGrid,
 };
@@ -475,5 +476,24 @@ fn texts_that_flow_are_read() {
         assert!((at - MmPoint::new(x, y)).length() < 0.1, "{text}: {at:?}");
         let outside = told(&reading(&with(&page.to_svg(), &text)).notes);
         assert!(outside.contains("text \"hello world\" at"), "{outside}");
+    }
+}
+
+#[test]
+fn a_page_is_given_another_title_and_in_braille_where_it_is_laid_out_anew() {
+    let svg = page(&options().title("One")).to_svg();
+    let is_title = |text: &&tactograph::marks::BrailleText| text.role == TextRole::Title;
+    let in_braille = |page: &Page| page.braille.iter().find(is_title).map(|text| text.text.clone());
+    let renamed = |render: RenderOptions| tactograph::render(&svg, &render.title("Two")).expect("a page");
+    let as_it_is = renamed(RenderOptions::new());
+    assert_eq!(as_it_is.page.title, "Two");
+    assert_eq!(in_braille(&as_it_is.page).as_deref(), Some("One"), "its cells stay");
+    let stays = "the title in braille is as it was (One)";
+    assert!(told(&as_it_is.notes).contains(stays), "{}", told(&as_it_is.notes));
+    for name in ["swell-a4", "index-basic-d"] {
+        let profile = Profile::named(name).expect("it is built in");
+        let anew = renamed(RenderOptions::new().profile(profile));
+        assert_eq!((anew.page.title.as_str(), in_braille(&anew.page).as_deref()), ("Two", Some("Two")), "{name}");
+        assert!(!told(&anew.notes).contains(stays), "{name}: {}", told(&anew.notes));
     }
 }

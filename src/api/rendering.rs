@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::caller::Caller;
 use crate::braille::Translate;
 use crate::listing::first_few;
-use crate::page::{BrailleText, InSet, MediumParams, Page};
+use crate::page::{BrailleText, InSet, MediumParams, Page, TextRole};
 use crate::pipeline::{
     self, Adapted, AsRendered, Drawing, Event, Fit, KeySheets, KeyWanted, OldPage, Request, Stage, Watch, run_stage,
 };
@@ -22,6 +22,7 @@ use crate::{About, Error, Note, Reason};
 #[must_use]
 pub struct RenderOptions {
     profile: Option<Profile>,
+    title: Option<String>,
     key: KeySheets,
     translate: Option<Arc<Translate>>,
     caller: Caller,
@@ -36,6 +37,14 @@ impl RenderOptions {
     /// Lays the page out anew for another paper or device. Default: its own.
     pub fn profile(mut self, profile: Profile) -> Self {
         self.profile = Some(profile);
+        self
+    }
+
+    /// What the page is called, in place of what it was. Where it is laid out anew for a [profile](Self::profile), the
+    /// title is written in braille above the figure, as [`Options::title`](crate::Options::title) says; on its own
+    /// paper or device a title in braille stays as it is, and that is told. Default: its own.
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = Some(title.into());
         self
     }
 
@@ -114,6 +123,9 @@ fn rendered(svg: &[u8], options: &RenderOptions, watch: &mut Watch<'_>) -> Resul
     let mut read = run_stage(watch, Stage::Decode, || reading::read(svg))?;
     let mut notes = std::mem::take(&mut read.notes);
     options.caller.go_on()?;
+    if let Some(title) = options.title.as_deref() {
+        read.page = read.page.called(Some(title), None, None);
+    }
     let (own, refused) = Profile::of_origin(&read.page.origin)?;
     notes.extend(refused);
     let own = Plan::new(&own)?;
@@ -162,6 +174,7 @@ impl AdaptedPage<'_> {
         let Adapted { page, notes: more, of_places, of_overview, abbreviates, .. } = adapted;
         notes.extend(more.iter().chain(of_places).cloned());
         notes.extend(overview_stays(of_overview.as_deref(), page, read));
+        notes.extend(options.title.as_deref().and_then(|title| title_stays(title, page)));
         let wanted = KeyWanted { key: options.key, abbreviates: *abbreviates, is_changed: read.is_changed };
         let cancelled = || options.caller.has_cancelled();
         let request = self.request(own, *was_mirrored, &cancelled);
@@ -193,7 +206,8 @@ impl AdaptedPage<'_> {
         notes.extend(more.iter().cloned());
         notes.extend(overview_drawn_of(of_overview.as_deref(), page, &plan));
         notes.extend(placed_anew(&read.moved_texts));
-        let (old, cancelled) = (OldPage { page, lines, plan: own }, || options.caller.has_cancelled());
+        let old = OldPage { page, lines, title: options.title.as_deref(), plan: own };
+        let cancelled = || options.caller.has_cancelled();
         let request = self.request(&plan, mirrored, &cancelled);
         let mut drawing = pipeline::redraw(old, options.key, options.translate.as_deref(), &request, watch)?;
         // words of a person stay, those of ours are of the new page
@@ -223,6 +237,17 @@ fn overview_stays(unlike: Option<&str>, page: &Page, read: &Reading) -> Option<N
     let told = unlike.map(|told| format!("the overview is as it was: {told}; change it there too, or delete it"));
     let told = told.or_else(|| has_own_sheet.then(|| own.to_owned()));
     told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewStays, told))
+}
+
+/// What is told of a title in braille that is not the one that a page is given, and stays on its paper or device.
+fn title_stays(title: &str, page: &Page) -> Option<Note> {
+    let of_page = page.braille.iter().find(|text| text.role == TextRole::Title && text.text != title)?;
+    let told = format!(
+        "the title in braille is as it was ({}); it is written anew where the page is laid out anew for a profile, as \
+         for its own",
+        of_page.text
+    );
+    Some(Note::TakenAs(About::Braille, Reason::TitleStays, told))
 }
 
 /// What is told of the overview of a page that is laid out anew, which is drawn of the one that the page has.

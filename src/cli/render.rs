@@ -76,6 +76,7 @@ fn read(
         .map_err(|what| (Exit::Usage, vec![what]))?;
     let making = if other.is_some() { Making::PageAnew } else { Making::Other };
     let options = other.into_iter().fold(RenderOptions::new().key(args.key.sheets()), RenderOptions::profile);
+    let options = args.title.iter().fold(options, |options, title| options.title(title));
     let options = match table {
         Some(table) => options.translator(move |text| louis::translate(&table, text)),
         None => options,

@@ -93,6 +93,8 @@ reasons! {
     NotOfKey => "not-of-key",
     /// Words that were moved have their places anew on another paper or device.
     PlacedAnew => "placed-anew",
+    /// The title in braille is as it was, and the page has another title.
+    TitleStays => "title-stays",
     /// The overview is as it was, and the figure is not.
     OverviewStays => "overview-stays",
     /// The overview is drawn of that of the page that was read, and not of the figure.

@@ -60,6 +60,8 @@ pub struct OldPage<'a> {
     pub page: &'a Page,
     /// What the lines of its figure are called.
     pub lines: &'a [LineName],
+    /// The title that it is given, if not its own.
+    pub title: Option<&'a str>,
     /// Its own profile.
     pub plan: &'a Plan,
 }
@@ -76,7 +78,7 @@ pub(super) fn marks(
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
-    let OldPage { page, lines, plan: own } = old;
+    let OldPage { page, lines, plan: own, .. } = old;
     let (plan, size) = (request.plan, shape(page));
     let (px_per_mm, params) = (PageTransform::new(size, layout.figure).px_per_mm(), plan.lines());
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
@@ -280,7 +282,7 @@ fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
 /// are all of full strength.
 fn keep_widths(drawn: &mut [Line], stand_for: &[Option<usize>], old: OldPage<'_>, plan: &Plan) {
-    let OldPage { page, lines: names, plan: own } = old;
+    let OldPage { page, lines: names, plan: own, .. } = old;
     let (params, swell) = (plan.lines(), own.profile().print.swell);
     for (line, number) in drawn.iter_mut().zip(stand_for) {
         let by_hand = number.filter(|number| names.get(*number).is_some_and(|of| of.by_hand));

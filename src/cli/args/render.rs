@@ -27,6 +27,8 @@ Examples:
         for the printer, in pure black and true size
   tactograph render cup.svg --profile index-basic-d -o cup.idx
         for an embosser: lines and areas become dots
+  tactograph render cup.svg --profile swell-a4 --title \"My cup\" -o cup.pdf
+        with another title, in braille too
   tactograph render dots.svg -o dots.brf
         a page of dots that was changed
 
@@ -60,6 +62,13 @@ pub(in crate::cli) struct Render {
     /// [default: the page stays as it is]
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(in crate::cli) profile: Option<String>,
+
+    /// Gives the page another title
+    ///
+    /// With --profile it is written in braille above the figure as well, also with the page's own profile; without, a
+    /// title in braille stays as it is, and you are told.
+    #[arg(long, value_name = "TEXT")]
+    pub(in crate::cli) title: Option<String>,
 
     /// Changes one value of the profile that --profile names; can be given several times
     #[arg(long, value_name = "KEY=VALUE")]
