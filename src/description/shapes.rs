@@ -14,8 +14,8 @@ const ROUND: f32 = 0.88;
 /// A round line has at least this ratio of its narrower to its wider side.
 const AS_WIDE: f32 = 0.84;
 /// An open line is straight if its ends are so far apart, of its length, and it lies nowhere farther off the straight
-/// between them than this share of that, or than a finger finds (`SLACK`). An arc so far off turns by 9 degrees from end
-/// to end, as much as a level line may be off level. The first alone takes an arc that turns by 49 degrees.
+/// between them than this share of that, or than a finger finds (`SLACK`). An arc so far off turns by 9 degrees from
+/// end to end, as much as a level line may be off level. The first alone takes an arc that turns by 49 degrees.
 const STRAIGHTNESS: f32 = 0.97;
 const OFF_STRAIGHT: f32 = 0.02;
 /// From so far apart on, of its length, it is told how far the line lies off the straight between its ends; an arc that

@@ -68,9 +68,9 @@ fn ring(picture: MmRect, grid: &Grid, params: &FrameParams, medium: &DotMedium) 
     Dots { diameter: medium.diameter(), at: at.collect() }
 }
 
-/// Places from `low` to `high`, both of them, about `step` dots of a grid apart: even to one dot, and never side by side,
-/// as a finger on a frame feels one wider or narrower space as a mark. They lie alike from both ends, so that a flipped
-/// picture has the flipped frame; an odd length so has an odd number of spaces.
+/// Places from `low` to `high`, both of them, about `step` dots of a grid apart: even to one dot, and never side by
+/// side, as a finger on a frame feels one wider or narrower space as a mark. They lie alike from both ends, so that a
+/// flipped picture has the flipped frame; an odd length so has an odd number of spaces.
 fn along(low: i32, high: i32, step: i32) -> impl Iterator<Item = i32> {
     let length = high - low;
     let most = (length / 2).max(1);

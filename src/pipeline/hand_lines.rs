@@ -169,8 +169,8 @@ impl HandLines {
         Ok(edges)
     }
 
-    /// Adds the lines to contours that were found, of which the parts that run along them, nearer than `reach`, px, give
-    /// way.
+    /// Adds the lines to contours that were found, of which the parts that run along them, nearer than `reach`, px,
+    /// give way.
     ///
     /// # Errors
     /// As [`HandLines::contours`].
@@ -206,8 +206,8 @@ impl HandLines {
         let (width, before) = self.overview?;
         let counted = |lines: usize| if lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") };
         let told = format!(
-            "the overview is made anew of the lines that are given, and is {:.0} mm wide with {}; that of their page is \
-             {width:.0} mm wide with {}: look whether it is what you want, and change it in the page that is made",
+            "the overview is made anew of the lines that are given, and is {:.0} mm wide with {}; that of their page \
+             is {width:.0} mm wide with {}: look whether it is what you want, and change it in the page that is made",
             place.width(),
             counted(lines),
             counted(before)

@@ -203,8 +203,8 @@ pub(super) fn told_opened(added: Option<&HandLines>, figure: &[Line], layout: &L
     Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
 }
 
-/// How long the gap of a line that is nearly closed is, mm, and its middle, if both ends lie beside other lines; none of
-/// one that lies on them.
+/// How long the gap of a line that is nearly closed is, mm, and its middle, if both ends lie beside other lines; none
+/// of one that lies on them.
 fn opened(line: &Line, others: &Nearby, near: f32) -> Option<(f32, MmPoint)> {
     let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
     let (first, last) = (*path.first()?, *path.last()?);
