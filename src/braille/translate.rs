@@ -330,7 +330,8 @@ fn is_group(text: &[char], i: usize) -> bool {
 }
 
 /// Whether the space at `i` parts groups of a telephone number, as in 020 7946 0018: one that begins with a zero before
-/// other digits, or with a plus, and has at least so many digits in all.
+/// other digits, with a plus or with a code in brackets, or is of groups as in North America (555 123 4567); or of an
+/// ISBN. It has at least so many digits in all.
 fn is_in_phone_number(text: &[char], i: usize) -> bool {
     let is_of_number = |at: usize| {
         let is_digit = |at: Option<usize>| at.and_then(|at| text.get(at)).is_some_and(char::is_ascii_digit);
@@ -339,17 +340,31 @@ fn is_in_phone_number(text: &[char], i: usize) -> bool {
     let from = (0..i).rev().take_while(|&at| is_of_number(at)).last().unwrap_or(i);
     let number: Vec<char> = (from..text.len()).take_while(|&at| is_of_number(at)).map(|at| text[at]).collect();
     let is_international = from.checked_sub(1).is_some_and(|before| text[before] == '+');
-    let begins = is_international || number.starts_with(&['0']) && number.get(1).is_some_and(char::is_ascii_digit);
+    let has_zero = number.starts_with(&['0']) && number.get(1).is_some_and(char::is_ascii_digit);
+    let groups: Vec<usize> = number.split(|letter| *letter == ' ').map(<[char]>::len).collect();
+    let digits: usize = groups.iter().sum();
+    let code = code_in_brackets(&text[..from]);
+    let has_code = code.starts_with(&['0']) || code.len() == 3 && groups == [3, 4];
+    let is_isbn =
+        digits == DIGITS_OF_ISBN && (number.starts_with(&['9', '7', '8']) || number.starts_with(&['9', '7', '9']));
+    let begins = is_international || has_zero || has_code || is_isbn || groups == [3, 3, 4];
     // a list of hours has none of three
-    let has_long = number.split(|letter| *letter == ' ').any(|group| group.len() >= 3);
-    is_of_number(i)
-        && begins
-        && has_long
-        && number.iter().filter(|letter| **letter != ' ').count() >= FEWEST_OF_PHONE_NUMBER
+    let has_long = groups.iter().any(|group| *group >= 3);
+    is_of_number(i) && begins && has_long && code.len() + digits >= FEWEST_OF_PHONE_NUMBER
+}
+
+/// The digits of a code in brackets at the end of a text, as before the rest of (212) 555 0199; none without one.
+fn code_in_brackets(text: &[char]) -> &[char] {
+    let [before @ .., ')', ' '] = text else { return &[] };
+    let count = before.iter().rev().take_while(|digit| digit.is_ascii_digit()).count();
+    let (before, code) = before.split_at(before.len() - count);
+    if before.ends_with(&['(']) { code } else { &[] }
 }
 
 /// Fewest digits of a telephone number with its code; dates have eight at most, and no zero before a year.
 const FEWEST_OF_PHONE_NUMBER: usize = 9;
+/// Digits of an ISBN, which begins with 978 or 979.
+const DIGITS_OF_ISBN: usize = 13;
 
 /// Whether a hyphen stands between two letters.
 fn is_hyphen_in_word(text: &[char], i: usize) -> bool {
