@@ -400,7 +400,26 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
 /// The texts of a drawing that become labels. It often has its title in it, which stands above it already.
 pub(super) fn own_texts<'t>(texts: &'t [Text], words: &Words<'_>) -> impl Iterator<Item = &'t Text> {
     let is_label = become_labels(words);
-    texts.iter().filter(move |text| is_label(text))
+    let heading = words.title.filter(|_| words.before.is_none()).and_then(|title| heading_in(texts, title));
+    let own = move |(number, text): &(usize, &Text)| Some(*number) != heading && is_label(text);
+    texts.iter().enumerate().filter(own).map(|(_, text)| text)
+}
+
+/// Which text of a drawing is a heading with which the title begins, as "Rain in mm" of "Rain in mm, March to July": of
+/// several words, above all other texts and in larger letters, so that it is the name of no place.
+fn heading_in(texts: &[Text], title: &str) -> Option<usize> {
+    let begins_title = |text: &Text| {
+        let heading = text.string.trim();
+        let rest = title.trim().strip_prefix(heading).map(str::trim_start);
+        let goes_on = |rest: &str| rest.starts_with([',', ':', ';', '.', '(', '\u{2013}', '\u{2014}']);
+        heading.contains(char::is_whitespace) && rest.is_some_and(goes_on)
+    };
+    let heading = texts.iter().position(|text| text.is_read() && begins_title(text))?;
+    let Text { place, size, .. } = &texts[heading];
+    let others = texts.iter().enumerate().filter(|(number, text)| *number != heading && text.is_read());
+    let is_below = |other: &Text| other.place.min.y >= place.max.y && other.size < *size;
+    let below: Vec<bool> = others.map(|(_, other)| is_below(other)).collect();
+    (!below.is_empty() && !below.contains(&false)).then_some(heading)
 }
 
 /// Whether a text of a drawing becomes a label.

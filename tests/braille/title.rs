@@ -6,7 +6,7 @@ use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::marks::TextRole;
 use tactograph::medium::Medium;
-use tactograph::{DotFormat, Drawing, KeySheets, MmPoint, Note, Options, Page, Profile, RenderOptions, convert};
+use tactograph::{DotFormat, Drawing, Fonts, KeySheets, MmPoint, Note, Options, Page, Profile, RenderOptions, convert};
 
 const TITLE: &str = "Rain in mm, March to July 2024";
 
@@ -242,4 +242,27 @@ fn another_translator_writes_all_words() {
         let note = Note::NotTranslated { texts: vec![text.into()], why: why.into() };
         assert!(drawing.notes.contains(&note), "{:?}", drawing.notes);
     }
+}
+
+/// A heading of a drawing with which the title begins stands in that; a text that the title only has within it stays.
+#[test]
+fn a_heading_that_begins_the_title_is_written_once() {
+    let labels = |title: &str| -> Vec<String> {
+        let profile = Profile::named("swell-a4").expect("it is built in");
+        let options = Options::new(profile).title(title).language("en").label_texts(true).fonts(Fonts::system());
+        let page = convert(&samples::read("chart.svg"), &options).expect("a page").page;
+        let labels = page.braille.iter().filter(|text| text.role == TextRole::Label);
+        labels.map(|text| text.text.clone()).collect()
+    };
+    let once = labels("Rain in mm, March to July");
+    // a machine without fonts shows no text of an SVG
+    if once.is_empty() {
+        return;
+    }
+    assert!(!once.contains(&"Rain in mm".to_owned()), "{once:?}");
+    let both = labels("Rain in mm of five months");
+    assert!(both.contains(&"Rain in mm".to_owned()), "{both:?}");
+    assert_eq!(both.len(), once.len() + 1);
+    let months = labels("Mar, Apr, May, Jun and Jul");
+    assert_eq!(months.len(), both.len(), "names of months stay");
 }
