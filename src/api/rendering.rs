@@ -219,6 +219,8 @@ impl AdaptedPage<'_> {
         if before == after {
             notes.extend(in_other_cells(page, &drawing.page));
         }
+        // what is so on the page and on the new one is told once
+        notes.retain(|note| !drawing.notes.contains(note));
         notes.append(&mut drawing.notes);
         Ok(Drawing { notes, ..drawing })
     }
