@@ -28,6 +28,11 @@ impl Making {
         }
     }
 
+    /// Whether it is made of a picture, of which a part can be taken.
+    fn is_of_picture(self) -> bool {
+        matches!(self, Self::Print | Self::Embossing | Self::Pins)
+    }
+
     /// Whether a picture can be spread over several sheets.
     fn has_sheets(self) -> bool {
         matches!(self, Self::Print | Self::Embossing)
@@ -67,7 +72,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Making::PageAnew => format!("{note} (--set overview.on=false)"),
             Making::Other => note.to_string(),
         },
-        Note::EmptyPage => format!("{note} (--crop)"),
+        Note::EmptyPage if making.is_of_picture() => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
         Note::LinesLeftOut { is_larger_turned: true, .. } if making != Making::Other => {

@@ -20,4 +20,6 @@ fn only_options_that_there_are_and_that_help_are_named() {
     let left_out = Note::LinesLeftOut { millimetres: 90, percent: 9, place: None, is_larger_turned: true };
     assert!(of_note(&left_out, Making::PageAnew).ends_with("(--set page.orientation=landscape)"));
     assert_eq!(of_note(&left_out, Making::Other), left_out.to_string());
+    assert!(of_note(&Note::EmptyPage, Making::Pins).ends_with("(--crop)"));
+    assert_eq!(of_note(&Note::EmptyPage, Making::PageAnew), Note::EmptyPage.to_string());
 }
