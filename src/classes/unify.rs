@@ -40,11 +40,15 @@ pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32, narrow
 
 /// Whether a component has no room for a disc of this width, cells. The edge of the picture narrows nothing.
 fn is_narrow(component: &[usize], size: Size, width: f32) -> bool {
-    let mut is_in = vec![false; size.len()];
-    component.iter().for_each(|&cell| is_in[cell] = true);
+    let (across, down) = (size.width as usize, size.height as usize);
+    let (Some(&first), Some(&last)) = (component.iter().min(), component.iter().max()) else { return true };
+    // of its own rows only: there may be many components
+    let before = first - first % across;
+    let mut cells = vec![false; last + 1 - before];
+    component.iter().for_each(|&cell| cells[cell - before] = true);
+    let is_in = |cell: usize| cell.checked_sub(before).and_then(|at| cells.get(at)).is_some_and(|is_in| *is_in);
     // from the middle of a cell to those of the outermost ones
     let radius = (0.5 * (width - 1.0)).max(0.0);
-    let (across, down) = (size.width as usize, size.height as usize);
     let has_room = |&cell: &usize| {
         let (x, y) = (cell % across, cell / across);
         let around = |at: usize, reach: f32, end: usize| {
@@ -54,7 +58,7 @@ fn is_narrow(component: &[usize], size: Size, width: f32) -> bool {
         around(y, radius, down).all(|row| {
             let aside = row.abs_diff(y) as f32;
             let half = (radius * radius - aside * aside).max(0.0).sqrt();
-            around(x, half, across).all(|column| is_in[row * across + column])
+            around(x, half, across).all(|column| is_in(row * across + column))
         })
     };
     !component.iter().any(has_room)
