@@ -1,6 +1,7 @@
 //! Short lines that lead from shape to shape in the figure of a drawing, such as arrows between boxes, and that its
 //! overview lacks: without them nobody feels there what belongs together.
 
+use super::cut_contours::ALONG;
 use super::lost_signs::MOVED;
 use super::overview::DrawnOverview;
 use crate::edges::Edges;
@@ -16,8 +17,6 @@ use crate::{About, Note, Reason};
 const ENDS_AT: f32 = 2.5;
 /// Its chord is at least this share of its length.
 const STRAIGHT: f32 = 0.95;
-/// A line of the overview is the same if its direction differs by no more than 40 degrees: the cosine.
-const ALONG: f32 = 0.77;
 
 /// What the maker of a drawing's page is told of them.
 pub(super) fn told(
