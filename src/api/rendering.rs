@@ -245,8 +245,8 @@ fn overview_stays(unlike: Option<&str>, page: &Page, read: &Reading) -> Option<N
 fn title_stays(title: &str, page: &Page) -> Option<Note> {
     let of_page = page.braille.iter().find(|text| text.role == TextRole::Title && text.text != title)?;
     let told = format!(
-        "the title in braille is as it was ({}); it is written anew where the page is laid out anew for a profile, as \
-         for its own",
+        "the title in braille is as it was ({}); to have it written anew, lay the page out anew for a profile, such as \
+         its own",
         of_page.text
     );
     Some(Note::TakenAs(About::Braille, Reason::TitleStays, told))
