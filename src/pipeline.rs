@@ -47,6 +47,7 @@ mod text_reader;
 mod texts;
 mod textures;
 mod told_bars;
+mod told_given;
 mod told_labels;
 mod told_lines;
 mod too_near;

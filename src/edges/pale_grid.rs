@@ -1,8 +1,9 @@
 //! The pale grid behind a chart in a bitmap: its lines are faint, as those of a vector drawing are.
 //!
 //! In pixels a gridline and the top of a bar that ends on it are one straight stroke. It is parted where the contrast
-//! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar. Where the side
-//! of a shape lies on squared paper, one gridline turns into another at its corner: such a contour is parted there.
+//! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar. Where the
+//! side of a shape lies on squared paper, one gridline turns into another at its corner: such a contour is parted
+//! there.
 
 use super::contour::Contour;
 use super::faint::{BLACK, STRONG};

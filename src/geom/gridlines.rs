@@ -72,9 +72,13 @@ pub fn which_are_gridlines<U: GridUnit>(ends: &[Option<[Point2D<f32, U>; 2]>]) -
         let longest = all().map(|piece| piece.to - piece.from).fold(0.0, f32::max);
         let long: Vec<Piece> = all().filter(|piece| piece.to - piece.from >= SHORT * longest).collect();
         if let Some(step) = grid_step(long.clone(), U::OFF) {
+            // pieces of one line are at one place
+            let mut places: Vec<f32> = long.iter().map(|line| line.at).collect();
+            places.sort_by(f32::total_cmp);
+            places.dedup_by(|next, place| *next - *place <= U::OFF);
             let is_in_place = |piece: &Piece| {
-                long.iter().any(|line| {
-                    let steps = (line.at - piece.at).abs() / step;
+                places.iter().any(|place| {
+                    let steps = (place - piece.at).abs() / step;
                     (steps - steps.round()).abs() * step <= U::OFF
                 })
             };

@@ -28,6 +28,7 @@ use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::told_bars::{self, BarStyle};
+use super::told_given::{told_short, told_words};
 use super::told_lines::{
     left_out, told_beside_added, told_cut, told_dashed, told_left_out, told_opened, told_simplified, told_whole,
 };
@@ -41,7 +42,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
-use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Size};
+use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
@@ -250,39 +251,6 @@ fn told_of_person(
     };
     let all = cut.into_iter().chain(opened).chain(beside).chain(anew);
     all.chain(told_by_hand(given.hand_lines(), lines, overview, layout))
-}
-
-/// What the maker is told of the words of a page of which only lines are taken, where none are given.
-fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
-    let texts = given.texts_of_page;
-    let (noun, they_are) = if texts == 1 { ("text", "it is") } else { ("texts", "they are") };
-    let is_given = words.title.is_some() || !words.labels.is_empty() || words.own_texts;
-    (texts > 0 && !is_given).then(|| {
-        let what_to_do = format!("give title and labels again, as {they_are} not taken from there");
-        Note::NotOnPage(
-            About::Braille,
-            Reason::WordsOfPage,
-            format!("{texts} braille {noun} of the page that the lines are of; {what_to_do}"),
-        )
-    })
-}
-
-/// What the maker is told of lines that were given and are too short for this figure.
-fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
-    let least = plan.profile().lines.min_length;
-    let figure = layout.figure;
-    let mut short = given.hand_lines().flat_map(|lines| lines.shorter_than(least / figure.width()));
-    let (name, [x, y]) = short.next()?;
-    let count = 1 + short.count();
-    let (lines, the_first, them) = match count {
-        1 => ("1 line".to_owned(), "", "it is"),
-        _ => (format!("{count} lines"), "the first, ", "they are"),
-    };
-    let name = name.map_or_else(String::new, |name| format!("{name}, "));
-    let at = figure.min + figure.size().to_vector().component_mul(MmVector::new(x, y));
-    let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-    let told = format!("{lines} of those given ({the_first}{name}at {:.0}, {:.0} mm), as {why}", at.x, at.y);
-    Some(Note::NotOnPage(About::Lines, Reason::TooShort, told))
 }
 
 /// The contours of a picture, and what is decided about the lines that are drawn of them.

@@ -15,8 +15,8 @@ fn rows(count: u32) -> Texture {
     Texture { class: Class::Grey, sign: Sign::Dot, colour: [120; 3], area, glyphs }
 }
 
-/// What a label of 40 mm, or one as wide as the texture, leaves of it from y = `top` on; on dots, where the least height
-/// is not 0.
+/// What a label of 40 mm, or one as wide as the texture, leaves of it from y = `top` on; on dots, where the least
+/// height is not 0.
 fn left(mut texture: Texture, top: f32, is_wide: bool, least_texture: f32) -> Vec<MmPoint> {
     let (from, to) = if is_wide { (-5.0, 105.0) } else { (30.0, 70.0) };
     let label = Placed::of_test(MmRect::new(MmPoint::new(from, top), MmPoint::new(to, top + 6.0)));
