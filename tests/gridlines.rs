@@ -84,6 +84,26 @@ fn on_an_embosser_the_grid_goes_and_the_triangle_stays() {
     }
 }
 
+/// Points of a scatter plot: the first two overlap.
+const SCATTERED: [(f32, f32); 16] = [
+    (620.66, 229.83),
+    (616.74, 221.54),
+    (253.21, 353.48),
+    (205.05, 388.37),
+    (588.47, 146.02),
+    (567.51, 202.37),
+    (277.35, 322.61),
+    (663.92, 139.82),
+    (605.38, 164.36),
+    (227.90, 470.40),
+    (297.05, 409.08),
+    (635.75, 125.01),
+    (511.99, 213.05),
+    (413.54, 276.67),
+    (414.97, 344.41),
+    (369.04, 293.23),
+];
+
 /// Of a gridline that is cut beside two points which overlap, one piece leads aside to these.
 #[test]
 fn on_an_embosser_no_piece_of_a_grid_stays_beside_points() {
@@ -95,9 +115,11 @@ fn on_an_embosser_no_piece_of_a_grid_stays_beside_points() {
         write!(svg, "<path stroke='#ddd' d='M{x} 520V40M80 {y}H760'/>").expect("it is a string");
         write!(svg, "<path stroke='#000' stroke-width='2' d='M{x} 520V528M72 {y}H80'/>").expect("it is a string");
     }
-    svg += "<path d='M80 520H760' stroke='#000' stroke-width='3'/><path d='M80 520V40' stroke='#000' \
-            stroke-width='3'/><circle cx='620.66' cy='229.83' r='6' fill='#14a'/><circle cx='616.74' cy='221.54' \
-            r='6' fill='#14a'/></svg>";
+    svg += "<path d='M80 520H760M80 520V40' stroke='#000' stroke-width='3'/><g fill='#14a'>";
+    for (x, y) in SCATTERED {
+        write!(svg, "<circle cx='{x}' cy='{y}' r='6'/>").expect("it is a string");
+    }
+    svg += "</g></svg>";
     let profile = Profile::named("index-basic-d").expect("it is built in");
     let drawing = tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page");
     let told: String = drawing.notes.iter().map(|note| format!("{note}\n")).collect();

@@ -220,6 +220,32 @@ fn rows_of_other_things_are_no_text() {
 
 /// The same picture in white on black, and one where text stands upright.
 #[test]
+fn ticks_of_a_clock_are_no_text_and_letters_of_paths_are() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 500 500'><rect width='500' height='500' \
+                   fill='#fff'/><g stroke='#000' fill='none'><circle cx='250' cy='250' r='220' stroke-width='6'/>"
+        .to_owned();
+    for minute in 0..60 {
+        let (y, x) = (6.0 * f64::from(minute)).to_radians().sin_cos();
+        let (inner, width) = if minute % 5 == 0 { (190.0, 5) } else { (205.0, 2) };
+        let at = |radius: f64| format!("{:.1} {:.1}", 250.0 + radius * x, 250.0 + radius * y);
+        svg += &format!("<path d='M{}L{}' stroke-width='{width}'/>", at(inner), at(218.0));
+    }
+    svg += "</g>";
+    let text_of = |svg: &str| {
+        let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+        let drawing = tactograph::convert(format!("{svg}</svg>").as_bytes(), &options).expect("a page");
+        drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("left out, as fingers cannot read"))
+    };
+    assert_eq!(text_of(&svg), None);
+    // five letters with bends, a word in curves
+    for letter in 0..5 {
+        let x = 190 + 24 * letter;
+        svg += &format!("<path d='M{x} 250v-24q14 0 14 7t-14 7l14 10' fill='none' stroke='#000' stroke-width='3'/>");
+    }
+    assert!(text_of(&svg).is_some_and(|note| note.contains("1 text")), "{:?}", text_of(&svg));
+}
+
+#[test]
 fn light_letters_and_letters_that_stand_upright_are_text() {
     let canvas = Canvas::labelled_chart();
     let options = Options::new(profile());

@@ -99,7 +99,7 @@ pub(super) fn gaps<'a>(
         let extent = MmRect::from_points(run.iter().map(|(_, at)| *at));
         let lost = LostLine { extent, length: length + 2.0 * STANDS, closed: true, is_faint: false };
         let share = drawn.iter().filter(|is_drawn| **is_drawn).count() as f32 / count as f32;
-        (length > GAP && share >= GONE && !is_faint(line)).then_some(lost)
+        (lost.length > GAP && share >= GONE && !is_faint(line)).then_some(lost)
     };
     lines.iter().filter(|line| line.closed).filter_map(gap).collect()
 }

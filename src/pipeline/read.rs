@@ -9,7 +9,7 @@ use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, DecodeOptions, Header};
 use crate::raster::rim::Rim;
-use crate::raster::vector::{DrawnText, PaintedPath, PixelArea, VectorDrawing};
+use crate::raster::vector::{DrawnText, PixelArea, VectorDrawing};
 use crate::units::{PxPoint, Size};
 use crate::{About, Error, Note, Reason};
 
@@ -216,7 +216,8 @@ fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOption
 }
 
 /// Whether what was found in the pixels of a drawing may be letters that its paths paint, each by itself: a piece of a
-/// longer outline, such as that of a cloud, is none. `scale` is that of the working picture.
+/// longer outline, such as that of a cloud, is none, and neither are straight strokes alone, such as the ticks of a
+/// clock. `scale` is that of the working picture.
 fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool {
     let DrawnText { min, max, .. } = text(line, String::new(), scale);
     let reach = PxPoint::splat(AROUND_LETTERS * line.height * scale + 1.0).to_vector();
@@ -231,7 +232,13 @@ fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool 
     });
     let is_inside =
         |area: &PixelArea| area.min.x >= min.x && area.max.x <= max.x && area.min.y >= min.y && area.max.y <= max.y;
-    drawing.pixel_areas.iter().any(meets) || near.flat_map(PaintedPath::parts).filter(is_inside).count() > 1
+    let (mut letters, mut has_bent) = (0, false);
+    for painted in near {
+        let inside = painted.parts().iter().filter(|area| is_inside(area)).count();
+        letters += inside;
+        has_bent |= inside > 0 && !painted.is_of_straight_strokes();
+    }
+    drawing.pixel_areas.iter().any(meets) || letters > 1 && has_bent
 }
 
 /// How far beyond the box of a text its letters reach, as a share of their height: tails of small letters.

@@ -33,6 +33,16 @@ impl PaintedPath {
         Self { path, stroke: None, dashed: false, filled_alike: false }
     }
 
+    /// Whether it is nothing but straight strokes, each by itself, such as ticks.
+    pub fn is_of_straight_strokes(&self) -> bool {
+        let mut sides = 0;
+        let is_straight = self.path.segments().all(|segment| {
+            sides = if matches!(segment, PathSegment::LineTo(_)) { sides + 1 } else { 0 };
+            matches!(segment, PathSegment::MoveTo(_) | PathSegment::LineTo(_)) && sides <= 1
+        });
+        self.stroke.is_some() && is_straight
+    }
+
     /// The boxes around its parts, each from where its pen is set down to where it is lifted.
     pub fn parts(&self) -> Vec<PixelArea> {
         let mut parts: Vec<PixelArea> = Vec::new();
