@@ -379,29 +379,3 @@ fn a_cross_keeps_its_four_arms() {
         assert!(found.is_empty(), "{name}: {found:?}");
     }
 }
-
-/// Of boxes from 4 to 8 mm high the lower side of one lacks two dots, as it is too near to the upper one.
-#[test]
-fn a_narrow_box_that_is_open_is_told() {
-    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 728 500'><rect width='728' height='500' \
-                   fill='#fff'/><g stroke='#000' stroke-width='3' fill='none'>"
-        .to_owned();
-    let mut y = 20;
-    for height in [16, 20, 24, 28, 32] {
-        for (x, width) in [(30, 300), (400, 80), (550, 140)] {
-            svg += &format!("<rect x='{x}' y='{y}' width='{width}' height='{height}'/>");
-        }
-        y += height + 50;
-    }
-    svg += "</g></svg>";
-    let options = tactograph::Options::new(Profile::named("index-basic-d").expect("it is built in"));
-    let drawing = tactograph::convert(svg.as_bytes(), &options).expect("a page");
-    let is_open = |line: &&Line| {
-        let row = &line.runs[0].points;
-        row.first().zip(row.last()).is_some_and(|(first, last)| (*last - *first).length() > 5.0)
-    };
-    let open = drawing.page.figure.lines.iter().filter(is_open).count();
-    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
-    assert_eq!(open, 1, "a drawing for this test has one open box");
-    assert!(told.iter().any(|note| note.contains("a piece of 1 closed outline (6 mm long")), "{told:?}");
-}

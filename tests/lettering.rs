@@ -220,7 +220,7 @@ fn rows_of_other_things_are_no_text() {
 
 /// The same picture in white on black, and one where text stands upright.
 #[test]
-fn ticks_of_a_clock_are_no_text_and_letters_of_paths_are() {
+fn ticks_of_a_clock_are_no_text() {
     let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 500 500'><rect width='500' height='500' \
                    fill='#fff'/><g stroke='#000' fill='none'><circle cx='250' cy='250' r='220' stroke-width='6'/>"
         .to_owned();
@@ -230,19 +230,11 @@ fn ticks_of_a_clock_are_no_text_and_letters_of_paths_are() {
         let at = |radius: f64| format!("{:.1} {:.1}", 250.0 + radius * x, 250.0 + radius * y);
         svg += &format!("<path d='M{}L{}' stroke-width='{width}'/>", at(inner), at(218.0));
     }
-    svg += "</g>";
-    let text_of = |svg: &str| {
-        let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
-        let drawing = tactograph::convert(format!("{svg}</svg>").as_bytes(), &options).expect("a page");
-        drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("left out, as fingers cannot read"))
-    };
-    assert_eq!(text_of(&svg), None);
-    // five letters with bends, a word in curves
-    for letter in 0..5 {
-        let x = 190 + 24 * letter;
-        svg += &format!("<path d='M{x} 250v-24q14 0 14 7t-14 7l14 10' fill='none' stroke='#000' stroke-width='3'/>");
-    }
-    assert!(text_of(&svg).is_some_and(|note| note.contains("1 text")), "{:?}", text_of(&svg));
+    svg += "</g></svg>";
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+    let drawing = tactograph::convert(svg.as_bytes(), &options).expect("a page");
+    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    assert!(!told.iter().any(|note| note.contains("as fingers cannot read letters")), "{told:?}");
 }
 
 #[test]
