@@ -184,9 +184,7 @@ fn ids(args: &Args, set: &Set) -> Result<Vec<String>, Box<dyn Error>> {
         return Err("there are no pictures".into());
     }
     let count = args.pictures.min(all.len());
-    // the nearest picture, as `numpy.linspace(..).round()` has them in other programs for this benchmark
-    let steps = (count - 1).max(1);
-    let at = |number: usize| (2 * number * (all.len() - 1) + steps) / (2 * steps);
+    let at = |number: usize| number * (all.len() - 1) / (count - 1).max(1);
     let is_next = |number: usize| set.after >= at(number + 1) - at(number);
     if set.after > 0 && (0..count - 1).any(is_next) {
         return Err(
