@@ -123,8 +123,8 @@ fn kept_of((lines, shares): (&[Line], &[f32]), pressed: &[Line], area: MmRect, p
     if whole > 0.0 { kept / whole } else { 1.0 }
 }
 
-/// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines. The
-/// points of a scatter plot, each with the blank around it, take a sixth of the grid behind them.
+/// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines. What
+/// is near it counts as its own, too, such as the dots of an axis. Chosen by us.
 const GRID_WHOLE: f32 = 0.9;
 /// It is also left out where the other lines lack more than this share of their length by it, such as the corner of a
 /// triangle that lies on it: its dots are those of any line.
