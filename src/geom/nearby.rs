@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use lyon::geom::euclid::{Box2D, Point2D};
+use lyon::geom::euclid::{Box2D, Point2D, Vector2D};
 
 use super::nearest_on_segment;
 use super::polyline::{Located, PolylineRef};
@@ -262,6 +262,22 @@ impl<U: Copy> Nearby<U> {
             of_line.for_each(|segment| best.look(segment, |_| true));
         });
         best.found()
+    }
+
+    /// Whether [`Nearby::nearest_of_line`] would find a segment. The cell of the point is looked at first, and no more
+    /// than is needed.
+    pub fn is_near_line(&self, at: Point2D<f32, U>, reach: f32, line: u32) -> bool {
+        let square = self.farthest(reach).powi(2);
+        let is_near = |cell: &Vec<Segment<U>>| {
+            let start = cell.partition_point(|segment| segment.line < line);
+            cell[start..].iter().take_while(|segment| segment.line == line).any(|segment| {
+                (segment.a - at).square_length() <= square && nearest_on_segment(at, segment.a, segment.b).0 <= reach
+            })
+        };
+        let [column, row] = self.cell_of(at);
+        let (columns, mut rows) = self.covered(at - Vector2D::splat(reach), at + Vector2D::splat(reach));
+        is_near(&self.cells[row * self.columns + column])
+            || rows.any(|row| self.cells[row * self.columns..][columns.clone()].iter().any(is_near))
     }
 }
 

@@ -267,7 +267,7 @@ fn longer(segment: &Segment) -> (MmPoint, MmPoint) {
 
 /// Whether a path stays within the least blank of another between two of its places.
 fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
-    let near = |at: MmPoint| index.nearest_of_line(at, least, other).is_some();
+    let near = |at: MmPoint| index.is_near_line(at, least, other);
     let steps = ((to - from) / STEP).ceil().max(1.0) as u32;
     let place_at = |k: u32| paths.at(path, from + (to - from) * k as f32 / steps as f32);
     (1..steps).filter_map(place_at).all(near)

@@ -47,6 +47,24 @@ proptest! {
             prop_assert!(!crosses || seen.contains(&index), "segment {index} is missed");
         }
     }
+
+    #[test]
+    fn a_line_is_near_where_it_has_a_nearest_segment(
+        raw in prop::collection::vec((0_u32..4, 0.0_f32..40.0, 0.0_f32..30.0, -3.0_f32..3.0, -3.0_f32..3.0), 1..60),
+        at in (-5.0_f32..45.0, -5.0_f32..35.0),
+        reach in 0.0_f32..6.0,
+        line in 0_u32..5,
+    ) {
+        let mut nearby = Nearby::new(MmRect::new(MmPoint::zero(), MmPoint::new(40.0, 30.0)), 4.0);
+        let mut raw = raw;
+        raw.sort_by_key(|segment| segment.0);
+        for (line, x, y, dx, dy) in raw {
+            let (a, b) = (MmPoint::new(x, y), MmPoint::new(x + dx, y + dy));
+            nearby.insert(Segment { a, b, half_width: 0.0, line, index: 0, arc: 0.0 });
+        }
+        let nearest = nearby.nearest_of_line(at.into(), reach, line);
+        prop_assert_eq!(nearby.is_near_line(at.into(), reach, line), nearest.is_some());
+    }
 }
 
 #[test]

@@ -280,7 +280,7 @@ impl DrawnLines<'_> {
         let between = &vertices[index(a.arc.min(b.arc))..index(a.arc.max(b.arc))];
         between.iter().all(|vertex| {
             let reach = self.params.clearance(0.5 * vertex.width);
-            self.segments.nearest_of_line(vertex.at, reach, a.line).is_some()
+            self.segments.is_near_line(vertex.at, reach, a.line)
         })
     }
 
@@ -316,9 +316,9 @@ impl DrawnLines<'_> {
     /// may cross once they are simplified.
     fn grazes(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
         let grazing = |(vertex, arc): (&Vertex, &f32)| {
-            let reach = self.params.clearance(0.5 * vertex.width);
-            let (distance, ..) = self.segments.nearest_of_line(vertex.at, reach, junction.line)?;
-            Some((arc - junction.arc).abs() > SPIKE && distance <= self.params.play())
+            let is_within = |reach: f32| self.segments.is_near_line(vertex.at, reach, junction.line);
+            let grazes = (arc - junction.arc).abs() > SPIKE && is_within(self.params.play());
+            (grazes || is_within(self.params.clearance(0.5 * vertex.width))).then_some(grazes)
         };
         let at = passage.arcs.partition_point(|&arc| arc < junction.arc).min(vertices.len());
         let along = || vertices.iter().zip(&passage.arcs);
