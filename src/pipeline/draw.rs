@@ -50,6 +50,8 @@ pub(super) struct DrawnMarks {
     pub(super) figure: Figure,
     pub(super) overview: Option<(MmRect, Vec<Line>)>,
     pub(super) layout: Layout,
+    /// Share of the picture's lines that the overview lacks, 0..=1.
+    pub(super) lost_of_overview: f32,
     pub(super) facts: PictureFacts,
     /// What the page says of itself.
     pub(super) said: PageSays,
@@ -60,6 +62,14 @@ pub(super) struct DrawnMarks {
     /// Texts that are not drawn.
     pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
+}
+
+impl DrawnMarks {
+    /// What of the picture's lines is not on the page, as a share: of the figure's, and of the overview's with a third
+    /// of the weight, as it shows them a second time.
+    pub(super) fn loss(&self) -> f32 {
+        self.said.left_out.share() + self.lost_of_overview / 3.0
+    }
 }
 
 /// The layout with room for the texts of a drawing, which the last argument lays out in another size.
@@ -205,8 +215,9 @@ pub(super) fn draw(
     notes.retain(|note| !textures.is_empty() || !matches!(note, Note::MixedAreas { .. }));
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
-    let (lost_signs, overview) = (drawn.lost.signs, overview.marks);
-    Ok(DrawnMarks { figure, overview, layout, facts, said, lost_signs, legend, texts, notes })
+    let (lost_of_overview, overview) = (overview.lost.share(), overview.marks);
+    let lost_signs = drawn.lost.signs;
+    Ok(DrawnMarks { figure, overview, layout, lost_of_overview, facts, said, lost_signs, legend, texts, notes })
 }
 
 /// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.

@@ -116,6 +116,7 @@ pub(super) fn marks(
     notes.extend(told);
     Ok(DrawnMarks {
         figure,
+        lost_of_overview: overview.lost.share(),
         overview: overview.marks,
         layout,
         facts: PictureFacts { coloured_ground, ..PictureFacts::default() },

@@ -66,7 +66,7 @@ pub fn convert<'p>(
     let layout_of = |size: Size, _| Ok(together(&lay(size)?));
     let found = find(picture.into(), FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
-    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes } = marks;
+    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
     let legend = if words.own_texts { legend } else { Vec::new() };
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let coloured_ground = facts.coloured_ground;
