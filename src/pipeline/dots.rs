@@ -15,7 +15,7 @@ use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKi
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Parts, Texture, frame, which_are_weak};
 use crate::profile::Plan;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect};
 
 /// Lines of these contours in `area` as the device presses them; on a printed page they stay.
 pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
@@ -96,7 +96,10 @@ fn without_squared_grid<P>(
     let mut others = Lines { lines, ..drawn.clone() };
     let alone = press(&others);
     let length = |lines: &[Line]| lines.iter().map(Line::length).sum::<f32>();
-    let is_torn = kept_length(&of_grid, pressed, area) < GRID_WHOLE * length(&of_grid);
+    // what it lacked already, before any line became dots, is missing too
+    let lacked = drawn.lost.of_gridlines.iter().sum::<f32>().max(0.0);
+    let kept = kept_of_grid(&drawn.lines, &grid, pressed, area, least_strength);
+    let is_torn = kept < GRID_WHOLE * (length(&of_grid) + lacked);
     // a line of the grid at the same place does not stand for another
     let strong = pressed.iter().zip(which_are_weak(pressed, least_strength)).filter(|(_, is_weak)| !is_weak);
     let strong: Vec<Line> = strong.map(|(line, _)| line.clone()).collect();
@@ -123,8 +126,8 @@ fn kept_of((lines, shares): (&[Line], &[f32]), pressed: &[Line], area: MmRect, p
     if whole > 0.0 { kept / whole } else { 1.0 }
 }
 
-/// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines. What
-/// is near it counts as its own, too, such as the dots of an axis. Chosen by us.
+/// A squared grid of which less than this share becomes dots is left out as a whole: bits of it are felt as lines.
+/// Chosen by us.
 const GRID_WHOLE: f32 = 0.9;
 /// It is also left out where the other lines lack more than this share of their length by it, such as the corner of a
 /// triangle that lies on it: its dots are those of any line.
@@ -165,6 +168,35 @@ fn kept_length(lines: &[Line], pressed: &[Line], area: MmRect) -> f32 {
     let (_, shares) = kept_lines::matched(lines, area, pressed, area);
     lines.iter().zip(shares).map(|(line, share)| share.min(1.0) * line.length()).sum()
 }
+
+/// How much of a grid, of these of the lines, is among those that are `pressed`, mm. Its dots are those of weak rows to
+/// which no other weak line is nearer: an axis beside it and points on it are strong or closed, and no part of it.
+fn kept_of_grid(lines: &[Line], grid: &[usize], pressed: &[Line], area: MmRect, least_strength: f32) -> f32 {
+    let weak_ones = |lines: &[Line]| -> Vec<(usize, Line)> {
+        let weak = which_are_weak(lines, least_strength);
+        lines.iter().cloned().enumerate().filter(|(number, _)| weak[*number]).collect()
+    };
+    let (numbers, weak): (Vec<usize>, Vec<Line>) = weak_ones(lines).into_iter().unzip();
+    let is_sign = |line: &Line| line.is_block_of_dots() || line.is_ring_of_dots();
+    let pieces = weak_ones(pressed).into_iter().flat_map(|(_, line)| between_holes(&line));
+    let rows: Vec<Line> = pieces.filter(|line| !is_sign(line)).collect();
+    let (_, shares) = kept_lines::matched(&weak, area, &rows, area);
+    let all = numbers.into_iter().zip(weak.iter().zip(shares));
+    let of_grid = all.filter(|(number, _)| grid.contains(number));
+    of_grid.map(|(_, (line, share))| share.min(1.0) * line.length()).sum()
+}
+
+/// A line of dots as its pieces between holes, where points interrupt its row.
+fn between_holes(line: &Line) -> Vec<Line> {
+    let Some(row) = line.row() else { return vec![line.clone()] };
+    let step = row.points.windows(2).map(|pair| (pair[1] - pair[0]).length()).fold(f32::INFINITY, f32::min);
+    let pieces = row.points.chunk_by(|a, b| (*b - *a).length() <= HOLE * step);
+    let piece = |points: &[MmPoint]| Run { points: points.to_vec(), ..row.clone() };
+    pieces.map(|points| Line { strength: line.strength, runs: vec![piece(points)] }).collect()
+}
+/// A step so many times the least of a row is a hole in it: where it crosses another line one dot is missing.
+const HOLE: f32 = 2.1;
+
 /// A level or upright line is no farther from being so, mm.
 const STRAIGHT: f32 = 0.3;
 /// A side of a line is level or upright if it rises by no more than this share: a gridline of 60 mm by 0.6 mm.

@@ -1,7 +1,7 @@
 //! Tests of `dots`.
 
 use super::*;
-use crate::units::MmPoint;
+use crate::lines::{Height, Lost};
 
 #[test]
 fn a_squared_grid_that_is_torn_or_hides_others_is_left_out() {
@@ -25,6 +25,29 @@ fn a_squared_grid_that_is_torn_or_hides_others_is_left_out() {
     };
     assert_eq!(left(&all(90.0), &all(90.0)), None, "it is whole");
     assert_eq!(left(&all(90.0), &all(30.0)), Some(1), "it is torn");
+    // five points between the ends of its level lines do not stand for these
+    let mut with_points = all(70.0);
+    let block = |y: f32| {
+        let corners = [(79.0, 1.0), (81.0, 1.0), (81.0, 3.0), (79.0, 3.0)].map(|(x, down)| MmPoint::new(x, y + down));
+        Line { strength: 90.0, runs: vec![Run::dots(1.6, corners.to_vec(), Height::High)] }
+    };
+    with_points.extend(places().map(block));
+    assert_eq!(left(&all(90.0), &with_points), Some(1), "it is torn at points");
+    // rows of dots, of which one that is interrupted is one row all the same
+    let dotted = |hole: std::ops::Range<f32>| -> Vec<Line> {
+        let row = |y: f32| {
+            let places = (0..=40).map(|i| 10.0 + 2.0 * i as f32).filter(|x| !hole.contains(x));
+            let dots = places.map(|x| MmPoint::new(x, y)).collect();
+            Line { strength: 7.0, runs: vec![Run::dots(1.6, dots, Height::High)] }
+        };
+        std::iter::once(axis.clone()).chain(places().map(row)).chain(places().map(upright)).collect()
+    };
+    assert_eq!(left(&all(90.0), &dotted(40.0..41.0)), None, "one dot is missing");
+    assert_eq!(left(&all(90.0), &dotted(40.0..59.0)), Some(1), "it is torn by holes");
+    let lacking = Lost { of_gridlines: [0.0, 120.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ..Lost::default() };
+    let drawn = Lines { lines: all(90.0), lost: lacking, ..Lines::default() };
+    let others = without_squared_grid(&drawn, &all(90.0), |_| (vec![axis.clone()], ()), area, 7.0);
+    assert!(others.is_some(), "pieces were left out before it became dots");
     let mut cut = all(90.0);
     cut[0] = line((5.0, 50.0), (80.0, 50.0), 90.0);
     assert_eq!(left(&all(90.0), &cut), Some(1), "it hides a part of the axis");
