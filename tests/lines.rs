@@ -359,3 +359,21 @@ fn every_point_of_a_circle_is_drawn() {
     let beads = page.figure.lines.iter().flat_map(|line| &line.runs).filter(|run| run.width > 3.0).count();
     assert_eq!(beads, points.len());
 }
+
+/// What is told of closed outlines that are open on the page of a drawing.
+fn told_open(svg: &str, profile: &str) -> Vec<String> {
+    let options = Options::new(Profile::named(profile).expect("it is built in"));
+    let notes = tactograph::convert(svg.as_bytes(), &options).expect("a page").notes;
+    notes.iter().map(ToString::to_string).filter(|note| note.contains("closed outline")).collect()
+}
+
+/// The tip of the triangle is moved down from the beam; the box that stands on it has lost its base.
+#[test]
+fn a_triangle_that_is_closed_below_a_beam_is_not_said_to_be_open() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 420'><rect width='800' height='420' \
+        fill='#fff'/><g stroke='#222' stroke-width='3'><path d='M80 220H720' stroke-width='6'/>\
+        <path d='M500 226L450 330H550Z' fill='#bbb'/><rect x='600' y='130' width='90' height='87' fill='#a97'/></g>\
+        </svg>";
+    let told = told_open(svg, "swell-a4");
+    assert!(told.len() == 1 && told[0].contains("a piece of 1 closed outline"), "{told:?}");
+}

@@ -1,5 +1,7 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
+use std::collections::BTreeMap;
+
 use super::clearance::LEVEL;
 use super::faint::is_faint;
 use super::params::Params;
@@ -76,13 +78,15 @@ pub(super) fn gone<'a>(
 /// Shortest gap in a closed line by which it is felt as open, mm: more than a finger slips over, as on a dashed line.
 pub(crate) const GAP: f32 = 4.0;
 
-/// The longest gap of each closed line of which most is drawn: where no line of `drawn` is near.
+/// The longest gap of each closed line of which most is drawn, and that is not closed on the page: where no line of
+/// `drawn` is near.
 pub(super) fn gaps<'a>(
     lines: &[&Polyline<Vertex>],
-    drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
+    drawn: impl Iterator<Item = &'a Polyline<Vertex>> + Clone,
     area: MmRect,
     params: &Params,
 ) -> Vec<LostLine> {
+    let are_closed = closed_on_page(lines, drawn.clone(), area, params);
     let near = nearby(drawn, area, params);
     let is_drawn = |at: MmPoint| near.nearest(at, STANDS, |_| true).is_some();
     let gap = |line: &&Polyline<Vertex>| {
@@ -101,12 +105,40 @@ pub(super) fn gaps<'a>(
         let share = drawn.iter().filter(|is_drawn| **is_drawn).count() as f32 / count as f32;
         (lost.length > GAP && share >= GONE && !is_faint(line)).then_some(lost)
     };
-    lines.iter().filter(|line| line.closed).filter_map(gap).collect()
+    let open = lines.iter().zip(are_closed).filter(|(line, is_closed)| line.closed && !is_closed);
+    open.filter_map(|(line, _)| gap(line)).collect()
 }
+
+/// Which of these lines are closed on the page, if also moved aside in part, as the tip of a triangle below a beam: a
+/// closed line of `drawn` lies nearer to each than to all others for most of its length, and is not much shorter.
+fn closed_on_page<'a>(
+    lines: &[&Polyline<Vertex>],
+    drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
+    area: MmRect,
+    params: &Params,
+) -> Vec<bool> {
+    let near = nearby(lines.iter().copied(), area, params);
+    let mut are_closed = vec![false; lines.len()];
+    for ring in drawn.filter(|line| line.closed) {
+        let mut beside: BTreeMap<usize, f32> = BTreeMap::new();
+        for (a, b) in ring.segments() {
+            if let Some((_, _, segment)) = near.nearest(a.at.lerp(b.at, 0.5), params.farthest_moved(), |_| true) {
+                *beside.entry(segment.line as usize).or_default() += (b.at - a.at).length();
+            }
+        }
+        if let Some((line, length)) = beside.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)) {
+            are_closed[line] |= length >= HALF * ring.length().max(lines[line].length());
+        }
+    }
+    are_closed
+}
+
+/// A closed line is another one on the page if it is so for at least this share of the longer of the two.
+const HALF: f32 = 0.5;
 
 /// A line stands for a closed one if it is so near, mm: nearly all are moved by less, and those side by side are
 /// further apart.
-const STANDS: f32 = 2.0;
+pub(super) const STANDS: f32 = 2.0;
 
 /// A scale of which ticks are not drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -32,6 +32,29 @@ fn a_closed_line_that_lacks_a_piece_is_open_and_one_whose_border_another_has_is_
     assert!(gaps_of(&[side(&[(20.0, 21.0), (24.0, 21.0)], false)]).is_empty(), "it is gone");
 }
 
+/// Its tip is moved down from a beam.
+#[test]
+fn a_triangle_that_is_closed_has_no_gap_at_its_tip() {
+    let path = |points: &[(f32, f32)], closed: bool| {
+        let all = points.windows(2).map(|pair| line(pair[0], pair[1]).vertices);
+        let mut vertices: Vec<Vertex> = all.flatten().collect();
+        vertices.dedup_by(|a, b| (a.at - b.at).length() < 1e-3);
+        Polyline { vertices, closed }
+    };
+    let beam = line((10.0, 10.0), (90.0, 10.0));
+    let triangle = path(&[(50.0, 11.0), (62.0, 36.0), (38.0, 36.0), (50.0, 11.2)], true);
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 70.0));
+    let gaps_of = |drawn: &[Polyline<Vertex>]| gaps(&[&beam, &triangle], drawn.iter(), area, &Params::TEST).len();
+    // the beam covers less than two millimetres of it
+    let lower = path(&[(50.0, 16.0), (61.0, 36.0), (39.0, 36.0), (50.0, 16.2)], true);
+    assert_eq!(gaps_of(&[lower]), 0, "it is closed");
+    let open = path(&[(51.0, 18.0), (61.0, 36.0), (39.0, 36.0), (49.0, 18.0)], false);
+    assert_eq!(gaps_of(&[open]), 1, "its tip is open");
+    let other = path(&[(52.0, 60.0), (60.0, 50.0), (40.0, 50.0), (52.0, 59.8)], true);
+    let most = path(&[(57.0, 25.6), (62.0, 36.0), (38.0, 36.0), (45.0, 21.4)], false);
+    assert_eq!(gaps_of(&[most, other]), 1, "another closed line does not close it");
+}
+
 #[test]
 fn what_is_lost_is_told_with_its_length_and_its_place() {
     let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
