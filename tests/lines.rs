@@ -367,6 +367,18 @@ fn told_open(svg: &str, profile: &str) -> Vec<String> {
     notes.iter().map(ToString::to_string).filter(|note| note.contains("closed outline")).collect()
 }
 
+/// Its two long sides are nearer than lines may be, and one of them lacks a piece.
+#[test]
+fn a_narrow_box_that_is_open_on_dots_is_told_with_its_place() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 728 500'><rect width='728' height='500' \
+        fill='#fff'/><g stroke='#000' stroke-width='3' fill='none'><rect x='30' y='20' width='300' height='16'/>\
+        <rect x='400' y='156' width='80' height='24'/><rect x='550' y='308' width='140' height='32'/></g></svg>";
+    let told = told_open(svg, "index-basic-d");
+    assert!(told.len() == 1 && told[0].contains("a piece of 1 closed outline"), "{told:?}");
+    // in the middle of the box, on a figure of 182 mm
+    assert!(told[0].contains(" mm long, around 12"), "{told:?}");
+}
+
 /// The tip of the triangle is moved down from the beam; the box that stands on it has lost its base.
 #[test]
 fn a_triangle_that_is_closed_below_a_beam_is_not_said_to_be_open() {

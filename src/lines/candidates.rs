@@ -4,7 +4,7 @@
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::clearance::Cleared;
-use super::lost::{LossTally, Lost, gaps, gone};
+use super::lost::{LossTally, Lost, STANDS, gaps, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::{PagePart, Params};
@@ -92,10 +92,16 @@ impl LineCandidates {
         }
         let lost = wanted.lost(&kept);
         // an overview is told as a whole, and a line that is too short for one by what it is
-        let may_lack = params.of_drawing && params.part == PagePart::Figure && lost.lost >= params.min_length;
-        let gone = || gone(&contours, drawn.iter().map(|line| &line.polyline), area, params);
-        let gaps = || gaps(&contours, drawn.iter().map(|line| &line.polyline), area, params);
-        let (gone, gaps) = if may_lack { (gone(), gaps()) } else { (Vec::new(), Vec::new()) };
+        let is_told = params.of_drawing && params.part == PagePart::Figure;
+        let polylines = || drawn.iter().map(|line| &line.polyline);
+        let gone = if is_told && lost.lost >= params.min_length {
+            gone(&contours, polylines(), area, params)
+        } else {
+            Vec::new()
+        };
+        // elsewhere lines may be longer than they were
+        let may_be_open = is_told && lost.by_place.iter().any(|mm| *mm >= STANDS);
+        let gaps = if may_be_open { gaps(&contours, polylines(), area, params) } else { Vec::new() };
         Lost { gone, gaps, gridlines: self.gridlines, ..lost }
     }
 }
