@@ -10,6 +10,7 @@
 
 mod clearance;
 mod grid_dot;
+mod leader_line;
 mod marks;
 mod params;
 mod rasterise;
@@ -18,6 +19,7 @@ mod spacing;
 pub mod textures;
 
 pub use clearance::{GOES_ON, STEPS, least_arc, longest_approach, longest_cut};
+pub use leader_line::every_second;
 pub use marks::{Shown, ShownScale};
 pub use params::Params;
 
@@ -57,4 +59,10 @@ pub fn mark(points: &[MmPoint], area: &DotArea, params: &Params) -> Run {
         DotArea::Free(_) => spacing::evenly(line, params.pitch),
     };
     params.run(points, Height::High)
+}
+
+/// The dots of a leader line from a label to what it names, the last of its points.
+pub fn leader_line(points: &[MmPoint], area: &DotArea, params: &Params) -> Run {
+    let row = mark(points, area, params);
+    Run { points: every_second(&row.points, params.pitch), ..row }
 }

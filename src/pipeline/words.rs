@@ -431,10 +431,10 @@ pub(super) fn become_labels(words: &Words<'_>) -> impl Fn(&Text) -> bool + use<>
     move |text| are_wanted && text.is_read() && !text.in_key && !is_title(text)
 }
 
-/// A leader line: as thin as lines can be.
+/// A leader line: as thin as lines can be, and of dots with wider steps.
 fn leader(ends: [MmPoint; 2], layout: &Layout, plan: &Plan) -> Run {
     match &layout.medium {
         Medium::Print(_) => Run::stroke(plan.lines().width_min, ends.to_vec()),
-        Medium::Dots(medium) => dots::mark(&ends, &medium.area, &plan.dots(medium)),
+        Medium::Dots(medium) => dots::leader_line(&ends, &medium.area, &plan.dots(medium)),
     }
 }

@@ -6,6 +6,7 @@ mod charts;
 mod codes;
 mod key;
 mod labels;
+mod leaders;
 mod named;
 mod outputs;
 mod places;

@@ -1,0 +1,27 @@
+//! Tests of `leader_line`.
+
+use super::*;
+
+/// Where the dots of a level row stand, in mm, that are left of one with these.
+fn left(row: &[i32], pitch: f32) -> Vec<i32> {
+    let row: Vec<MmPoint> = row.iter().map(|&x| MmPoint::new(x as f32, 20.0)).collect();
+    every_second(&row, pitch).iter().map(|dot| dot.x as i32).collect()
+}
+
+#[test]
+fn every_second_dot_is_left_and_those_at_both_ends() {
+    assert_eq!(left(&[10, 12, 14, 16, 18], 2.0), [10, 14, 18]);
+    assert_eq!(left(&[10, 12, 14, 16, 18, 20], 2.0), [10, 12, 16, 20], "10 mm");
+    assert_eq!(left(&[20, 18, 16, 14, 12, 10], 2.0), [20, 18, 14, 10], "its tip is its last dot");
+}
+
+#[test]
+fn a_short_one_stays_as_it_is() {
+    assert_eq!(left(&[10, 12, 14, 16], 2.0), [10, 12, 14, 16]);
+    assert!(left(&[], 2.0).is_empty());
+}
+
+#[test]
+fn there_are_dots_on_both_sides_of_a_hole() {
+    assert_eq!(left(&[10, 12, 14, 18, 20, 22], 2.0), [10, 14, 18, 22]);
+}
