@@ -12,7 +12,7 @@ use crate::units::MmPoint;
 const LEAST: usize = 5;
 /// A step so many times as long as dots are apart is a hole, as where another line crosses: a diagonal one is 1.42. On
 /// both sides of it there are dots, so that no more than one is left out of the row in one place.
-const HOLE: f32 = 1.5;
+pub const HOLE: f32 = 1.5;
 
 /// Every second dot of a row from its last one on, where it touches what it names, and its first one, at its label.
 /// Dots lie `pitch` mm apart. Every second one, chosen by us, is the least that differs from a line; a finger follows
@@ -30,6 +30,16 @@ pub fn every_second(row: &[MmPoint], pitch: f32) -> Vec<MmPoint> {
     }
     kept.reverse();
     kept
+}
+
+/// Every second dot of a row is no farther from the next than so many of the longest steps between neighbours.
+const SPACED: f32 = 2.0;
+
+/// Whether a row of dots has every second one only, of those whose steps are up to `step` mm: but for one step, as the
+/// first and the second dot may be neighbours, all are longer.
+pub fn has_every_second(row: &[MmPoint], step: f32) -> bool {
+    let steps = || row.windows(2).map(|pair| (pair[1] - pair[0]).length());
+    steps().filter(|length| *length <= step).count() <= 1 && steps().all(|length| length <= SPACED * step)
 }
 
 #[cfg(test)]

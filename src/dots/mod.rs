@@ -19,7 +19,7 @@ mod spacing;
 pub mod textures;
 
 pub use clearance::{GOES_ON, STEPS, least_arc, longest_approach, longest_cut};
-pub use leader_line::every_second;
+pub use leader_line::{HOLE, every_second, has_every_second};
 pub use marks::{Shown, ShownScale};
 pub use params::Params;
 

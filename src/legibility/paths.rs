@@ -1,6 +1,7 @@
 //! Lines as paths: what a finger follows in one go, with the length along it at each of its segments.
 
 use super::limits::LAST_DIGIT;
+use crate::dots::has_every_second;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::walk::arc_between;
@@ -55,7 +56,8 @@ impl Paths {
         Self::broken(lines, f32::INFINITY)
     }
 
-    /// The same with rows of dots in pieces: broken where a step is longer than `step` mm.
+    /// The same with rows of dots in pieces: broken where a step is longer than `step` mm. That of a leader line, which
+    /// has every second dot, is whole.
     pub(super) fn broken(lines: &[Line], step: f32) -> Self {
         let mut all = Self::default();
         for (line, of) in lines.iter().enumerate() {
@@ -98,6 +100,7 @@ impl Paths {
     }
 
     fn add_row(&mut self, run: &Run, (line, kind): (usize, PathKind), step: f32) {
+        let step = if has_every_second(&run.points, step) { 2.0 * step } else { step };
         let rows = run.points.chunk_by(|a, b| (*b - *a).length() <= step);
         for (number, points) in rows.enumerate() {
             if number > 0 {
@@ -212,3 +215,6 @@ pub(super) fn may_be_near(a: &Segment, b: &Segment, reach: f32) -> bool {
     let apart = |a: f32, b: f32, c: f32, d: f32| a.min(b) - c.max(d) > reach || c.min(d) - a.max(b) > reach;
     !apart(a.a.x, a.b.x, b.a.x, b.b.x) && !apart(a.a.y, a.b.y, b.a.y, b.b.y)
 }
+
+#[cfg(test)]
+mod tests;

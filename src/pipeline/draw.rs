@@ -165,7 +165,7 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, mut facts, layout, texts, edges, decisions, overview: size_of_overview, .. } = found;
+    let Found { picture, mut facts, layout, texts, edges, decisions, overview: size, .. } = found;
     let (mut legend, mut notes) = (found.legend, found.notes);
     let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
     let has_contours = !edges.is_empty() || lines_of(given, regions.as_ref(), &decisions).has_subject();
@@ -177,9 +177,7 @@ pub(super) fn draw(
         let (edges, layout) = (&edges, &layout);
         let lines_of = lines_of(given, regions.as_ref(), &decisions);
         let lines = |watch: &mut Watch<'_>| draw_lines(edges, lines_of, layout, plan, watch);
-        let overview = |edges: &Edges, watch: &mut Watch<'_>| {
-            draw_overview(edges, lines_of, size_of_overview, layout, plan, watch)
-        };
+        let overview = |edges: &Edges, watch: &mut Watch<'_>| draw_overview(edges, lines_of, size, layout, plan, watch);
         let (drawn, (own, areas)) = in_parallel(has_lines, watch, lines, |watch| {
             let own = (!follows_figure).then(|| overview(of_overview.as_ref().unwrap_or(edges), watch));
             (own, AreasOfColours::of(given, &picture.raster, edges, layout, plan, watch))
@@ -207,6 +205,7 @@ pub(super) fn draw(
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
     let of_legend = (&mut legend[..], edges.of_drawing());
+    let leaders = leaders::on_page(&edges, (&texts, leaders::FROM_PRINT), &layout);
     drop((picture.raster, edges));
     let areas = areas_of_colours.map(|areas| (areas.classes, areas.bars));
     let (textures, told) = series::textured(areas, of_legend, &layout, &drawn.lines, plan, watch);
@@ -214,7 +213,8 @@ pub(super) fn draw(
     // around a subject all of them may be left out
     notes.retain(|note| !textures.is_empty() || !matches!(note, Note::MixedAreas { .. }));
     request.go_on()?;
-    let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
+    let lines = leaders::spaced(drawn.lines, &leaders, &layout);
+    let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     let (lost_of_overview, overview) = (overview.lost.share(), overview.marks);
     let lost_signs = drawn.lost.signs;
     Ok(DrawnMarks { figure, overview, layout, lost_of_overview, facts, said, lost_signs, legend, texts, notes })

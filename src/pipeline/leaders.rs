@@ -3,6 +3,7 @@
 
 use super::texts::Text;
 use super::unwritten::named;
+use crate::dots;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
@@ -10,8 +11,8 @@ use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
 use crate::lines::{self, Line, Pen};
-use crate::page::Medium;
 use crate::page::layout::Layout;
+use crate::page::{Medium, Page};
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note, Reason};
 
@@ -130,6 +131,60 @@ fn leads_to_other(path: &[MmPoint], drawn: &Nearby) -> bool {
     let is_short = (tip - end).length() > AT_TIP;
     let lines = nearest(end).zip(nearest(tip)).map(|((_, _, at_end), (_, _, at_tip))| (at_end.line, at_tip.line));
     is_short && lines.is_some_and(|(at_end, at_tip)| at_end != at_tip)
+}
+
+/// Where the leader lines on a page of dots run that lead from texts, which stand up to `beside` mm beside them, to
+/// what these name; none on paper.
+pub(super) fn on_page(edges: &Edges, (texts, beside): (&[Text], f32), layout: &Layout) -> Vec<[MmPoint; 2]> {
+    let has_leader = |text: &Text| text.kept_leader.is_some();
+    if matches!(layout.medium, Medium::Print(_)) || !texts.iter().any(has_leader) {
+        return Vec::new();
+    }
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let leaders = find(edges, (texts, beside), has_leader, layout.figure, &transform);
+    leaders.iter().map(|leader| [leader.path[0], leader.path[leader.path.len() - 1]]).collect()
+}
+
+/// The rows of a page of dots that have every second dot: leader lines, or parts of them beyond what they cross, which
+/// lead to no text by themselves.
+pub(super) fn of_dots(page: &Page) -> impl Iterator<Item = [MmPoint; 2]> + '_ {
+    let step = match &page.medium {
+        Medium::Print(_) => None,
+        Medium::Dots(medium) => Some(dots::HOLE * medium.pitch),
+    };
+    let rows = page.figure.lines.iter().filter_map(Line::row).filter(|row| row.points.len() > 2);
+    let spaced = rows.filter(move |row| step.is_some_and(|step| dots::has_every_second(&row.points, step)));
+    spaced.filter_map(|row| Some([*row.points.first()?, *row.points.last()?]))
+}
+
+/// Lines, of which those along these leader lines have every second dot on a page of dots: rows of one step all feel
+/// alike. What stands beside its row, such as a point, says enough.
+pub(super) fn spaced(mut lines: Vec<Line>, leaders: &[[MmPoint; 2]], layout: &Layout) -> Vec<Line> {
+    let Medium::Dots(medium) = &layout.medium else { return lines };
+    for line in &mut lines {
+        let Some([_, tip]) = leaders.iter().find(|leader| is_along(line, leader)) else { continue };
+        let [run] = &mut line.runs[..] else { continue };
+        let far = |at: Option<&MmPoint>| at.map_or(0.0, |at| (*tip - *at).length());
+        let leads_back = far(run.points.first()) < far(run.points.last());
+        if leads_back {
+            run.points.reverse();
+        }
+        run.points = dots::every_second(&run.points, medium.pitch);
+        if leads_back {
+            run.points.reverse();
+        }
+    }
+    lines
+}
+
+/// Whether a line is a row of dots along a leader line, or a part of it beside what it crosses.
+fn is_along(line: &Line, [from, tip]: &[MmPoint; 2]) -> bool {
+    let Some((first, last)) = line.row().and_then(|row| row.points.first().zip(row.points.last())) else {
+        return false;
+    };
+    let way = |from: MmPoint, to: MmPoint| (to - from).try_normalize().unwrap_or_default();
+    way(*from, *tip).dot(way(*first, *last)).abs() >= ALONG
+        && line.runs.iter().flat_map(|run| &run.points).all(|at| nearest_on_segment(*at, *from, *tip).0 <= DRAWN)
 }
 
 /// What is told of leader lines that lead to nothing on the page.

@@ -110,7 +110,10 @@ pub(super) fn marks(
     let of_drawing = !LeftOut::of(page).of_photograph;
     let (textures, of_areas, coloured_ground) = textures(old, &drawn.lines, of_drawing, &layout, plan, watch);
     notes.extend(of_areas);
-    let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
+    let mut leaders = leaders::on_page(&edges, (&texts, LEADER_FROM_BRAILLE), &layout);
+    leaders.extend(leaders::of_dots(page).map(|ends| ends.map(moved(page, &layout))));
+    let lines = leaders::spaced(drawn.lines, &leaders, &layout);
+    let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines };
     let left_out = left_out(&drawn.lost, overview.lost.rings, of_drawing);
     let (said, told) = sheet_of_set(PageSays::of(left_out), page, &layout, plan);
     notes.extend(told);

@@ -2,6 +2,7 @@
 
 use super::worksheets::{drawn, notes, svg};
 use tactograph::marks::Run;
+use tactograph::{Drawing, PageOptions, Profile, RenderOptions};
 
 /// Profiles of dots, and how far dots are apart.
 const PROFILES: [(&str, f32); 2] = [("index-basic-d", 2.0), ("braillerap", 2.5)];
@@ -35,4 +36,37 @@ fn a_leader_line_of_a_label_has_every_second_dot() {
         let long: Vec<bool> = long.map(|run| run.points.len() >= 3 && is_every_second(run, pitch)).collect();
         assert!(!long.is_empty() && !long.contains(&false), "{profile}: {leaders:?}: {}", notes(&drawing));
     }
+}
+
+/// A cell with leader lines of its own that are on the page, one of them across the wall: they are told from it, the
+/// page keeps all rules, and has them when it is laid out anew.
+#[test]
+fn a_leader_line_of_a_drawing_has_every_second_dot() {
+    let marks = "<ellipse cx='330' cy='250' rx='170' ry='120' fill='#cde' stroke='#000' stroke-width='3'/>\
+        <circle cx='300' cy='260' r='45' fill='#a36' stroke='#000' stroke-width='3'/>\
+        <g stroke='#000' stroke-width='2'><path d='M554 114L452 166'/><path d='M554 394L340 280'/></g>\
+        <g font-size='20'><text x='560' y='120'>Wall</text><text x='560' y='400'>Nucleus</text></g>";
+    let [index, braillerap] = PROFILES;
+    for ((profile, pitch), other) in [(index, braillerap), (braillerap, index)] {
+        let drawing = drawn(&svg([700.0, 500.0], marks), profile);
+        assert_every_second(&drawing, (profile, pitch));
+        let found = tactograph::check(drawing.page.to_svg(), &PageOptions::new()).expect("a page").findings;
+        assert!(found.is_empty(), "{profile}: {found:?}");
+        let options = RenderOptions::new().profile(Profile::named(other.0).expect("it is built in"));
+        let anew = tactograph::render(drawing.page.to_svg(), &options).expect("a page");
+        assert_every_second(&anew, other);
+    }
+}
+
+/// The outlines have all dots, and the leader lines, which are the open lines, every second one.
+fn assert_every_second(drawing: &Drawing, (profile, pitch): (&str, f32)) {
+    let rows = || drawing.page.figure.lines.iter().map(|line| &line.runs[0]);
+    let is_open = |run: &&Run| {
+        let [first, last] = [run.points[0], run.points[run.points.len() - 1]];
+        (last - first).length() > 5.0 * pitch
+    };
+    let (open, rings): (Vec<&Run>, Vec<&Run>) = rows().partition(is_open);
+    let of_leaders: Vec<bool> = open.iter().map(|run| is_every_second(run, pitch)).collect();
+    assert!(of_leaders.len() >= 2 && !of_leaders.contains(&false), "{profile}: {open:?}: {}", notes(drawing));
+    assert!(rings.len() == 2 && rings.iter().all(|run| !is_every_second(run, pitch)), "{profile}: {rings:?}");
 }

@@ -25,3 +25,14 @@ fn a_short_one_stays_as_it_is() {
 fn there_are_dots_on_both_sides_of_a_hole() {
     assert_eq!(left(&[10, 12, 14, 18, 20, 22], 2.0), [10, 14, 18, 22]);
 }
+
+#[test]
+fn what_is_left_of_a_row_is_told_from_a_line() {
+    let is_of_leader = |row: &[i32]| {
+        let row: Vec<MmPoint> = row.iter().map(|&x| MmPoint::new(x as f32, 20.0)).collect();
+        has_every_second(&row, 3.0)
+    };
+    assert!(is_of_leader(&[10, 14, 18]) && is_of_leader(&[10, 12, 16, 20]));
+    assert!(!is_of_leader(&[10, 12, 14, 16]), "a line");
+    assert!(!is_of_leader(&[10, 14, 22]), "a hole");
+}
