@@ -142,6 +142,27 @@ fn a_number_line_of_dots_has_its_ticks_and_points() {
     }
 }
 
+/// The arc of a jump ends above a filled point and a hollow one, and gives way to both.
+#[test]
+fn points_of_a_number_line_stay_below_an_arc_from_one_to_the_other() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 170'>\
+        <rect width='800' height='170' fill='#fff'/><path d='M30 100H770' stroke='#000' stroke-width='3'/>\
+        <g stroke='#000' stroke-width='2'>"
+        .to_owned();
+    (0..11).for_each(|k| svg += &format!("<path d='M{} 90v20'/>", 70 + 66 * k));
+    svg += "</g><circle cx='202' cy='100' r='8'/><path d='M202 85Q367 10 532 85' fill='none' stroke='#c00' \
+        stroke-width='2.5'/><circle cx='532' cy='100' r='8' fill='#fff' stroke='#000' stroke-width='3'/></svg>";
+    for device in ["index-basic-d", "juliet-120", "viewplus-columbia"] {
+        let profile = Profile::named(device).expect("it is built in");
+        let page = tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page");
+        let [_, filled, hollow] = marks_of(&page.page.figure.lines);
+        assert_eq!((filled, hollow), (1, 1), "{device}: {:#?}", told(&page));
+        assert!(!told(&page).iter().any(|note| note.contains("2 small closed shapes")), "{device}: {:#?}", told(&page));
+        let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
+        assert_eq!(checked.errors(), 0, "{device}: {:#?}", checked.findings);
+    }
+}
+
 #[test]
 fn ticks_reach_two_free_dots_beyond_their_axis_and_long_ones_farther() {
     for device in ["index-basic-d", "braillerap", "pins-120x60"] {

@@ -1,4 +1,6 @@
-//! Weak rows, such as gridlines, are interrupted at points beside them.
+//! Rows that give way to points: weak ones, such as gridlines, are interrupted beside them, and others end before them.
+
+use std::ops::Range;
 
 use super::lattice::Owner;
 use super::{Places, Row};
@@ -12,8 +14,43 @@ const SCRAP: f32 = 0.5;
 /// The dots of a level or upright row lie less than this apart across it, in steps: rounding to the grid may move some
 /// by one.
 const LEVEL: f32 = 1.5;
+/// A dot of another row so near to the end of one, in steps, is where both meet.
+const NEXT: f32 = 1.5;
+
+/// A row that ends beside a point on another, as the arc of a jump along a number line does, is shortened by so many
+/// dots at most: as much as the gap of two dots and the side of a small point. Chosen by us.
+const SHORTENED: usize = 4;
 
 impl Places<'_> {
+    /// The dots of a row from this one to its end, if it may end before them: its end is near, in the blank, and what
+    /// is left is a line.
+    pub(super) fn free_end(&self, row: usize, dot: usize) -> Option<Range<usize>> {
+        let (Row { dots, closed, .. }, lattice) = (&self.rows[row], self.field.lattice);
+        let last = dots.len().checked_sub(1)?;
+        let (range, end) = if 2 * dot <= last { (0..dot + 1, dots[0]) } else { (dot..dots.len(), dots[last]) };
+        let is_other = |owner: Owner| !matches!(owner, Owner::Row(of, _) if of == row);
+        let is_free = || !self.field.around(lattice.to_steps(end), NEXT).any(|(.., owner)| is_other(owner));
+        // both of its ends may be shortened
+        let left = dots.len().saturating_sub(2 * SHORTENED + 1) as f32 * self.params.pitch;
+        let may_end = !closed && self.placed.runs[row].is_empty() && range.len() <= SHORTENED;
+        (may_end && left >= self.params.min_length && is_free()).then_some(range)
+    }
+
+    /// Ends rows before these dots of a point, but for those that lead to it.
+    pub(super) fn shorten(&mut self, dots: &[GridPoint], leads: &[usize]) {
+        let near = dots.iter().flat_map(|dot| self.near(*dot));
+        let ends = near.filter_map(|(_, owner)| match owner {
+            Owner::Row(row, number) if !leads.contains(&row) && !self.gives_way(row, number) => {
+                Some((row, self.free_end(row, number)?))
+            }
+            Owner::Row(..) | Owner::Tick(..) => None,
+        });
+        let ends: Vec<(usize, Range<usize>)> = ends.collect();
+        for (row, range) in ends {
+            range.for_each(|number| self.hide(row, number));
+        }
+    }
+
     /// Whether a row may be interrupted where points beside it are near: a weak one without marks.
     fn may_give_way(&self, row: usize) -> bool {
         self.rows[row].is_weak && self.placed.runs[row].is_empty()

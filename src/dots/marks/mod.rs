@@ -9,9 +9,9 @@
 //!                   . # # # .  # # #
 //! ```
 //!
-//! Points come first, then heads, then ticks. A line with any has one row of dots, so that they stand out from it.
-//! Points beside all lines, such as those of a scatter plot, come last, where they have room; gridlines, and other weak
-//! lines that go on on both sides, are interrupted there.
+//! Points come first, then heads, then ticks. A line that ends beside a point on another ends before it. A line with
+//! any has one row of dots, so that they stand out from it. Points beside all lines, such as those of a scatter plot,
+//! come last, where they have room; gridlines, and other weak lines that go on on both sides, are interrupted there.
 
 mod alone;
 mod head;
@@ -217,7 +217,8 @@ impl Places<'_> {
         let RowDot { row, number, at: middle } = of_row;
         let radius = self.radius(point);
         let DotDisc { around, inside } = lattice.disc(middle, self.along(of_row), radius);
-        if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
+        let leads = self.leads_to(middle, radius);
+        if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(&leads, &around) {
             return false;
         }
         let hidden: Vec<(GridPoint, Owner)> = {
@@ -237,6 +238,7 @@ impl Places<'_> {
                 self.hide(row, number);
             }
         }
+        self.shorten(&around, &leads);
         self.interrupt_weak(&around, Some(row));
         let wanted = around.into_iter().chain(inside.into_iter().filter(|_| point.is_filled));
         let mut run = Vec::new();
@@ -292,17 +294,21 @@ impl Places<'_> {
         apart < point.radius * self.params.pitch + BETWEEN + self.params.diameter
     }
 
-    /// Whether a disc is apart from other points, and from the rows that do not lead to it or give way.
-    fn has_room(&self, middle: GridPoint, radius: i32, around: &[GridPoint]) -> bool {
-        let lattice = self.field.lattice;
+    /// The rows that lead to a point.
+    fn leads_to(&self, middle: GridPoint, radius: i32) -> Vec<usize> {
+        let reach = radius as f32 + if matches!(self.field.lattice, Lattice::Free { .. }) { 0.8 } else { 0.0 };
+        self.field.around(middle, reach).filter_map(|(.., owner)| row_of(owner)).collect()
+    }
+
+    /// Whether a disc is apart from other points, and from the rows that do not lead to it, give way or end before it.
+    fn has_room(&self, leads: &[usize], around: &[GridPoint]) -> bool {
         let is_near_point = |other: &DrawnPoint| around.iter().any(|dot| self.is_close_to(*dot, other));
         if self.points.iter().any(is_near_point) {
             return false;
         }
-        let reach = radius as f32 + if matches!(lattice, Lattice::Free { .. }) { 0.8 } else { 0.0 };
-        let leads: Vec<usize> = self.field.around(middle, reach).filter_map(|(.., owner)| row_of(owner)).collect();
+        let gives_way = |row, number| self.gives_way(row, number) || self.free_end(row, number).is_some();
         let stays = |owner: Owner| match owner {
-            Owner::Row(row, number) => !leads.contains(&row) && !self.gives_way(row, number),
+            Owner::Row(row, number) => !leads.contains(&row) && !gives_way(row, number),
             Owner::Tick(..) => false,
         };
         !around.iter().flat_map(|dot| self.near(*dot)).any(|(_, owner)| stays(owner))

@@ -102,6 +102,25 @@ fn points_keep_apart_from_one_another_and_from_other_lines() {
     assert_eq!(shown(&both[..1], &rows(Some(slanting))), [true]);
 }
 
+/// As the arc of a jump along a number line, which ends above a point of it.
+#[test]
+fn a_line_that_ends_in_the_blank_beside_a_point_ends_before_it() {
+    let slanting = |x: f32, y: f32, way: f32, count: i32| {
+        let dots = (0..count).map(|k| MmPoint::new(x + 2.0 * way * k as f32, y - 2.0 * k as f32)).collect();
+        Row { dots, closed: false, is_heavy: false, is_weak: false }
+    };
+    let with = |more: &[Row]| {
+        let all: Vec<Row> = rows(None).into_iter().chain(more.iter().cloned()).collect();
+        placed(&[point(40.0, 1.5, true)], &[], &all)
+    };
+    let arc = slanting(44.0, 34.0, 1.0, 16);
+    let drawn = with(std::slice::from_ref(&arc));
+    assert_eq!((drawn.shown.points, &drawn.hidden[1][..]), (vec![true], &arc.dots[..1]));
+    assert!(drawn.hidden[0].is_empty(), "the axis stays");
+    assert_eq!(with(&[arc, slanting(42.0, 32.0, -1.0, 16)]).shown.points, [false], "it ends at another line");
+    assert_eq!(with(&[slanting(44.0, 34.0, 1.0, 12)]).shown.points, [false], "too little would be left of it");
+}
+
 #[test]
 fn a_tick_behind_a_point_goes_on_from_it() {
     let scale = [tick(20.0, 2.0, 2.0), tick(40.0, 2.0, 2.0), tick(60.0, 2.0, 2.0)];
