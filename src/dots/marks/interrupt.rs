@@ -6,14 +6,11 @@ use super::lattice::Owner;
 use super::{Places, Row};
 use crate::dots::grid_dot::GridPoint;
 use crate::dots::params::LEAST_DOTS;
-use crate::units::{MmPoint, MmRect};
+use crate::units::MmPoint;
 
 /// What is left of a row between two points and is shorter than this share of the shortest line says nothing. Chosen by
 /// us.
 const SCRAP: f32 = 0.5;
-/// The dots of a level or upright row lie less than this apart across it, in steps: rounding to the grid may move some
-/// by one.
-const LEVEL: f32 = 1.5;
 /// A dot of another row so near to the end of one, in steps, is where both meet.
 const NEXT: f32 = 1.5;
 
@@ -62,11 +59,7 @@ impl Places<'_> {
         let (Row { dots, closed, .. }, pitch) = (&self.rows[row], self.params.pitch);
         let beyond = dot.min(dots.len().saturating_sub(dot + 1));
         let goes_on = || *closed || beyond.saturating_sub(1) as f32 * pitch >= SCRAP * self.params.min_length;
-        let is_level_or_upright = || {
-            let size = MmRect::from_points(dots).size();
-            size.width.min(size.height) < LEVEL * pitch
-        };
-        self.may_give_way(row) && (goes_on() || is_level_or_upright())
+        self.may_give_way(row) && (self.level[row] || goes_on())
     }
 
     /// The dots that are nearer to a dot than lines may be.

@@ -27,7 +27,7 @@ use super::grid_dot::GridPoint;
 use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
 use crate::lines::{Line, LineMarks, PointMark, TickMark, whole_series};
-use crate::units::{MmPoint, MmVector};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 pub(super) use self::lattice::Lattice;
 
@@ -61,6 +61,18 @@ pub(super) struct Row {
     pub(super) is_heavy: bool,
     /// Whether its line is weak beside the others of the figure, as gridlines are: a tenth of the strongest or less.
     pub(super) is_weak: bool,
+}
+
+/// The dots of a level or upright row lie less than this apart across it, in steps: rounding to the grid may move some
+/// by one.
+const LEVEL: f32 = 1.5;
+
+impl Row {
+    /// Whether it is level or upright, with dots so many mm apart.
+    fn is_level_or_upright(&self, pitch: f32) -> bool {
+        let size = MmRect::from_points(&self.dots).size();
+        size.width.min(size.height) < LEVEL * pitch
+    }
 }
 
 /// What is drawn for marks.
@@ -148,6 +160,8 @@ struct Tick {
 
 struct Places<'a> {
     rows: &'a [Row],
+    /// Which rows are level or upright, as gridlines are.
+    level: Vec<bool>,
     params: &'a Params,
     field: MarkField<'a>,
     points: Vec<DrawnPoint>,
@@ -176,7 +190,8 @@ fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice
         alone: Vec::new(),
         shown: Shown::default(),
     };
-    let mut places = Places { rows, params, field, points: Vec::new(), placed };
+    let level = rows.iter().map(|row| row.is_level_or_upright(params.pitch)).collect();
+    let mut places = Places { rows, level, params, field, points: Vec::new(), placed };
     for (point, wanted) in marks.points.iter().zip(wanted) {
         let is_drawn = *wanted && !point.is_alone && places.point(point);
         places.placed.shown.points.push(is_drawn);

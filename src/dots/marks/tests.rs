@@ -4,7 +4,6 @@ use super::*;
 use crate::devices::Grid;
 use crate::dots::grid_dot::GridBox;
 use crate::lines::{HeadMark, Height, Line, Run};
-use crate::units::MmRect;
 
 const PARAMS: Params = Params::TEST;
 
