@@ -257,7 +257,7 @@ fn told_of_person(
     let opened = told_opened(added, lines, layout, plan);
     let beside = told_beside_added(added, lines, layout, plan);
     let anew = match (&given.lines, &overview.marks) {
-        (Some(GivenLines::Vectors(of_page)), Some((place, drawn))) => of_page.told_of_overview(*place, drawn.len()),
+        (Some(GivenLines::Vectors(of_page)), Some((place, drawn))) => of_page.told_anew(*place, drawn.len()),
         _ => None,
     };
     let all = cut.into_iter().chain(opened).chain(beside).chain(anew);

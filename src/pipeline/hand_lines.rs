@@ -202,7 +202,7 @@ impl HandLines {
 
     /// What is told of the overview that is made of the lines, here and of so many lines, where that of their page is
     /// another one: it is drawn of all lines of the figure, and that of a photograph of its regions.
-    pub(super) fn told_of_overview(&self, place: MmRect, lines: usize) -> Option<Note> {
+    pub(super) fn told_anew(&self, place: MmRect, lines: usize) -> Option<Note> {
         let (width, before) = self.overview?;
         let counted = |lines: usize| if lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") };
         let told = format!(
