@@ -29,6 +29,7 @@ mod lines;
 mod metamorphic;
 mod pdf;
 mod periodic;
+mod perturbed;
 mod plans;
 mod png;
 mod points;

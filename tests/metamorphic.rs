@@ -250,8 +250,9 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
             let found = outlines(&change.raster(&raster));
             let (lost, new) = (unmatched(&expected, &found, 1.0), unmatched(&found, &expected, 1.0));
             // where basins of one height meet, a flip may part them elsewhere: in this photograph an eighth of one
-            // outline
-            let most = if name == "rocket.jpg" { 0.12 } else { 0.0 };
+            // outline; turns do not
+            let is_flip = change.name.starts_with("flipped");
+            let most = if name == "rocket.jpg" && is_flip { 0.12 } else { 0.0 };
             assert!(lost <= most && new <= most, "{name} {}: {lost} of the outlines are lost, {new} new", change.name);
         }
     }

@@ -194,6 +194,22 @@ fn what_is_too_complex_is_told_with_its_limit_and_a_remedy() {
     assert_told(tactograph::check(&page, &PageOptions::new()).err(), "7 digits", "; put that right in the program");
 }
 
+/// The length is looked at before anything else.
+#[test]
+fn a_page_that_is_too_long_is_told_with_its_limit() {
+    let long = vec![b' '; 100_000_001];
+    let told = [
+        tactograph::render(&long, &RenderOptions::new()).map(drop),
+        tactograph::check(&long, &PageOptions::new()).map(drop),
+        tactograph::describe(&long, &PageOptions::new()).map(drop),
+        tactograph::feel(&long, &PageOptions::new()).map(drop),
+    ];
+    for result in told {
+        let error = result.expect_err("it is too long").to_string();
+        assert!(error.contains("longer than 100 MB"), "{error}");
+    }
+}
+
 #[test]
 fn why_dots_are_not_written_is_told_apart() {
     let printed = empty_page([210.0, 297.0]).expect("a page");

@@ -175,6 +175,18 @@ fn standard_input_that_ends_early_or_is_closed() {
     assert_eq!(place.names(), Vec::<String>::new());
 }
 
+/// Before the program begins, `/dev/null` is opened in its place, so that no page gets into another file.
+#[test]
+fn standard_output_that_was_closed_before_the_program_began() {
+    let place = Place::with_picture("a.png");
+    let run = in_shell(&place, "exec >&-", &["convert", "a.png", "--quiet", "-o", "-"]);
+    assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
+    assert_eq!(place.names(), ["a.png"]);
+    let run = in_shell(&place, "exec >&-", &["convert", "a.png", "--quiet"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    place.has_page("a.svg");
+}
+
 #[test]
 fn the_output_is_the_input_or_a_directory() {
     let place = Place::new();

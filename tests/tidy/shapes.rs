@@ -1,5 +1,6 @@
 //! The shape of files: their length and width, the length of functions, and that no machine's paths are in them.
 
+use crate::scan::scan;
 use crate::{complain, name_of, root, sources, walk};
 
 /// A file this long has more than one job.
@@ -38,6 +39,16 @@ fn no_path_of_a_machine_is_in_the_tree() {
     assert!(files.len() > 10, "the tree was not found");
     let texts = files.iter().filter_map(|file| Some((name_of(file), std::fs::read_to_string(file).ok()?)));
     complain(texts.flat_map(|(file, text)| machine_paths(&file, &text)).collect());
+}
+
+/// Processors that multiply and add in one rounding would make other pages than those that cannot
+/// (`docs/stability.md`).
+#[test]
+fn nothing_multiplies_and_adds_in_one_rounding() {
+    let is_fused = |text: &str| scan(text).iter().any(|token| token.text.contains("mul_add"));
+    assert!(is_fused("fn f(a: f32) -> f32 { a.mul_add(2.0, 1.0) }") && !is_fused("// no mul_add\nfn f() {}"));
+    let fused = |(file, text): (&String, &String)| is_fused(text).then(|| format!("{file}: mul_add rounds once"));
+    complain(sources().iter().filter_map(fused).collect());
 }
 
 fn faults_of_shape(file: &str, text: &str) -> Vec<String> {
