@@ -4,6 +4,7 @@
 # powers: those of Rust's own library) in Node.js, and compares mark by mark. Prints a table for docs/stability.md.
 #
 #     tests/machines.sh
+#     SIMD= tests/machines.sh     WebAssembly without vectors: JPEGs are then decoded with other roundings
 #
 # Needs qemu-x86_64 and node; as root on Debian it installs what is missing.
 set -euo pipefail
@@ -24,7 +25,7 @@ rustup target add wasm32-wasip1 2> /dev/null
 cargo build --quiet --bin tactograph
 cargo build --quiet -p tactograph-tools --bin agreement
 # with vectors, as JPEGs are decoded without them with other roundings: off by one in places, as by any other decoder
-RUSTFLAGS="-C target-feature=+simd128" \
+RUSTFLAGS="${SIMD--C target-feature=+simd128}" \
   cargo build --quiet --release --manifest-path tools/browser/Cargo.toml --target wasm32-wasip1 --target-dir target/bench/browser
 tactograph=target/debug/tactograph
 browser=target/bench/browser/wasm32-wasip1/release/tactograph-browser.wasm
