@@ -19,8 +19,9 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
         leave_out_strips(&mut left, &before, step, placed);
     }
     if left.len() < before.len() && params.dot_pitch > 0.0 {
-        leave_out_short_pieces(&mut left, &before);
-        leave_out_few_rows(&mut left, side_by_side(&before, step), placed, params.least_texture);
+        let along = along(&before);
+        leave_out_short_pieces(&mut left, &before, UNEVEN * along);
+        leave_out_few_rows(&mut left, side_by_side(step, along), placed, params.least_texture);
     }
     let is_cut = left.len() < before.len();
     left = without_stray(left, &before, placed);
@@ -40,9 +41,10 @@ const FARTHEST_ROWS: f32 = 10.0;
 /// Every how many-th sign is asked for its nearest.
 const SAMPLED: usize = 20;
 
-/// How far apart signs of one part of a texture are at most, mm, of those that it has, in steps of `step` mm.
-fn side_by_side(signs: &[Glyph], step: f32) -> f32 {
-    let across = UNEVEN * step * step / along(signs);
+/// How far apart signs of one part of a texture are at most, mm: of one in steps of `step` mm, whose rows have a sign
+/// every `along` mm.
+fn side_by_side(step: f32, along: f32) -> f32 {
+    let across = UNEVEN * step * step / along;
     SIDE_BY_SIDE.max(across.min(FARTHEST_ROWS))
 }
 
@@ -116,9 +118,8 @@ fn leave_out_strips(left: &mut Vec<Glyph>, before: &[Glyph], step: f32, placed: 
 const LEAST_PIECE: usize = 4;
 
 /// Leaves out pieces of rows of dots that labels cut off and that are too short to be felt as rows. `before` are all
-/// dots of the texture, those that are left in the same order.
-fn leave_out_short_pieces(left: &mut Vec<Glyph>, before: &[Glyph]) {
-    let apart = UNEVEN * along(before);
+/// dots of the texture, those that are left in the same order; dots of a row are no further apart than `apart` mm.
+fn leave_out_short_pieces(left: &mut Vec<Glyph>, before: &[Glyph], apart: f32) {
     let pieces_of = |dots: &[Glyph]| -> Vec<usize> {
         let points: Vec<MmPoint> = dots.iter().map(|dot| dot.at).collect();
         let pieces = components::of_points(&points, apart, |between| between.length() <= apart);

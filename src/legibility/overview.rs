@@ -9,16 +9,13 @@ use super::paths::{Paths, point_at};
 use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
 use crate::Note;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::ninths;
+use crate::geom::{ALONG, ninths};
 use crate::listing::first_few;
 use crate::page::{InSet, LeftOut, Names, Overview, Page, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines are looked at this often, mm of the overview.
 const STEP: f32 = 0.5;
-/// A line has the direction of another but for 40 degrees: the cosine. What crosses it or ends at it is nothing like
-/// it.
-const ALONG: f32 = 0.77;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;
 /// A shape that a person drew may lie where another was, which the overview still shows. So it is missing there from

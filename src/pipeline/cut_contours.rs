@@ -3,6 +3,7 @@
 use lyon::geom::euclid::Box2D;
 
 use crate::edges::{ChainRange, Edgel, Edges};
+use crate::geom::ALONG;
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Located, Polyline, PolylineRef};
 use crate::geom::walk::runs;
@@ -16,8 +17,6 @@ const STEP: f32 = 0.1;
 const MEETS: f32 = 0.25;
 /// A line only crosses another if it is beside it for no longer than this, in the same unit: at 42 degrees or more.
 const CROSSING: f32 = 3.0;
-/// A line runs along another if their directions differ by no more than 40 degrees: the cosine.
-pub(super) const ALONG: f32 = 0.77;
 
 /// Side of the cells in which lines are found again, px.
 const CELL: f32 = 16.0;
@@ -76,6 +75,16 @@ pub(super) fn take_out_along(edges: &mut Edges, near: &Nearby<Px>, reach: f32) {
             edges.push_as(range.kind, vertices.into_iter(), closed);
         }
     }
+}
+
+/// The points that [`take_out_along`] takes out.
+pub(super) fn points_along(edges: &Edges, near: &Nearby<Px>, reach: f32) -> Vec<PxPoint> {
+    let of_chain = |range: &ChainRange| -> Vec<PxPoint> {
+        let vertices = &edges.edgels[range.edgels.clone()];
+        let along = run_along(vertices, range.closed, near, reach);
+        vertices.iter().zip(along).filter(|(_, is_along)| *is_along).map(|(edgel, _)| edgel.at).collect()
+    };
+    edges.chains.iter().flat_map(of_chain).collect()
 }
 
 /// The parts of a contour that are left without those that run along lines nearer than `reach`, px, and

@@ -11,6 +11,8 @@ pub(super) struct Decisions {
     pub(super) erased: Vec<[f32; 4]>,
     /// How near to lines that a person added nothing else is drawn along them, px.
     pub(super) room_of_added: f32,
+    /// Where contours gave way to these, in shares of the width and height of the picture.
+    pub(super) gave_way: Vec<[f32; 2]>,
     /// Regions whose outlines come before all others.
     pub(super) subjects: Vec<u32>,
     /// What was found at the places that name subjects.

@@ -254,10 +254,10 @@ fn told_of_person(
         is_in([from.x / size.x, from.y / size.y], &decisions.erased)
     };
     let cut = told_cut(added, lines, is_erased, layout, plan);
-    let opened = told_opened(added, lines, layout, plan);
+    let opened = told_opened(added, lines, &decisions.gave_way, layout, plan);
     let beside = told_beside_added(added, lines, layout, plan);
     let anew = match (&given.lines, &overview.marks) {
-        (Some(GivenLines::Vectors(of_page)), Some((place, drawn))) => of_page.told_anew(*place, drawn.len()),
+        (Some(GivenLines::Vectors(of_page)), Some((place, drawn))) => of_page.told_overview_anew(*place, drawn.len()),
         _ => None,
     };
     let all = cut.into_iter().chain(opened).chain(beside).chain(anew);
@@ -299,13 +299,15 @@ pub(super) fn contours_of(
         None => find(),
     };
     let room_of_added = request.plan.lines().max_spacing() * px_per_mm;
-    if let Some(added) = &given.added {
-        added.add_to(&mut edges, room_of_added)?;
-    }
+    let gave_way = match &given.added {
+        Some(added) => added.add_to(&mut edges, room_of_added)?,
+        None => Vec::new(),
+    };
     let is_any = !edges.is_empty();
     erase(&mut edges, &erased);
     let all_erased = is_any && edges.is_empty();
-    Ok(Contours { edges, decisions: Decisions { erased, room_of_added, ..Decisions::default() }, told, all_erased })
+    let decisions = Decisions { erased, room_of_added, gave_way, ..Decisions::default() };
+    Ok(Contours { edges, decisions, told, all_erased })
 }
 
 /// Whose lines are drawn of contours: those that a person gave stay as they are.

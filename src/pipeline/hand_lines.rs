@@ -5,7 +5,7 @@ mod thickness;
 
 use std::collections::HashSet;
 
-use super::cut_contours::{index_of_edges, parts_beside, take_out_along};
+use super::cut_contours::{index_of_edges, parts_beside, points_along, take_out_along};
 use super::kept_lines::LineName;
 use crate::edges::{ChainKind, Edgel, Edges};
 use crate::geom::polyline::Polyline;
@@ -170,17 +170,19 @@ impl HandLines {
     }
 
     /// Adds the lines to contours that were found, of which the parts that run along them, nearer than `reach`, px,
-    /// give way.
+    /// give way; what did, as shares of the width and height of the picture.
     ///
     /// # Errors
     /// As [`HandLines::contours`].
-    pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<(), Error> {
+    pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<Vec<[f32; 2]>, Error> {
         let own = self.contours_of(self.lines.iter(), found.size, ADDED)?;
-        take_out_along(found, &index_of_edges(&own), reach);
+        let (near, [width, height]) = (index_of_edges(&own), [found.size.width as f32, found.size.height as f32]);
+        let gave_way = points_along(found, &near, reach).into_iter().map(|at| [at.x / width, at.y / height]).collect();
+        take_out_along(found, &near, reach);
         for range in &own.chains {
             found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
         }
-        Ok(())
+        Ok(gave_way)
     }
 
     /// What is told of lines outside of the figure: there is no picture there that they could belong to.
@@ -202,7 +204,7 @@ impl HandLines {
 
     /// What is told of the overview that is made of the lines, here and of so many lines, where that of their page is
     /// another one: it is drawn of all lines of the figure, and that of a photograph of its regions.
-    pub(super) fn told_anew(&self, place: MmRect, lines: usize) -> Option<Note> {
+    pub(super) fn told_overview_anew(&self, place: MmRect, lines: usize) -> Option<Note> {
         let (width, before) = self.overview?;
         let counted = |lines: usize| if lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") };
         let told = format!(

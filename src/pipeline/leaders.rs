@@ -8,7 +8,7 @@ use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
-use crate::geom::{crossing, nearest_on_segment};
+use crate::geom::{ALONG, crossing, nearest_on_segment};
 use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
 use crate::lines::{self, Line, Pen};
 use crate::page::layout::Layout;
@@ -34,8 +34,6 @@ const TICKS: usize = 2;
 /// A leader line is drawn at a place if a line is so near, mm; most lines are moved by less (see
 /// `lines::Params::farthest_moved`).
 const DRAWN: f32 = 3.0;
-/// That line has its direction to 40 degrees: the cosine.
-const ALONG: f32 = 0.77;
 /// On a grid lines have steps of 45 degrees: their direction is that over so many.
 const STEPS_OF_DOTS: usize = 4;
 /// A line stands for a leader line no further before or behind it than this, mm.

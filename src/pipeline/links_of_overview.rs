@@ -1,10 +1,10 @@
 //! Short lines that lead from shape to shape in the figure of a drawing, such as arrows between boxes, and that its
 //! overview lacks: without them nobody feels there what belongs together.
 
-use super::cut_contours::ALONG;
 use super::lost_signs::MOVED;
 use super::overview::DrawnOverview;
 use crate::edges::Edges;
+use crate::geom::ALONG;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::{Line, which_are_weak};
 use crate::page::layout::Layout;

@@ -229,7 +229,7 @@ fn ordinal(number: usize) -> String {
 
 /// What the maker is told of marks of angles that the overview has not, where a reader may think that the angle has
 /// none. Ticks say little in an overview.
-pub(super) fn told_in_overview(marks: &LostMarks) -> Option<Note> {
+pub(super) fn told_not_in_overview(marks: &LostMarks) -> Option<Note> {
     let LostMarks { arcs, corners, .. } = *marks;
     let told = listed(&LostMarks { ticks: 0, ..*marks })?;
     let (are, they_are) = if arcs + corners == 1 { ("is", "it is") } else { ("are", "they are") };

@@ -273,7 +273,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
         true => Note::LinesNotInOverview { percent, place: lost.place_name() },
         false => Note::NoRoomForOverview,
     });
-    let marks = if is_drawn { lost_marks::told_in_overview(&lost.marks) } else { None };
+    let marks = if is_drawn { lost_marks::told_not_in_overview(&lost.marks) } else { None };
     let grid = if is_drawn { told_gridlines(lost.gridlines) } else { None };
     // those that become dots with a gap, or hardly any
     let why = "there is no room for dots beside other lines";

@@ -1,6 +1,5 @@
 //! What the maker is told of lines that are not drawn, or drawn otherwise.
 
-use super::cut_contours::ALONG;
 use super::hand_lines::HandLines;
 use super::kept_lines;
 use super::lost_signs::is_small;
@@ -8,7 +7,7 @@ use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::{nearest_on_segment, polyline};
+use crate::geom::{ALONG, nearest_on_segment, polyline};
 use crate::lines::{Beyond, Line, Lines, Lost, LostLine};
 use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
@@ -161,10 +160,8 @@ pub(super) fn told_beside_added(
 ) -> Option<Note> {
     let (added, near) = (added?, plan.lines().max_spacing());
     let own = kept_lines::index_of(&drawn_by_hand(added, layout), layout.figure, near);
-    let mut beside: Vec<(f32, MmPoint)> = figure.iter().filter_map(|line| runs_beside(line, &own, near)).collect();
-    beside.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let (mm, at) = *beside.first()?;
-    let (lines, run, which) = match beside.len() {
+    let (beside, mm, at) = longest(figure.iter().filter_map(|line| runs_beside(line, &own, near)))?;
+    let (lines, run, which) = match beside {
         1 => ("1 line".to_owned(), "runs", ""),
         count => (format!("{count} lines"), "run", "the longest "),
     };
@@ -177,6 +174,13 @@ pub(super) fn told_beside_added(
     Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
 }
 
+/// How many there are, and the length, mm, and the place of the longest, the first of several.
+fn longest(of: impl Iterator<Item = (f32, MmPoint)>) -> Option<(usize, f32, MmPoint)> {
+    let mut all: Vec<(f32, MmPoint)> = of.collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.first().map(|&(mm, at)| (all.len(), mm, at))
+}
+
 /// Those of the lines that are added which a person drew, where the figure lies.
 fn drawn_by_hand(added: &HandLines, layout: &Layout) -> Vec<Line> {
     let lines = added.in_place(layout.figure).into_iter();
@@ -184,14 +188,22 @@ fn drawn_by_hand(added: &HandLines, layout: &Layout) -> Vec<Line> {
 }
 
 /// What the maker is told of lines that would be closed and are open beside those that a person drew and added: a piece
-/// of them gave way to these.
-pub(super) fn told_opened(added: Option<&HandLines>, figure: &[Line], layout: &Layout, plan: &Plan) -> Option<Note> {
+/// of them `gave_way` to these, in shares of the width and height of the figure.
+pub(super) fn told_opened(
+    added: Option<&HandLines>,
+    figure: &[Line],
+    gave_way: &[[f32; 2]],
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
     let (added, near) = (added?, plan.lines().max_spacing());
     let own = kept_lines::index_of(&drawn_by_hand(added, layout), layout.figure, near);
-    let mut gaps: Vec<(f32, MmPoint)> = figure.iter().filter_map(|line| opened(line, &own, near)).collect();
-    gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let (mm, at) = *gaps.first()?;
-    let (pieces, which, they_are) = match gaps.len() {
+    let (from, size) = (layout.figure.min, layout.figure.size());
+    let on_page = |[x, y]: &[f32; 2]| MmPoint::new(from.x + x * size.width, from.y + y * size.height);
+    let gave_way: Vec<MmPoint> = gave_way.iter().map(on_page).collect();
+    let opened = figure.iter().filter_map(|line| opened(line, &own, near)).filter(|gap| was_closed(*gap, &gave_way));
+    let (gaps, mm, at) = longest(opened)?;
+    let (pieces, which, they_are) = match gaps {
         1 => ("a piece of 1 closed line".to_owned(), "", "it is"),
         count => (format!("pieces of {count} closed lines"), "the longest ", "they are"),
     };
@@ -218,6 +230,15 @@ fn opened(line: &Line, others: &Nearby, near: f32) -> Option<(f32, MmPoint)> {
     (is_open && is_beside && 2 * on < path.len()).then(|| (gap, first.lerp(last, 0.5)))
 }
 
+/// Whether there was something in the middle of a gap of a line before it gave way, such as the piece that closed a
+/// ring; a line that was open in the picture, such as a letter C, had nothing there.
+fn was_closed((mm, middle): (f32, MmPoint), gave_way: &[MmPoint]) -> bool {
+    gave_way.iter().any(|at| (*at - middle).length() <= IN_GAP * mm)
+}
+
+/// What lay no farther from the middle of a gap than this, as a share of its length, closed it: a corner that is gone
+/// lies half of it away, and the nearest points of its sides 0.36 of it.
+const IN_GAP: f32 = 0.4;
 /// A line is closed whose ends are no farther apart, mm: dots of a row are up to 2.5 mm apart.
 const LEAST_GAP: f32 = 2.6;
 /// A line so many times as long as its ends are apart is a closed one with a gap.

@@ -46,7 +46,7 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     let lines = HandLines { lines, aspect: 1.0, part: None, left_outside, areas, names, overview: Some((74.0, 9)) };
     let overview = |width: f32, lines_of: usize| {
         let place = MmRect::new(MmPoint::zero(), MmPoint::new(width, 50.0));
-        lines.told_anew(place, lines_of).map(|note| note.to_string())
+        lines.told_overview_anew(place, lines_of).map(|note| note.to_string())
     };
     assert_eq!(overview(74.3, 9), None, "it is the same");
     let told = overview(104.0, 19).expect("it is another one");

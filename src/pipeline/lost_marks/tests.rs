@@ -62,10 +62,10 @@ fn what_is_lost_is_counted() {
                       shorter than 8 mm";
     assert!(told.starts_with(wanted), "{told}");
     assert_eq!(super::told(&Lost::default(), &plan), []);
-    let in_overview = told_in_overview(&marks).expect("a note").to_string();
+    let in_overview = told_not_in_overview(&marks).expect("a note").to_string();
     let wanted = "1 mark of a right angle is in the figure only, as it is too short for fingers in the overview";
     assert_eq!(in_overview, wanted);
-    assert_eq!(told_in_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
+    assert_eq!(told_not_in_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
     let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
     let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
     assert!(

@@ -59,4 +59,12 @@ fn a_ring_that_is_open_beside_an_added_line_is_told_with_its_gap() {
     assert_eq!(gap(ring(0), 17.0), None, "it is closed");
     assert_eq!(gap(ring(12), 8.0), None, "no line is beside the gap");
     assert_eq!(gap(ring(90), 17.0), None, "it is no ring with a gap, but an arc");
+    // the ring as it was before, and the letter C of which only the tips gave way
+    let before = |degrees: std::ops::RangeInclusive<u16>| -> Vec<MmPoint> {
+        let at = |k: u16| f32::from(180 + k).to_radians().sin_cos();
+        degrees.map(at).map(|(sin, cos)| MmPoint::new(50.0 + 30.0 * cos, 50.0 + 30.0 * sin)).collect()
+    };
+    assert!(was_closed((mm, at), &before(354..=366)), "a ring that gave way");
+    assert!(!was_closed((mm, at), &before(5..=6)), "a line that was open");
+    assert!(!was_closed((mm, at), &[]), "nothing gave way");
 }
