@@ -343,8 +343,9 @@ pub enum Note {
     },
     /// There is nothing on the page but its frame.
     #[error(
-        "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for fingers; \
-         lower edges.high and edges.low to get more, or draw only a part of it, so that it is larger"
+        "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for fingers, or \
+         the page that was read has nothing on it; of a picture, lower edges.high and edges.low to get more, or draw \
+         only a part of it, so that it is larger"
     )]
     EmptyPage,
     /// There is nothing on the page but its frame, as all of it was to be erased.

@@ -2,13 +2,46 @@
 
 use tactograph::{Error, Note, Profile, Reason};
 
+/// What there is that makes the figure of a picture larger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Larger {
+    /// Whether an overview takes room beside it.
+    has_overview: bool,
+    /// Whether it is on one sheet.
+    is_on_one_sheet: bool,
+    /// The profile of the next larger paper.
+    profile: Option<&'static str>,
+}
+
+/// Profiles of paper, and those of the next larger one.
+const LARGER: [(&str, &str); 3] =
+    [("swell-a4", "swell-a3"), ("swell-letter", "swell-11x17"), ("swell-11x11.5", "swell-11x17")];
+
+impl Larger {
+    fn than(profile: &Profile, is_spread: bool) -> Self {
+        let next = LARGER.into_iter().find(|(name, _)| profile.name == *name);
+        Self { has_overview: profile.overview.on, is_on_one_sheet: !is_spread, profile: next.map(|(_, larger)| larger) }
+    }
+
+    /// The options for it, in parentheses; none where there are none.
+    fn options(self) -> Option<String> {
+        let overview = self.has_overview.then(|| "--no-overview".to_owned());
+        let sheets = self.is_on_one_sheet.then(|| SHEETS.to_owned());
+        let profile = self.profile.map(|name| format!("--profile {name}"));
+        let all: Vec<String> = [overview, sheets, profile].into_iter().flatten().collect();
+        (!all.is_empty()).then(|| format!("({})", all.join(", ")))
+    }
+}
+
+const SHEETS: &str = "--sheets 2x2";
+
 /// What is made, which says what options there are that help.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Making {
     /// A page of a picture, for print.
-    Print,
+    Print(Larger),
     /// A page of a picture, for an embosser.
-    Embossing,
+    Embossing(Larger),
     /// A page of a picture for a pin display, which has one sheet of one size.
     Pins,
     /// A page that was read, laid out anew for another paper or device.
@@ -19,23 +52,25 @@ pub(super) enum Making {
 }
 
 impl Making {
-    /// That of a page of a picture with a profile.
-    pub(super) fn of_picture(profile: &Profile) -> Self {
+    /// That of a page of a picture with a profile, which is on one sheet or spread over several.
+    pub(super) fn of_picture(profile: &Profile, is_spread: bool) -> Self {
+        let larger = Larger::than(profile, is_spread);
         match profile.dots.device {
-            None => Self::Print,
+            None => Self::Print(larger),
             Some(device) if device.field().is_some() => Self::Pins,
-            Some(_) => Self::Embossing,
+            // its overview has a sheet of its own
+            Some(_) => Self::Embossing(Larger { has_overview: false, ..larger }),
         }
     }
 
     /// Whether it is made of a picture, of which a part can be taken.
     fn is_of_picture(self) -> bool {
-        matches!(self, Self::Print | Self::Embossing | Self::Pins)
+        matches!(self, Self::Print(_) | Self::Embossing(_) | Self::Pins)
     }
 
-    /// Whether a picture can be spread over several sheets.
+    /// Whether a picture can be spread over several sheets, and is not yet.
     fn has_sheets(self) -> bool {
-        matches!(self, Self::Print | Self::Embossing)
+        matches!(self, Self::Print(larger) | Self::Embossing(larger) if larger.is_on_one_sheet)
     }
 }
 
@@ -63,12 +98,14 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
-        Note::TooDense { .. } if making.has_sheets() => format!("{note} (--sheets 2x2, --crop)"),
-        Note::NoRoomForOverview if making.has_sheets() => format!("{note} (--sheets 2x2)"),
+        Note::TooDense { .. } if making.has_sheets() => format!("{note} ({SHEETS}, --crop)"),
+        Note::NoRoomForOverview if making.has_sheets() => format!("{note} ({SHEETS})"),
         Note::FewContours(_) => format!("{note} (--subject X,Y)"),
         Note::LinesNotInOverview { .. } => match making {
-            Making::Print | Making::Embossing => format!("{note} (--no-overview, --sheets 2x2)"),
-            Making::Pins => format!("{note} (--no-overview)"),
+            Making::Print(_) | Making::Embossing(_) if making.has_sheets() => {
+                format!("{note} (--no-overview, {SHEETS})")
+            }
+            Making::Print(_) | Making::Embossing(_) | Making::Pins => format!("{note} (--no-overview)"),
             Making::PageAnew => format!("{note} (--set overview.on=false)"),
             Making::Other => note.to_string(),
         },
@@ -79,11 +116,10 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             format!("{note} (--set page.orientation=landscape)")
         }
         Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making {
-            Making::Print => {
-                format!("{note}; a larger figure has more (--no-overview, --sheets 2x2, --profile swell-a3)")
-            }
-            // its overview has a sheet of its own
-            Making::Embossing => format!("{note}; a larger figure has more (--sheets 2x2)"),
+            Making::Print(larger) | Making::Embossing(larger) => match larger.options() {
+                Some(options) => format!("{note}; a larger figure has more {options}"),
+                None => note.to_string(),
+            },
             Making::Pins | Making::PageAnew | Making::Other => note.to_string(),
         },
         Note::NoKey(Reason::KeyInOtherFile, _) => {
