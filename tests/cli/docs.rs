@@ -2,7 +2,8 @@
 //!
 //! A command is a line `tactograph ...` (or `cargo run --release -- ...`) in an indented or fenced block. Each is run
 //! in a place where the sample pictures lie under their own names, in the order of its page. Commands in a fenced block
-//! of `text` are not run (they need hardware, take minutes or are patterns); their options must exist all the same.
+//! of `text` are not run (they need hardware, take minutes or are patterns), nor are those in lists, which stand in a
+//! block as well; their options must exist all the same.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -50,16 +51,18 @@ fn words_of(command: &str) -> Vec<String> {
 fn commands(text: &str) -> Vec<Shown> {
     let (mut shown, mut fenced, mut only_parsed) = (Vec::new(), false, false);
     for (i, line) in text.lines().enumerate() {
-        let in_block = fenced || line.starts_with("    ");
+        // "* `tactograph ...`: what it does", of which there is a block further down
+        let listed = line.strip_prefix("* `").and_then(|rest| rest.split_once("`: ")).map(|(command, _)| command);
+        let in_block = fenced || line.starts_with("    ") || listed.is_some();
         if let Some(language) = line.strip_prefix("```") {
             fenced = !fenced;
             only_parsed = fenced && language == "text";
         }
-        let command = line.trim();
+        let command = listed.unwrap_or(line).trim();
         let command = command.strip_prefix("cargo run --release -- ").or_else(|| command.strip_prefix("tactograph "));
         if let Some(command) = command.filter(|_| in_block) {
             let words = words_of(command);
-            shown.push(Shown { line: i + 1, words, only_parsed });
+            shown.push(Shown { line: i + 1, words, only_parsed: only_parsed || listed.is_some() });
         }
     }
     shown
