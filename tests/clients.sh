@@ -7,7 +7,7 @@
 #     tests/clients.sh            builds the program (debug) and checks the page of every picture in samples/
 #     KEEP=folder tests/clients.sh    also keeps pages and renderings there, to be looked at
 #
-# Needs the programs of TOOLS; as root on Debian it installs what is missing.
+# Needs the programs of tests/programs.sh; as root on Debian it installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -32,25 +32,6 @@ check() { # check WHAT COMMAND...: runs the command and counts; its output is sh
     printf 'FAILED %s: %s\n' "$name" "$what"
     [ -z "$said" ] || printf '%s\n' "$said" | head -n 20 | sed 's/^/    /'
   fi
-}
-
-TOOLS=(inkscape potrace convert python3 rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck tesseract)
-PACKAGES=(inkscape potrace imagemagick python3 librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck
-  tesseract-ocr tesseract-ocr-eng fonts-dejavu-core)
-get_tools() {
-  local tool
-  TOOLS+=("${DOT_TOOLS[@]}")
-  PACKAGES+=("${DOT_PACKAGES[@]}")
-  for tool in "${TOOLS[@]}"; do
-    command -v "$tool" >/dev/null && continue
-    if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
-      apt-get update -qq
-      DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${PACKAGES[@]}"
-      return
-    fi
-    echo "$tool is missing; install ${PACKAGES[*]}" >&2
-    exit 2
-  done
 }
 
 xpath() { xmllint --xpath "$1" "$page"; }
@@ -308,7 +289,8 @@ check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
 
 . tests/clients/prints.sh
 . tests/clients/dots.sh
-get_tools
+. tests/programs.sh
+need "${CLIENT_TOOLS[@]}" -- "${CLIENT_PACKAGES[@]}"
 cargo build --quiet -p tactograph -p tactograph-tools --bin tactograph --bin render --bin dot_files --bin correction
 program=target/debug/tactograph
 render=target/debug/render

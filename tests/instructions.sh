@@ -38,15 +38,8 @@ if [ -n "${UPDATE:-}" ] && [ -n "${CI:-}" ]; then
   echo "UPDATE is not for CI: there the counts must be as somebody last saw them" >&2
   exit 2
 fi
-if ! command -v valgrind >/dev/null; then
-  if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
-    apt-get update -qq
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends valgrind
-  else
-    echo "valgrind is missing; install it" >&2
-    exit 2
-  fi
-fi
+. tests/programs.sh
+need "${COUNTING_TOOLS[@]}" -- "${COUNTING_PACKAGES[@]}"
 
 cargo build --quiet --release --bin tactograph
 out=${KEEP:-$(mktemp -d)}

@@ -4,9 +4,6 @@
 # The drivers of Index embossers and the rest of CUPS's way to braille are filters of cups-filters. The one for V4 and V5 looks
 # for a file of its own in a wrong place and then leaves the header out; a copy with that line corrected is made here.
 
-DOT_TOOLS=(ppdc cupsd lp convert lou_translate jing unzip pngcheck)
-DOT_PACKAGES=(cups cups-client cups-filters cups-ppdc imagemagick liblouis-bin liblouis-data jing
-  libbrailleutils-java unzip pngcheck)
 FILTERS=/usr/lib/cups/filter
 BRAILLE=/usr/share/cups/braille
 PEF_JAR=/usr/share/java/brailleUtils-core.jar

@@ -1,5 +1,6 @@
 //! What the measuring programs share with one another and with the project's tests.
 
+pub mod agreement;
 pub mod bitmap;
 pub mod blanks;
 pub mod cjpeg;
