@@ -78,7 +78,7 @@ pub(super) fn take_out_along(edges: &mut Edges, near: &Nearby<Px>, reach: f32) {
 }
 
 /// The points that [`take_out_along`] takes out.
-pub(super) fn points_along(edges: &Edges, near: &Nearby<Px>, reach: f32) -> Vec<PxPoint> {
+pub(super) fn points_taken_out(edges: &Edges, near: &Nearby<Px>, reach: f32) -> Vec<PxPoint> {
     let of_chain = |range: &ChainRange| -> Vec<PxPoint> {
         let vertices = &edges.edgels[range.edgels.clone()];
         let along = run_along(vertices, range.closed, near, reach);

@@ -5,7 +5,7 @@ mod thickness;
 
 use std::collections::HashSet;
 
-use super::cut_contours::{index_of_edges, parts_beside, points_along, take_out_along};
+use super::cut_contours::{index_of_edges, parts_beside, points_taken_out, take_out_along};
 use super::kept_lines::LineName;
 use crate::edges::{ChainKind, Edgel, Edges};
 use crate::geom::polyline::Polyline;
@@ -177,7 +177,8 @@ impl HandLines {
     pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<Vec<[f32; 2]>, Error> {
         let own = self.contours_of(self.lines.iter(), found.size, ADDED)?;
         let (near, [width, height]) = (index_of_edges(&own), [found.size.width as f32, found.size.height as f32]);
-        let gave_way = points_along(found, &near, reach).into_iter().map(|at| [at.x / width, at.y / height]).collect();
+        let gave_way =
+            points_taken_out(found, &near, reach).into_iter().map(|at| [at.x / width, at.y / height]).collect();
         take_out_along(found, &near, reach);
         for range in &own.chains {
             found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);

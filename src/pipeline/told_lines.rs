@@ -237,7 +237,7 @@ fn was_closed((mm, middle): (f32, MmPoint), gave_way: &[MmPoint]) -> bool {
 }
 
 /// What lay no farther from the middle of a gap than this, as a share of its length, closed it: a corner that is gone
-/// lies half of it away, and the nearest points of its sides 0.36 of it.
+/// lies half of it away, and the nearest points of its sides 0.35 of it.
 const IN_GAP: f32 = 0.4;
 /// A line is closed whose ends are no farther apart, mm: dots of a row are up to 2.5 mm apart.
 const LEAST_GAP: f32 = 2.6;
