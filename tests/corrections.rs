@@ -253,3 +253,26 @@ fn lines_that_are_too_short_are_told_with_name_and_place() {
         assert!(told.iter().any(|note| note.contains(&named)), "{named}: {told:?}");
     }
 }
+
+/// A letter C whose opening a line that is added points at, 3 mm before it: nothing of it gave way.
+#[test]
+fn a_line_that_is_open_in_the_picture_is_not_told_as_opened() {
+    let at = |degrees: u16| {
+        let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+        format!("{:.2} {:.2}", 300.0 + 120.0 * cos, 200.0 + 120.0 * sin)
+    };
+    let letter: Vec<String> = (186..=534).step_by(2).map(at).collect();
+    let svg = |inner: &str| {
+        format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='400'><g id='lines' fill='none' \
+             stroke='#000' stroke-width='5'>{inner}</g></svg>"
+        )
+    };
+    let picture = svg(&format!("<path d='M{}'/>", letter.join("L")));
+    let own = svg("<path d='M60 200H168'/>");
+    let drawing =
+        tactograph::convert(picture.as_bytes(), &options().add_lines(&own).expect("a drawing")).expect("a page");
+    assert_eq!(drawing.page.figure.lines.len(), 2, "the letter, and what was added");
+    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    assert!(!told.iter().any(|note| note.contains("open on the page")), "{told:?}");
+}
