@@ -95,6 +95,65 @@ fn points_of_a_number_line_are_beads_on_a_line_without_gaps() {
     }
 }
 
+/// How many lines of a page are as long as ticks that were made longer, and what is told of ticks.
+fn ticks_and_notes(drawn: &str) -> (usize, Vec<String>) {
+    let page = page_of(drawn);
+    let lengths = page.page.figure.lines.iter().map(Line::length);
+    let notes = told(&page).into_iter().filter(|note| note.contains("tick")).collect();
+    (lengths.filter(|length| (7.9..13.0).contains(length)).count(), notes)
+}
+
+#[test]
+fn ticks_of_a_number_line_stay_where_an_arc_ends_above_two_of_its_points() {
+    let mut drawn = "<path d='M40 250H960' stroke='#000' stroke-width='3'/>".to_owned();
+    for x in (0..=10).map(|k| 80 + 84 * k) {
+        write!(drawn, "<path d='M{x} 236V264' stroke='#000' stroke-width='2'/>").expect("it is a string");
+    }
+    drawn += "<circle cx='248' cy='250' r='10'/>\
+              <circle cx='668' cy='250' r='10' fill='#fff' stroke='#000' stroke-width='3'/>\
+              <path d='M248 231Q458 90 668 231' fill='none' stroke='#c00' stroke-width='3'/>";
+    let (ticks, notes) = ticks_and_notes(&drawn);
+    assert!(ticks >= 9 && notes.is_empty(), "{ticks} ticks, {notes:?}");
+}
+
+#[test]
+fn ticks_of_a_ruler_and_of_a_thermometer_that_are_too_many_for_fingers_are_told_and_the_long_ones_drawn() {
+    let mut ruler =
+        "<rect x='50' y='150' width='900' height='200' fill='none' stroke='#000' stroke-width='3'/>".to_owned();
+    for k in 1..100 {
+        let length = match (k % 10, k % 5) {
+            (0, _) => 40,
+            (_, 0) => 30,
+            _ => 20,
+        };
+        let x = 50 + 9 * k;
+        write!(ruler, "<path d='M{x} 150v{length}' stroke='#000' stroke-width='2'/>").expect("it is a string");
+    }
+    let (ticks, notes) = ticks_and_notes(&ruler);
+    let is_told = matches!(&notes[..], [note] if note.contains("80 of the 99 ticks") && note.contains("every 5th"));
+    assert!(ticks == 19 && is_told, "{ticks} ticks, {notes:?}");
+    let mut tube =
+        "<rect x='470' y='40' width='40' height='380' rx='20' fill='#fff' stroke='#000' stroke-width='3'/>".to_owned();
+    for k in 0..21 {
+        let (y, length) = (70 + 15 * k, if k % 5 == 0 { 30 } else { 18 });
+        write!(tube, "<path d='M510 {y}h{length}' stroke='#000' stroke-width='2'/>").expect("it is a string");
+    }
+    let (ticks, notes) = ticks_and_notes(&tube);
+    let is_told = matches!(&notes[..], [note] if note.contains("16 of the 21 ticks") && note.contains("every 5th"));
+    assert!(ticks == 5 && is_told, "{ticks} ticks, {notes:?}");
+}
+
+#[test]
+fn ticks_on_the_outer_sides_of_two_axes_are_all_drawn() {
+    let mut axes = "<path d='M60 30V450H960' fill='none' stroke='#000' stroke-width='3'/>".to_owned();
+    for (x, y) in (1..9).map(|k| (60 + 100 * k, 450 - 50 * k)) {
+        let ticks = format!("<path d='M60 {y}h-16'/><path d='M{x} 450v16'/>");
+        write!(axes, "<g stroke='#000' stroke-width='2'>{ticks}</g>").expect("it is a string");
+    }
+    let (ticks, notes) = ticks_and_notes(&axes);
+    assert!(ticks == 16 && notes.is_empty(), "{ticks} ticks, {notes:?}");
+}
+
 const DEVICES: [&str; 7] =
     ["index-basic-d", "juliet-120", "viewplus-columbia", "braillerap", "dot-pad", "monarch", "pins-120x60"];
 

@@ -4,7 +4,7 @@
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::clearance::Cleared;
-use super::lost::{LossTally, Lost, STANDS, gaps, gone};
+use super::lost::{LossTally, Lost, LostScale, STANDS, gaps, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::{PagePart, Params};
@@ -31,8 +31,10 @@ pub(super) struct LineCandidates {
     pub(super) short: LossTally,
     /// Points on lines.
     pub(super) points: Vec<Point>,
-    /// The ticks of scales that are handed on.
+    /// The ticks of scales that are handed on: to be drawn as dots, or those that are left out.
     pub(super) scales: Vec<Vec<TickMark>>,
+    /// The scales of which ticks are left out.
+    lost_scales: Vec<LostScale>,
     /// The heads of arrows.
     pub(super) heads: Vec<HeadMark>,
 }
@@ -60,7 +62,9 @@ impl LineCandidates {
         let standing = StandingEnds::of(&mut polylines, area, params);
         let mut polylines = join::join(polylines, params.bridged_gap(), &standing);
         let lengthens = params.of_drawing && !is_overview;
-        let scales = if lengthens { lengthened(&mut polylines, area, params) } else { Vec::new() };
+        let at_points: Vec<MmPoint> = points.iter().map(|point| point.at).collect();
+        let (scales, lost_scales) =
+            if lengthens { lengthened(&mut polylines, &at_points, area, params) } else { (Vec::new(), Vec::new()) };
         let (mut polylines, short) = long_enough(polylines, &standing, area, params);
         polylines.iter_mut().for_each(Polyline::fill);
         let contours = polylines.len();
@@ -71,7 +75,7 @@ impl LineCandidates {
         let ranks = ranks(&polylines, &of_outlines, area, params);
         let saliencies = saliency::saliencies(&polylines, params);
         let lines = polylines.into_iter().zip(ranks).collect();
-        Self { lines, saliencies, contours, gridlines, short, points, scales, heads }
+        Self { lines, saliencies, contours, gridlines, short, points, scales, lost_scales, heads }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
@@ -102,7 +106,7 @@ impl LineCandidates {
         // elsewhere lines may be longer than they were
         let may_be_open = is_told && lost.by_place.iter().any(|mm| *mm >= STANDS);
         let gaps = if may_be_open { gaps(&contours, polylines(), area, params) } else { Vec::new() };
-        Lost { gone, gaps, gridlines: self.gridlines, ..lost }
+        Lost { gone, gaps, gridlines: self.gridlines, scales: self.lost_scales.clone(), ..lost }
     }
 }
 
@@ -156,17 +160,25 @@ fn ranks(polylines: &[Polyline<Vertex>], of_outlines: &[Rank], area: MmRect, par
     polylines.iter().enumerate().map(rank).collect()
 }
 
-/// Makes the marks on the lines of a drawing as long as fingers need them; gives the scales whose ticks are handed on.
-fn lengthened(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Vec<TickMark>> {
-    let mut scales = Vec::new();
+/// Makes the marks on the lines of a drawing as long as fingers need them; gives the scales whose ticks are handed on,
+/// and those of which ticks are left out. `points` are those on lines.
+fn lengthened(
+    polylines: &mut Vec<Polyline<Vertex>>,
+    points: &[MmPoint],
+    area: MmRect,
+    params: &Params,
+) -> (Vec<Vec<TickMark>>, Vec<LostScale>) {
     // a page of few shapes has no marks
-    match (params.on_dots(), params.most_shapes) {
-        (true, None) => scales = ticks::take(polylines, area, params),
-        (true, Some(_)) | (false, _) => ticks::lengthen(polylines, area, params),
-    }
+    let (scales, lost) = if params.on_dots() && params.most_shapes.is_none() {
+        (ticks::take(polylines, area, params), Vec::new())
+    } else {
+        let thinned = ticks::lengthen(polylines, points, area, params);
+        thinned.into_iter().map(|scale| (scale.left_out, scale.lost)).unzip()
+    };
     crossbars::lengthen(polylines, area, params);
     alone::lengthen(polylines, area, params);
-    scales
+    // and dots would be made of those that are left out
+    if params.on_dots() && params.most_shapes.is_some() { (Vec::new(), lost) } else { (scales, lost) }
 }
 
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found

@@ -13,7 +13,7 @@ const MOSTLY: f32 = 0.75;
 pub struct LineMarks {
     /// Points, such as those of a number line.
     pub points: Vec<PointMark>,
-    /// The ticks of each scale, in order along its line.
+    /// The ticks of each scale, in order along its line; in print those of each that are left out.
     pub scales: Vec<Vec<TickMark>>,
     /// The heads of arrows, those that are drawn already too.
     pub heads: Vec<HeadMark>,

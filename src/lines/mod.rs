@@ -59,6 +59,7 @@ use outlines::Rank;
 pub(crate) use params::{APPROACH_OF_DRAWINGS, CLUSTER_APPROACH};
 pub use params::{LineMedium, PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
+pub(crate) use ticks::selections::{MOST_BLOCKED, tick_selections};
 
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;

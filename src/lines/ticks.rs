@@ -1,20 +1,24 @@
 //! Ticks of a scale, as of an axis, a ruler or a clock, that are shorter than the least line. They are meant all
-//! together: where all of a scale have room, but for one at either end, they are drawn longer, and otherwise none is.
+//! together: where all of a scale have room, but for a few, they are drawn longer; where they are too near to one
+//! another every so many-th is; and otherwise none.
 
 pub(super) mod alone;
 mod bases;
 pub(super) mod crossbars;
+pub(super) mod selections;
 
 use bases::Half;
+use selections::{MOST_BLOCKED, tick_selections};
 
 use super::lead_on::{extend_to, heading};
+use super::lost::LostScale;
 use super::marks::TickMark;
 use super::params::Params;
 use super::vertex::{Tip, Vertex, nearby};
-use crate::geom::nearby::Segment;
+use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::units::{MmPoint, MmRect};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The shortest tick, mm: what is shorter may be a crumb. Half a millimetre is more than two pixels.
 const SHORTEST: f32 = 0.5;
@@ -36,6 +40,8 @@ const LONGEST: f32 = 2.0;
 /// A tick is at least this share of the longest one of its scale: the short ticks of rulers and clocks are a third or
 /// more of the long ones, and what is shorter is a crumb.
 const OF_LONGEST: f32 = 0.25;
+/// A point so near to where a tick crosses its line, mm, is at that place.
+const AT_POINT: f32 = 1.0;
 
 /// A tick, which may be too short for a line.
 struct Tick {
@@ -50,9 +56,24 @@ struct Tick {
     stands: [Option<f32>; 2],
 }
 
-/// Makes the ticks of those scales longer that have room for it: all of a scale by the same length, so that longer ones
-/// stay longer, and the shortest is as long as a line has to be.
-pub(super) fn lengthen(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) {
+/// What is left out of a scale whose ticks are too near to one another for fingers.
+pub(super) struct ThinnedScale {
+    /// Its ticks that are not drawn.
+    pub(super) left_out: Vec<TickMark>,
+    /// What is told of them.
+    pub(super) lost: LostScale,
+}
+
+/// Makes the ticks of scales longer where there is room for it: all of a scale by the same length, so that longer ones
+/// stay longer, and the shortest is as long as a line has to be. Where they are too near to one another, every so
+/// many-th stays, and the others are taken out. `points` are those on lines: they say by themselves where their tick
+/// would be.
+pub(super) fn lengthen(
+    polylines: &mut Vec<Polyline<Vertex>>,
+    points: &[MmPoint],
+    area: MmRect,
+    params: &Params,
+) -> Vec<ThinnedScale> {
     let mut ticks = ticks(polylines, area, params);
     let half = |tick: &Tick| match tick.stands {
         [Some(gap), None] => Some(Half { line: tick.number, foot: Tip::First, gap }),
@@ -64,45 +85,138 @@ pub(super) fn lengthen(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, para
         ticks = self::ticks(polylines, area, params);
     }
     ticks.sort_by_key(|tick| tick.axis);
+    let mut taken = vec![false; polylines.len()];
+    let mut thinned = Vec::new();
     for on_axis in ticks.chunk_by(|a, b| a.axis == b.axis) {
         let Some(scale) = scale(on_axis, polylines, params) else { continue };
-        lengthen_together(&scale, polylines, area, params);
+        let scale = in_order(&scale, polylines);
+        let Some((every, drawn)) = lengthen_scale(&scale, points, polylines, area, params) else { continue };
+        let left_out = || scale.iter().enumerate().filter(|(member, _)| !drawn.contains(member)).map(|(_, of)| of);
+        let Some((_, first)) = left_out().next() else { continue };
+        left_out().for_each(|(tick, _)| taken[tick.number] = true);
+        let left_out: Vec<TickMark> = left_out().map(|(_, mark)| *mark).collect();
+        let lost = LostScale { ticks: scale.len(), lost: left_out.len(), every, first: first.at };
+        thinned.push(ThinnedScale { left_out, lost });
     }
+    without(polylines, &taken);
+    thinned
 }
 
-/// Makes ticks longer by the same length, so that the shortest is as long as a line has to be, if all have room, or all
-/// but the first or the last.
-fn lengthen_together(group: &[&Tick], polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
-    let shortest = group.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
-    let more = params.min_length + MARGIN - shortest;
-    let longer = |group: &[&Tick]| -> Vec<Polyline<Vertex>> {
-        group.iter().map(|tick| tick.longer(&polylines[tick.number], more)).collect()
+/// Lines without those that are taken.
+fn without(polylines: &mut Vec<Polyline<Vertex>>, taken: &[bool]) {
+    let mut taken = taken.iter();
+    polylines.retain(|_| taken.next() == Some(&false));
+}
+
+/// Makes the ticks of a scale longer, or every so many-th: the first of these selections that has room. Gives the step
+/// from one to the next, and which ticks those are.
+fn lengthen_scale(
+    scale: &[(&Tick, TickMark)],
+    points: &[MmPoint],
+    polylines: &mut [Polyline<Vertex>],
+    area: MmRect,
+    params: &Params,
+) -> Option<(usize, Vec<usize>)> {
+    let marks: Vec<TickMark> = scale.iter().map(|(_, mark)| *mark).collect();
+    let own: Vec<usize> = scale.iter().flat_map(|(tick, _)| [tick.number, tick.base]).collect();
+    let is_spared = |mark: &TickMark| points.iter().any(|point| (*point - mark.at).length() <= AT_POINT);
+    // beside a straight line they may also grow to one side of it only
+    let aside = scale.first().filter(|(tick, _)| is_straight(&polylines[tick.base])).map(|(_, mark)| mark.along);
+    let aside = aside.map(|along| MmVector::new(-along.y, along.x));
+    let sides: Vec<Option<MmVector>> =
+        [None].into_iter().chain(aside.map(Some)).chain(aside.map(|way| Some(-way))).collect();
+    let group = |members: &[usize]| TickGroup {
+        ticks: members.iter().map(|&member| scale[member].0).collect(),
+        spared: members.iter().map(|&member| is_spared(&marks[member])).collect(),
+        own: &own,
+        sides: &sides,
     };
-    let has_room = |group: &[&Tick]| have_room(&longer(group), group, polylines, area, params);
-    let all = in_order(group, polylines);
-    // at its ends an arrowhead or another axis may be in the way of one
-    let ends = |first: usize, last: usize| all.get(first..all.len().saturating_sub(last)).unwrap_or_default();
-    let is_round = group.iter().any(|tick| polylines[tick.base].closed);
-    let parts = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(first, last)| ends(first, last));
-    let mut parts = parts.into_iter().take(if is_round { 1 } else { 4 });
-    if let Some(part) = parts.find(|part| (part.len() == all.len() || part.len() >= SCALE) && has_room(part)) {
-        let longer = longer(part);
-        for (tick, longer) in part.iter().zip(longer) {
-            polylines[tick.number] = longer;
+    let mut selections = tick_selections(&marks);
+    let all = group(&(0..scale.len()).collect::<Vec<_>>()).longer(None, polylines, params);
+    // fewer have no more room where only other lines are in the way
+    if are_apart(&all.iter().collect::<Vec<_>>(), area, params) {
+        selections.truncate(1);
+    }
+    selections.into_iter().find(|(_, members)| group(members).lengthen(polylines, area, params))
+}
+
+/// Ticks that are drawn longer by the same length, or none of them.
+struct TickGroup<'t> {
+    /// In the order in which they stand on their line.
+    ticks: Vec<&'t Tick>,
+    /// Which of them may lack room.
+    spared: Vec<bool>,
+    /// The lines that they need not be clear of: all ticks of their scale, and what they stand on.
+    own: &'t [usize],
+    /// Where they grow, in the order in which that is tried: to a side of their line, or at all their free ends.
+    sides: &'t [Option<MmVector>],
+}
+
+impl TickGroup<'_> {
+    /// The ticks, longer by the same length, so that the shortest is as long as a line has to be: to this side of their
+    /// line, or at all their free ends.
+    fn longer(&self, side: Option<MmVector>, polylines: &[Polyline<Vertex>], params: &Params) -> Vec<Polyline<Vertex>> {
+        let shortest = self.ticks.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
+        let more = (params.min_length + MARGIN - shortest).max(0.0);
+        self.ticks.iter().map(|tick| tick.longer(&polylines[tick.number], more, side)).collect()
+    }
+
+    /// Draws the ticks longer if they have room, or else all but a few; says whether.
+    fn lengthen(&self, polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) -> bool {
+        // what crosses the scale, as its own axis, and crumbs that are not drawn
+        let is_other = |(number, line): &(usize, &Polyline<Vertex>)| {
+            !self.own.contains(number) && line.length() >= params.min_length
+        };
+        let others = polylines.iter().enumerate().filter(is_other).map(|(_, line)| line);
+        let others = nearby(others, area, params);
+        let is_open = self.ticks.iter().all(|tick| !polylines[tick.base].closed);
+        for (may_lack, side) in
+            [false, true].into_iter().flat_map(|may| self.sides.iter().map(move |side| (may, *side)))
+        {
+            let longer = self.longer(side, polylines, params);
+            let is_free: Vec<bool> = longer.iter().map(|line| is_free(line, &others, area, params)).collect();
+            let free =
+                || longer.iter().zip(&self.ticks).zip(&is_free).filter(|(_, is_free)| **is_free).map(|(of, _)| of);
+            let lines: Vec<&Polyline<Vertex>> = free().map(|(line, _)| line).collect();
+            if self.are_enough(&is_free, is_open, may_lack) && are_apart(&lines, area, params) {
+                free().for_each(|(line, tick)| polylines[tick.number] = line.clone());
+                return true;
+            }
         }
+        false
+    }
+
+    /// Whether enough of the ticks are free: all but those that are spared, and where some may lack room all but the
+    /// first and the last on an open line, where an arrowhead or another axis may be in the way, or but a few.
+    fn are_enough(&self, is_free: &[bool], is_open: bool, may_lack: bool) -> bool {
+        let count = is_free.len();
+        let lacking: Vec<usize> = (0..count).filter(|&i| !is_free[i] && !self.spared[i]).collect();
+        let free = is_free.iter().filter(|is_free| **is_free).count();
+        let is_end = |i: &usize| is_open && (*i == 0 || *i + 1 == count);
+        let are_few = lacking.iter().all(is_end) || lacking.len() as f32 <= MOST_BLOCKED * count as f32;
+        lacking.is_empty() || (may_lack && are_few && free >= SCALE)
     }
 }
 
-/// The ticks of an axis in the order in which they stand on it; those of a ring, which have no ends, as they come.
-fn in_order<'t>(scale: &[&'t Tick], polylines: &[Polyline<Vertex>]) -> Vec<&'t Tick> {
-    let mut scale = scale.to_vec();
+/// The ticks of an axis in the order in which they stand on it, each as it is handed on.
+fn in_order<'t>(scale: &[&'t Tick], polylines: &[Polyline<Vertex>]) -> Vec<(&'t Tick, TickMark)> {
     let way = |line: &Polyline<Vertex>| Some(line.vertices.last()?.at - line.vertices.first()?.at);
-    let axis = scale.first().and_then(|tick| way(&polylines[tick.base]));
-    if let Some(axis) = axis {
-        let along = |tick: &Tick| polylines[tick.number].vertices.first().map_or(0.0, |v| v.at.to_vector().dot(axis));
-        scale.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    // an axis in pieces is straight
+    let axis = scale.first().map(|tick| &polylines[tick.base]).filter(|base| is_straight(base)).and_then(way);
+    let place = |tick: &'t Tick| {
+        let (arc, mark) = mark(tick, polylines)?;
+        Some((axis.map_or(arc, |axis| mark.at.to_vector().dot(axis)), tick, mark))
+    };
+    let mut places: Vec<(f32, &'t Tick, TickMark)> = scale.iter().copied().filter_map(place).collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // on a ring, as the tube of a thermometer, they begin after the widest gap
+    if scale.first().is_some_and(|tick| polylines[tick.base].closed) {
+        let count = places.len();
+        let gap = |i: usize| (places[i].2.at - places[(i + count - 1) % count].2.at).square_length();
+        let first = (0..count).max_by(|&a, &b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
+        places.rotate_left(first);
     }
-    scale
+    places.into_iter().map(|(_, tick, mark)| (tick, mark)).collect()
 }
 
 /// Takes the ticks of scales out of the contours of a drawing, to be drawn where its lines become dots: those of each
@@ -130,11 +244,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
         marks.sort_by(|a, b| a.0.total_cmp(&b.0));
         scales.push(whole(marks));
     }
-    let mut number = 0;
-    polylines.retain(|_| {
-        number += 1;
-        !taken[number - 1]
-    });
+    without(polylines, &taken);
     scales
 }
 
@@ -245,10 +355,18 @@ fn is_straight(line: &Polyline<Vertex>) -> bool {
 }
 
 impl Tick {
-    /// Its line, longer by so much, mm, at its free ends, and standing on the line that it belongs to.
-    fn longer(&self, line: &Polyline<Vertex>, more: f32) -> Polyline<Vertex> {
-        let each = more / self.stands.iter().filter(|gap| gap.is_none()).count().max(1) as f32;
-        longer(line, self.stands.map(|gap| gap.unwrap_or(each)))
+    /// Its line, longer by so much, mm, and standing on the line that it belongs to: at its free ends, or where both
+    /// are free at that on one side of its line, if one is given.
+    fn longer(&self, line: &Polyline<Vertex>, more: f32, side: Option<MmVector>) -> Polyline<Vertex> {
+        let (Some(first), Some(last)) = (line.vertices.first(), line.vertices.last()) else { return line.clone() };
+        let way = last.at - first.at;
+        let by = match (self.stands, side) {
+            ([None, None], Some(side)) if way.dot(side) > 0.0 => [0.0, more],
+            ([None, None], Some(_)) => [more, 0.0],
+            ([None, None], None) => [0.5 * more; 2],
+            (stands, _) => stands.map(|gap| gap.unwrap_or(more)),
+        };
+        longer(line, by)
     }
 }
 
@@ -263,38 +381,27 @@ fn longer(line: &Polyline<Vertex>, by: [f32; 2]) -> Polyline<Vertex> {
     line
 }
 
-/// Whether longer ticks are apart from one another and from all lines but their own.
-fn have_room(
-    longer: &[Polyline<Vertex>],
-    scale: &[&Tick],
-    polylines: &[Polyline<Vertex>],
-    area: MmRect,
-    params: &Params,
-) -> bool {
+/// Whether a line is apart from all these others.
+fn is_free(line: &Polyline<Vertex>, others: &Nearby, area: MmRect, params: &Params) -> bool {
     let clearance = params.max_clearance();
-    let ticks = nearby(longer.iter(), area, params);
-    let is_apart = |(number, line): (usize, &Polyline<Vertex>)| {
-        line.vertices.iter().all(|vertex| {
-            ticks.nearest(vertex.at, clearance, |segment| segment.line as usize != number).is_none()
-                && area.contains(vertex.at)
-        })
-    };
-    if !longer.iter().enumerate().all(is_apart) {
-        return false;
-    }
-    let is_own = |line: usize| scale.iter().any(|tick| tick.number == line || tick.base == line);
-    // what crosses the scale, as its own axis, and crumbs that are not drawn
-    let others =
-        polylines.iter().enumerate().filter(|(line, other)| !is_own(*line) && other.length() >= params.min_length);
-    let others: Vec<&Polyline<Vertex>> = others.map(|(_, other)| other).collect();
-    let others = nearby(others.into_iter(), area, params);
-    longer.iter().flat_map(|line| &line.vertices).all(|vertex| {
-        let mut free = true;
+    line.vertices.iter().all(|vertex| {
+        let mut free = area.contains(vertex.at);
         others.around_point(vertex.at, clearance, |segment| {
             free &= nearest_on_segment(vertex.at, segment.a, segment.b).0 >= clearance;
         });
         free
     })
+}
+
+/// Whether lines are apart from one another.
+fn are_apart(lines: &[&Polyline<Vertex>], area: MmRect, params: &Params) -> bool {
+    let (clearance, all) = (params.max_clearance(), nearby(lines.iter().copied(), area, params));
+    let is_apart = |(number, line): (usize, &&Polyline<Vertex>)| {
+        let is_near =
+            |vertex: &Vertex| all.nearest(vertex.at, clearance, |other| other.line as usize != number).is_some();
+        !line.vertices.iter().any(is_near)
+    };
+    lines.iter().enumerate().all(is_apart)
 }
 
 #[cfg(test)]

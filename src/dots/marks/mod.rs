@@ -17,7 +17,6 @@ mod alone;
 mod head;
 mod interrupt;
 mod lattice;
-mod scale;
 
 #[cfg(test)]
 mod tests;
@@ -26,7 +25,7 @@ use self::lattice::{DotDisc, MarkField, Owner};
 use super::grid_dot::GridPoint;
 use super::params::{LEAST_DOTS, LEAST_STEP, Params};
 use crate::geom::right_of;
-use crate::lines::{Line, LineMarks, PointMark, TickMark, whole_series};
+use crate::lines::{Line, LineMarks, MOST_BLOCKED, PointMark, TickMark, tick_selections, whole_series};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 pub(super) use self::lattice::Lattice;
@@ -49,8 +48,6 @@ const ALONG: f32 = 0.87;
 const ASIDE: f32 = 0.75;
 /// A side of a tick that is so much longer than the shortest of its scale is longer on the page.
 const LONGER: f32 = 1.3;
-/// Of a scale at most this share may lack room beside other lines: otherwise none of it is drawn.
-const BLOCKED: f32 = 0.25;
 
 /// A row of dots: a line, or a part of one.
 #[derive(Debug, Clone)]
@@ -355,11 +352,12 @@ impl Places<'_> {
         let are_both = scale.iter().any(|tick| tick.ends.iter().all(Option::is_some));
         let sides: &[[bool; 2]] = if are_both { &[[true; 2], [true, false], [false, true]] } else { &[[true; 2]] };
         let shortest = scale.iter().flat_map(TickMark::sides).flatten().fold(f32::INFINITY, f32::min);
-        for (every, members) in scale::selections(scale) {
+        for (every, members) in tick_selections(scale) {
             for sides in sides {
                 let ticks: Vec<Tick> =
                     members.iter().filter_map(|&member| self.tick(member, &scale[member], shortest, *sides)).collect();
-                if ticks.is_empty() || ticks.len() as f32 + BLOCKED * (members.len() as f32) < members.len() as f32 {
+                let count = members.len() as f32;
+                if ticks.is_empty() || ticks.len() as f32 + MOST_BLOCKED * count < count {
                     continue;
                 }
                 if self.are_apart(&ticks) {

@@ -2,7 +2,7 @@
 //! ends there is felt as torn, so they are drawn longer where there is room, like ticks: those that belong together by
 //! the same length, so that a longer plate stays longer.
 
-use super::{ACROSS, STEEP, Tick, is_straight, lengthen_together, ticks};
+use super::{ACROSS, STEEP, Tick, TickGroup, in_order, is_straight, ticks};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
@@ -38,7 +38,10 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
         let group: Vec<usize> = (0..bars.len()).filter(|&other| belongs(&bars[other])).collect();
         group.iter().for_each(|&other| done[other] = true);
         let group: Vec<&Tick> = group.into_iter().map(|other| &bars[other]).collect();
-        lengthen_together(&group, polylines, area, params);
+        let ticks: Vec<&Tick> = in_order(&group, polylines).into_iter().map(|(bar, _)| bar).collect();
+        let own: Vec<usize> = ticks.iter().flat_map(|bar| [bar.number, bar.base]).collect();
+        let group = TickGroup { spared: vec![false; ticks.len()], ticks, own: &own, sides: &[None] };
+        group.lengthen(polylines, area, params);
     }
 }
 

@@ -16,6 +16,11 @@ pub(super) fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
 /// The lengths of ticks on an axis along y = 50, after they were made longer; `ticks` has their upper and lower
 /// ends.
 fn lengths(step: f32, ticks: &[(f32, f32)], more: Option<Polyline<Vertex>>) -> Vec<f32> {
+    lengths_with(&[], step, ticks, more)
+}
+
+/// The same with points there.
+fn lengths_with(points: &[MmPoint], step: f32, ticks: &[(f32, f32)], more: Option<Polyline<Vertex>>) -> Vec<f32> {
     let tick = |(k, &(from, to)): (usize, &(f32, f32))| {
         let x = 20.0 + step * k as f32;
         line((x, from), (x, to))
@@ -24,7 +29,7 @@ fn lengths(step: f32, ticks: &[(f32, f32)], more: Option<Polyline<Vertex>>) -> V
     lines.push(line((10.0, 50.0), (90.0, 50.0)));
     lines.extend(more);
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-    lengthen(&mut lines, area, &PARAMS);
+    lengthen(&mut lines, points, area, &PARAMS);
     lines[..ticks.len()].iter().map(|line| (10.0 * line.length()).round() / 10.0).collect()
 }
 
@@ -47,6 +52,76 @@ fn all_of_a_scale_or_none() {
     let head = line((62.0, 53.0), (70.0, 57.0));
     assert_eq!(lengths(10.0, &[(47.0, 53.0); 5], Some(head)), [8.2, 8.2, 8.2, 8.2, 6.0], "the last one is");
     assert_eq!(lengths(10.0, &[(60.0, 66.0); 3], None), [6.0; 3], "on no line");
+}
+
+#[test]
+fn a_scale_is_drawn_without_the_few_ticks_that_have_no_room_and_those_at_points() {
+    let beside = |from: f32, to: f32, y: f32| Some(line((from, y), (to, y)));
+    let ticks = [(47.0, 53.0); 7];
+    let one_lacks = lengths(10.0, &ticks, beside(45.0, 55.0, 43.0));
+    assert_eq!(one_lacks, [8.2, 8.2, 8.2, 6.0, 8.2, 8.2, 8.2], "one of seven");
+    assert_eq!(lengths(10.0, &ticks, beside(35.0, 55.0, 43.0)), [6.0; 7], "two of seven are too many");
+    let at_points = [MmPoint::new(40.0, 50.0), MmPoint::new(50.0, 50.5)];
+    let spared = lengths_with(&at_points, 10.0, &ticks, beside(35.0, 55.0, 43.0));
+    assert_eq!(spared, [8.2, 8.2, 6.0, 6.0, 8.2, 8.2, 8.2], "points say where these are");
+}
+
+#[test]
+fn ticks_grow_to_one_side_of_their_line_where_the_other_has_no_room() {
+    let ticks: Vec<(f32, f32, f32)> = [20.0, 30.0, 40.0].map(|x| (x, 47.0, 53.0)).to_vec();
+    let ends = |beside: f32| -> Vec<f32> {
+        let mut lines: Vec<_> = ticks.iter().map(|&(x, from, to)| line((x, from), (x, to))).collect();
+        lines.extend([line((10.0, 50.0), (90.0, 50.0)), line((10.0, beside), (90.0, beside))]);
+        lengthen(&mut lines, &[], MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), &PARAMS);
+        let ends = |line: &Polyline<Vertex>| line.vertices.iter().map(|v| v.at.y).fold(f32::INFINITY, f32::min);
+        lines[..3].iter().map(|line| (10.0 * ends(line)).round() / 10.0).collect()
+    };
+    assert_eq!(ends(70.0), [45.9; 3], "to both");
+    assert_eq!(ends(58.2), [44.8; 3], "to the upper one");
+    assert_eq!(ends(41.8), [47.0; 3], "to the lower one");
+}
+
+/// Where the ticks of an axis along y = 50 are that are drawn, and of those left out every how many-th is drawn and
+/// how many they are.
+fn drawn(step: f32, ticks: &[(f32, f32)]) -> (Vec<i32>, Option<(usize, usize, usize)>) {
+    let tick = |(k, &(from, to)): (usize, &(f32, f32))| {
+        let x = 20.0 + step * k as f32;
+        line((x, from), (x, to))
+    };
+    let mut lines: Vec<_> = ticks.iter().enumerate().map(tick).collect();
+    lines.push(line((10.0, 50.0), (90.0, 50.0)));
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let thinned = lengthen(&mut lines, &[], area, &PARAMS);
+    let ticks = lines.iter().filter(|line| line.length() < 20.0);
+    let at = ticks.map(|line| line.vertices[0].at.x.round() as i32).collect();
+    (at, thinned.first().map(|scale| (scale.lost.every, scale.lost.lost, scale.left_out.len())))
+}
+
+#[test]
+fn of_ticks_that_are_too_near_to_one_another_every_so_many_th_is_drawn() {
+    let alike = [(47.0, 53.0); 9];
+    assert_eq!(drawn(10.0, &alike[..6]), (vec![20, 30, 40, 50, 60, 70], None), "all have room");
+    assert_eq!(drawn(4.0, &alike), (vec![20, 28, 36, 44, 52], Some((2, 4, 4))));
+    let rule: Vec<(f32, f32)> = (0..21).map(|k| if k % 5 == 0 { (46.0, 54.0) } else { (47.0, 53.0) }).collect();
+    assert_eq!(drawn(2.4, &rule), (vec![20, 32, 44, 56, 68], Some((5, 16, 16))), "the long ones");
+}
+
+#[test]
+fn ticks_beside_a_tube_are_in_order_wherever_its_outline_begins() {
+    let mut tube = line((50.0, 50.0), (50.0, 90.0));
+    for to in [(40.0, 90.0), (40.0, 10.0), (50.0, 10.0), (50.0, 50.0)] {
+        let from = tube.vertices[tube.vertices.len() - 1].at;
+        tube.vertices.extend(line((from.x, from.y), to).vertices.into_iter().skip(1));
+    }
+    tube.vertices.pop();
+    tube.closed = true;
+    let mut lines: Vec<_> = (0..15).map(|k| 20.0 + 4.0 * k as f32).map(|y| line((50.0, y), (54.0, y))).collect();
+    lines.push(tube);
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let thinned = lengthen(&mut lines, &[], area, &PARAMS);
+    let left: Vec<(usize, usize)> = thinned.iter().map(|scale| (scale.lost.every, scale.lost.lost)).collect();
+    assert_eq!((left, lines.len()), (vec![(2, 7)], 9));
+    assert!(lines[..8].iter().all(|tick| (tick.length() - 8.2).abs() < 0.01));
 }
 
 #[test]

@@ -18,7 +18,7 @@ fn ticks_of_an_axis_in_pieces_are_one_scale() {
         lines.extend([line((x, 47.0), (x, 49.3)), line((x, 53.0), (x, 50.7))]);
     }
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-    lengthen(&mut lines, area, &PARAMS);
+    lengthen(&mut lines, &[], area, &PARAMS);
     let ticks: Vec<f32> = lines[3..].iter().map(|line| (10.0 * line.length()).round() / 10.0).collect();
     assert_eq!(ticks, [8.2; 4], "two of them of halves");
     let pieces = first_pieces(0..3, &lines, area);

@@ -1,6 +1,9 @@
 //! Which ticks of a scale are drawn where there is no room for all: those that are longer, or every so many-th.
 
-use super::TickMark;
+use crate::lines::marks::TickMark;
+
+/// Of a scale at most this share may lack room beside other lines: otherwise none of it is drawn.
+pub(crate) const MOST_BLOCKED: f32 = 0.25;
 
 /// Ticks are even if no two are this much farther apart than the nearest two.
 const EVEN: f32 = 1.3;
@@ -12,13 +15,15 @@ const LONG: f32 = 1.3;
 const LEAST: usize = 3;
 
 /// All ticks of a scale, then fewer, in the order in which they are tried: each with the step from one to the next.
-pub(super) fn selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
+/// Where a scale goes round, as that of a clock, every so many-th is every so many-th from the last to the first too.
+pub(crate) fn tick_selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
     let mut all = vec![(1, (0..scale.len()).collect())];
     let apart = scale.windows(2).map(|pair| (pair[1].at - pair[0].at).length());
     let (least, most) = apart.fold((f32::INFINITY, 0.0_f32), |(least, most), at| (least.min(at), most.max(at)));
     if most > EVEN * least {
         return all;
     }
+    let goes_round = scale.first().zip(scale.last()).is_some_and(|(a, b)| (b.at - a.at).length() <= EVEN * least);
     let shortest = scale.iter().map(TickMark::length).fold(f32::INFINITY, f32::min);
     let long: Vec<usize> = (0..scale.len()).filter(|&i| scale[i].length() >= LONG * shortest).collect();
     let first = long.first().copied().unwrap_or(0);
@@ -28,7 +33,8 @@ pub(super) fn selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
         .min()
         .filter(|&every| long.windows(2).all(|pair| pair[1] - pair[0] == every));
     for every in of_long.into_iter().filter(|every| *every > 1).chain(EVERY) {
-        if !all.iter().any(|(other, _)| *other == every) {
+        let is_even = !goes_round || scale.len().is_multiple_of(every);
+        if is_even && !all.iter().any(|(other, _)| *other == every) {
             all.push((every, (first % every..scale.len()).step_by(every).collect()));
         }
     }
