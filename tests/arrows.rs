@@ -102,6 +102,18 @@ fn a_page_that_is_laid_out_anew_keeps_its_arrows() {
 }
 
 #[test]
+fn a_short_arrow_from_box_to_box_has_its_head_at_the_side_of_the_second() {
+    let boxes = "<rect x='150' y='200' width='250' height='200'/><rect x='465' y='200' width='250' height='200'/>";
+    let drawing = page_of(&format!("{boxes}<path d='M400 300H463'/>{}", open([463.0, 300.0], [1.0, 0.0])), "swell-a4");
+    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    assert!(!told.iter().any(|note| note.contains("arrowhead")), "{told:?}");
+    let page = drawing.page.to_svg();
+    assert_eq!(ways(&page), ["to the right"]);
+    let checked = tactograph::check(&page, &tactograph::PageOptions::new()).expect("a page");
+    assert_eq!(checked.errors(), 0, "{checked}");
+}
+
+#[test]
 fn a_head_without_room_is_told_with_its_place() {
     let beside = "<path d='M100 280H800M100 320H800M150 300H750'/>".to_owned();
     let drawing = page_of(&(beside + &open([750.0, 300.0], [1.0, 0.0])), "swell-a4");

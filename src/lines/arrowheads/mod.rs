@@ -3,9 +3,9 @@
 //!
 //! ```text
 //!            \                  drawn in a size that fingers find, as two strokes as broad as the shaft,
-//!   -----------\                which end in its tip; the tip keeps the least blank from what it points at
+//!   -----------\                which end in its tip; the tip keeps the least blank from what it points at,
 //!              /
-//!            /
+//!            /            or touches it where the shaft is too short for that
 //! ```
 
 mod find;

@@ -27,6 +27,14 @@ const STEP: f32 = 0.5;
 /// at most this, mm, if there is nothing before it.
 const FARTHER: f32 = 10.0;
 
+/// The tip of a head that touches what it points at lies so far beyond the middle of that, mm: the two cross, however
+/// both are rounded.
+const BEYOND: f32 = 0.1;
+/// Its strokes meet that at 36 degrees at least, as lines do that meet at one place: the cosine.
+const FLATTEST: f32 = 0.81;
+/// What it points at lies before its tip but for this share of its length: a side that is not square to the shaft.
+const BEHIND: f32 = 0.5;
+
 /// Heads that are drawn.
 #[derive(Debug, Default)]
 pub(in crate::lines) struct DrawnHeads {
@@ -140,24 +148,44 @@ impl HeadPlaces<'_> {
         let head = |(cut, shaft): &(f32, Polyline<Vertex>), length: f32| {
             let at = end(shaft, which)?;
             let strokes = strokes(at, heading(shaft, which, HEADING)?, length);
-            self.has_room(strokes, which).then(|| (self.polyline(strokes, which), *cut))
+            self.has_room(strokes, which, None).then(|| (self.polyline(strokes, which), *cut))
         };
         let on_shaft = LENGTHS.iter().find_map(|length| shafts.iter().find_map(|shaft| head(shaft, *length)));
         on_shaft.or_else(|| {
-            // an overview has no room for more, and what the arrow points at is in the way
-            let is_short =
-                self.params.in_overview_of_drawing() || end(line, which).is_some_and(|at| self.is_on_other(at));
-            let most = if is_short { 0 } else { (FARTHER / STEP) as u32 };
-            let longer = (1..=most).map(|step| step as f32 * STEP).map(|by| (-by, longer(line, which, by)));
+            // an overview has no room for more
+            if self.params.in_overview_of_drawing() {
+                return None;
+            }
+            let at_end = end(line, which)?;
+            if let Some((at, pointed_at)) = self.on_other(at_end) {
+                return self.touching(which, at, &pointed_at);
+            }
+            let steps = (1..=(FARTHER / STEP) as u32).map(|step| step as f32 * STEP);
+            let longer = steps.map(|by| (-by, longer(line, which, by)));
             let free: Vec<(f32, Polyline<Vertex>)> =
                 longer.take_while(|(_, shaft)| self.is_clear(shaft, which)).collect();
             LENGTHS.iter().rev().find_map(|length| free.iter().find_map(|shaft| head(shaft, *length)))
         })
     }
 
-    /// Whether another line runs through a place.
-    fn is_on_other(&self, at: MmPoint) -> bool {
-        self.segments.nearest(at, TOUCH, |segment| segment.line as usize != self.line).is_some()
+    /// The largest head at the end of a short shaft that leads up to another line there, between two boxes: before that
+    /// line there is no room for it, so its tip touches it. Without a head such a shaft says nothing.
+    fn touching(&self, which: Tip, at: MmPoint, pointed_at: &Segment) -> Option<(Polyline<Vertex>, f32)> {
+        let toward = heading(self.lines[self.line], which, HEADING)?;
+        let side = (pointed_at.b - pointed_at.a).try_normalize()?;
+        LENGTHS.iter().find_map(|length| {
+            let strokes = strokes(at + toward * BEYOND, toward, *length);
+            let [left, apex, right] = strokes;
+            let is_steep = [left, right].iter().all(|wing| (*wing - apex).dot(side).abs() <= FLATTEST * length);
+            let has_room = is_steep && self.has_room(strokes, which, Some(pointed_at.line));
+            has_room.then(|| (self.polyline(strokes, which), 0.0))
+        })
+    }
+
+    /// The place on another line that runs through this one, and its segment.
+    fn on_other(&self, at: MmPoint) -> Option<(MmPoint, Segment)> {
+        let nearest = self.segments.nearest(at, TOUCH, |segment| segment.line as usize != self.line)?;
+        Some((nearest.1, nearest.2))
     }
 
     /// Whether the end of a longer shaft is clear of all other lines.
@@ -176,8 +204,9 @@ impl HeadPlaces<'_> {
         })
     }
 
-    /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own.
-    fn has_room(&self, [left, apex, right]: [MmPoint; 3], which: Tip) -> bool {
+    /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own; of a line that it
+    /// points at and touches only beside its shaft.
+    fn has_room(&self, [left, apex, right]: [MmPoint; 3], which: Tip, pointed_at: Option<u32>) -> bool {
         let (clearance, length) = (self.params.max_clearance(), self.lines[self.line].length());
         let own_end = self.params.approach(0.5 * self.params.width_max, 0.5 * self.params.width_max);
         let arcs = self.lines[self.line].arc_lengths();
@@ -185,12 +214,17 @@ impl HeadPlaces<'_> {
             let arc = arcs.get(index as usize).copied().unwrap_or(0.0);
             if which == Tip::First { arc <= own_end } else { arc >= length - own_end }
         };
+        let ahead = apex - left.lerp(right, 0.5);
+        let is_before = |at: MmPoint| (at - apex).dot(ahead) >= -BEHIND * ahead.square_length();
+        let is_touched =
+            |segment: &Segment| pointed_at == Some(segment.line) && is_before(segment.a) && is_before(segment.b);
         [(left, apex), (apex, right)].into_iter().all(|stroke| {
             let mut is_free = self.area.contains(stroke.0) && self.area.contains(stroke.1);
             let reach = clearance + 0.5 * (stroke.1 - stroke.0).length();
             self.segments.around_point(stroke.0.lerp(stroke.1, 0.5), reach, |segment| {
                 let is_own = segment.line as usize == self.line && is_own_end(segment.index);
-                is_free &= is_own || segment_distance(stroke, (segment.a, segment.b)) >= clearance;
+                is_free &=
+                    is_own || is_touched(segment) || segment_distance(stroke, (segment.a, segment.b)) >= clearance;
             });
             let is_beside = |(at, radius): &(MmPoint, f32)| {
                 nearest_on_segment(*at, stroke.0, stroke.1).0 >= self.params.beside_disc(*radius)

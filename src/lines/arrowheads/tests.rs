@@ -164,6 +164,24 @@ fn a_head_without_room_is_smaller_or_left_out() {
 }
 
 #[test]
+fn a_head_on_a_short_shaft_between_two_lines_touches_what_it_points_at() {
+    let short = |before: f32, wall: [(f32, f32); 2]| {
+        let shaft = contour(&[(before, 50.0), (56.0, 50.0)], false);
+        let head = contour(&[(56.0, 49.0), (58.0, 50.0), (56.0, 51.0)], true);
+        let start = contour(&[(before, 10.0), (before, 90.0)], false);
+        drawn(vec![shaft, head, contour(&wall, false), start])
+    };
+    let upright = [(58.0, 10.0), (58.0, 90.0)];
+    let (lines, is_drawn) = short(46.0, upright);
+    let found = arrows(&lines);
+    let [arrow] = found[..] else { panic!("{found:?}") };
+    assert!(is_drawn == [true] && arrow.line == 0 && (58.0..58.2).contains(&arrow.at.x), "{arrow:?}");
+    assert!(arrow.toward.x > 0.99 && arrow.wings.iter().all(|wing| wing.x < 54.0), "{arrow:?}");
+    assert_eq!(short(50.0, upright).1, [false], "its strokes would be too near to where it comes from");
+    assert_eq!(short(46.0, [(18.0, 10.0), (98.0, 90.0)]).1, [false], "one stroke would lie along it");
+}
+
+#[test]
 fn a_triangle_has_three_corners() {
     let points = |corners: &[(f32, f32)]| -> Vec<MmPoint> {
         let at = |i: usize| MmPoint::from(corners[i % corners.len()]);
