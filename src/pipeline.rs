@@ -102,6 +102,9 @@ pub struct Drawing {
     pub texts: Vec<Text>,
     /// Remarks, first what makes the page wrong or lacks on it.
     pub notes: Vec<Note>,
+    /// Whether the figure would be larger on the same sheet without the overview, which is what helps most where
+    /// something has no room in it.
+    pub is_larger_without_overview: bool,
 }
 
 impl Drawing {
@@ -218,7 +221,8 @@ pub fn redraw(
     if let Some(Key { sheets, notes, .. }) = read_key::redrawn(page, &written, &layout, request)? {
         let mut sheets = sheets.into_iter();
         if let Some(page) = sheets.next() {
-            return Ok(Drawing { page, overview: None, key: sheets.collect(), texts: Vec::new(), notes });
+            let (key, texts) = (sheets.collect(), Vec::new());
+            return Ok(Drawing { page, overview: None, key, texts, notes, is_larger_without_overview: false });
         }
     }
     let layout_of = |size: Size| written.layout(size, OverviewSize::Own, request);
@@ -281,7 +285,8 @@ fn compose(
         Medium::Dots(medium) => notes.extend(medium.device.cell_dots().map(|_| Note::UnevenDots)),
     }
     Note::sort(&mut notes);
-    Ok(Drawing { page, overview, key, texts, notes })
+    let is_larger_without_overview = page.overview.is_some() && request.fit.is_larger_without_overview(&layout, plan);
+    Ok(Drawing { page, overview, key, texts, notes, is_larger_without_overview })
 }
 
 /// Puts all marks on the sheet.

@@ -168,14 +168,17 @@ impl PagesOfPicture {
         session: Option<&Session>,
     ) -> Result<Self, Error> {
         let is_spread = args.fitting.is_for_several_sheets(options.profile());
+        let mut making = Making::of_picture(options.profile(), is_spread);
         let drawn = if is_spread {
             let drawn = convert_to_sheets(bytes, args.fitting.sheets, options);
             drawn.map(|mut drawn| (std::mem::take(&mut drawn.notes), drawn.into_pages()))
         } else {
-            convert(bytes, options).map(notes_and_pages)
+            convert(bytes, options).map(|drawing| {
+                making = making.beside_overview(drawing.is_larger_without_overview);
+                notes_and_pages(drawing)
+            })
         };
         let mut title = options.document_title().to_owned();
-        let mut making = Making::of_picture(options.profile(), is_spread);
         let (notes, pages) = match drawn {
             // a page that is saved into a watched directory was changed by somebody
             Err(Error::IsAPage) if session.is_some() => {

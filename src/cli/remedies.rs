@@ -1,12 +1,12 @@
 //! What the library says, with the options of this program that help: it does not know them.
 
-use tactograph::{Error, Note, Profile, Reason};
+use tactograph::{About, Error, Note, Profile, Reason};
 
 /// What there is that makes the figure of a picture larger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Larger {
-    /// Whether an overview takes room beside it.
-    has_overview: bool,
+    /// Whether it is larger without the overview, which is on the same sheet.
+    without_overview: bool,
     /// Whether it is on one sheet.
     is_on_one_sheet: bool,
     /// The profile of the next larger paper.
@@ -20,12 +20,12 @@ const LARGER: [(&str, &str); 3] =
 impl Larger {
     fn than(profile: &Profile, is_spread: bool) -> Self {
         let next = LARGER.into_iter().find(|(name, _)| profile.name == *name);
-        Self { has_overview: profile.overview.on, is_on_one_sheet: !is_spread, profile: next.map(|(_, larger)| larger) }
+        Self { without_overview: false, is_on_one_sheet: !is_spread, profile: next.map(|(_, larger)| larger) }
     }
 
-    /// The options for it, in parentheses; none where there are none.
+    /// The options for it, in parentheses, first what helps most; none where there are none.
     fn options(self) -> Option<String> {
-        let overview = self.has_overview.then(|| "--no-overview".to_owned());
+        let overview = self.without_overview.then(|| "--no-overview".to_owned());
         let sheets = self.is_on_one_sheet.then(|| SHEETS.to_owned());
         let profile = self.profile.map(|name| format!("--profile {name}"));
         let all: Vec<String> = [overview, sheets, profile].into_iter().flatten().collect();
@@ -58,8 +58,16 @@ impl Making {
         match profile.dots.device {
             None => Self::Print(larger),
             Some(device) if device.field().is_some() => Self::Pins,
-            // its overview has a sheet of its own
-            Some(_) => Self::Embossing(Larger { has_overview: false, ..larger }),
+            Some(_) => Self::Embossing(larger),
+        }
+    }
+
+    /// The same where the figure would be larger without the overview, or would not.
+    pub(super) fn beside_overview(self, is_larger_without: bool) -> Self {
+        match self {
+            Self::Print(larger) => Self::Print(Larger { without_overview: is_larger_without, ..larger }),
+            // there it has a sheet of its own
+            other => other,
         }
     }
 
@@ -122,6 +130,12 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             },
             Making::Pins | Making::PageAnew | Making::Other => note.to_string(),
         },
+        Note::NotOnPage(About::Lines, reason, _) if wants_room(*reason) => match making {
+            Making::Print(larger) if larger.without_overview => {
+                format!("{note} {}", larger.options().unwrap_or_default())
+            }
+            _ => note.to_string(),
+        },
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }
@@ -131,6 +145,18 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         }
         _ => note.to_string(),
     }
+}
+
+/// Whether a line is not on a page as there is no room for it, which a larger figure has.
+fn wants_room(reason: Reason) -> bool {
+    matches!(
+        reason,
+        Reason::NoRoomForArrowhead
+            | Reason::NoRoomForTicks
+            | Reason::MarksTooShort
+            | Reason::NoRoomForShape
+            | Reason::NoRoomForLine
+    )
 }
 
 #[cfg(test)]

@@ -30,6 +30,9 @@ pub struct Fit {
 /// program tells have one digit after the point.
 pub(super) const SLACK: f32 = 0.06;
 
+/// A figure is larger if it is by a twentieth: less gives no more room to marks.
+const LARGER: f32 = 1.05;
+
 impl Fit {
     /// Where the drawn part of a picture, of `size` pixels, lies on the sheet.
     ///
@@ -65,6 +68,17 @@ impl Fit {
             }
             _ => Ok(layout),
         }
+    }
+
+    /// Whether the figure of a page laid out like this would be larger without the overview: where that takes height of
+    /// a printed sheet, and nobody asked for a width.
+    pub(super) fn is_larger_without_overview(&self, layout: &Layout, plan: &Plan) -> bool {
+        let params = plan.layout();
+        let is_printed = matches!(params.medium, MediumParams::Print(_)) && layout.overview.is_some();
+        let aspect = layout.figure.width() / layout.figure.height().max(f32::EPSILON);
+        let width = |params: &layout::Params| layout::fit(aspect, f32::MAX, params).figure.width();
+        let without = layout::Params { overview: None, ..params };
+        is_printed && self.width.is_none() && width(&without) > LARGER * width(&params)
     }
 
     /// # Errors

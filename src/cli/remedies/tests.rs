@@ -18,6 +18,17 @@ fn only_options_that_there_are_and_that_help_are_named() {
     }
     assert!(lacks(Making::Pins).ends_with("(--no-overview)"), "{}", lacks(Making::Pins));
     assert!(lacks(Making::PageAnew).ends_with("(--set overview.on=false)"), "render has no other option for it");
+    let heads = Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, "1 arrowhead: make the figure larger".into());
+    let told = of_note(&heads, print.beside_overview(true));
+    assert!(told.ends_with("make the figure larger (--no-overview, --sheets 2x2, --profile swell-a3)"), "what helps most first: {told}");
+    assert_eq!(of_note(&heads, print.beside_overview(false)), heads.to_string(), "there is none to do without");
+    assert_eq!(embossing.beside_overview(true), embossing, "it has a sheet of its own");
+    let labels = |is_larger| {
+        let (texts, why) = (vec!["Rhine".to_owned()], "there is no room");
+        let note = Note::LabelsLeftOut { texts, why, reason: Reason::NoRoomForLabel };
+        of_note(&note, print.beside_overview(is_larger))
+    };
+    assert_eq!([true, false].map(|is_larger| labels(is_larger).contains("--no-overview")), [true, false]);
     let left_out = Note::LinesLeftOut { millimetres: 90, percent: 9, place: None, is_larger_turned: true };
     assert!(of_note(&left_out, Making::PageAnew).ends_with("(--set page.orientation=landscape)"));
     assert_eq!(of_note(&left_out, Making::Other), left_out.to_string());
@@ -29,21 +40,18 @@ fn only_options_that_there_are_and_that_help_are_named() {
 /// there is not.
 #[test]
 fn only_what_makes_this_figure_larger_is_named() {
-    let told = |name: &str, settings: &[(&str, &str)], is_spread: bool| {
-        let mut profile = Profile::named(name).expect("it is built in");
-        settings.iter().for_each(|(key, value)| profile.set(key, value).expect("a key"));
+    let told = |name: &str, is_larger_without: bool, is_spread: bool| {
+        let profile = Profile::named(name).expect("it is built in");
         let note =
             Note::LabelsLeftOut { texts: vec!["rain".to_owned()], reason: Reason::NoRoomForLabel, why: "no room" };
-        let told = of_note(&note, Making::of_picture(&profile, is_spread));
+        let told = of_note(&note, Making::of_picture(&profile, is_spread).beside_overview(is_larger_without));
         told.strip_prefix(&note.to_string()).expect("the note first").to_owned()
     };
     let more = |options: &str| format!("; a larger figure has more ({options})");
-    let no_overview = [("overview.on", "false")];
-    assert_eq!(told("swell-a4", &[], false), more("--no-overview, --sheets 2x2, --profile swell-a3"));
-    assert_eq!(told("swell-letter", &no_overview, false), more("--sheets 2x2, --profile swell-11x17"));
-    assert_eq!(told("swell-a3", &[], true), more("--no-overview"));
-    assert_eq!(told("swell-a3", &no_overview, true), "");
-    assert_eq!(told("index-basic-d", &[], false), more("--sheets 2x2"));
-    assert_eq!(told("index-basic-d", &[], true), "");
-    assert_eq!(told("monarch", &[], false), "");
+    assert_eq!(told("swell-a4", true, false), more("--no-overview, --sheets 2x2, --profile swell-a3"));
+    assert_eq!(told("swell-letter", false, false), more("--sheets 2x2, --profile swell-11x17"));
+    assert_eq!(told("swell-a3", false, true), "");
+    assert_eq!(told("index-basic-d", true, false), more("--sheets 2x2"));
+    assert_eq!(told("index-basic-d", true, true), "");
+    assert_eq!(told("monarch", true, false), "");
 }
