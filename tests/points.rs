@@ -372,6 +372,22 @@ fn a_cloud_of_points_is_discs_each_at_its_place_and_those_that_overlap_are_told(
     assert!(told(&page).iter().any(|note| note.contains("1 point (at ")), "{:#?}", told(&page));
 }
 
+/// They were rings, hollow ones beside the discs that an SVG gets.
+#[test]
+fn a_cloud_of_points_in_a_bitmap_is_discs_too() {
+    let places = [(150, 300), (240, 370), (300, 210), (420, 290), (500, 180), (620, 260), (690, 110), (800, 230)];
+    let mut drawn = "<path d='M90 30V460H960' fill='none' stroke='#000' stroke-width='3'/>".to_owned();
+    for (x, y) in places {
+        write!(drawn, "<circle cx='{x}' cy='{y}' r='8' fill='#1f77b4'/>").expect("it is a string");
+    }
+    let page = page_of_bitmap(&drawn);
+    // the middle line of a disc is 4 mm long, that of a ring as large as the points 9 mm
+    let is_disc = |line: &&Line| matches!(&line.runs[..], [run] if run.closed && line.length() < 6.0);
+    assert_eq!(page.page.figure.lines.iter().filter(is_disc).count(), places.len(), "{:#?}", told(&page));
+    let checked = tactograph::check(page.page.to_svg(), &tactograph::PageOptions::new()).expect("a page");
+    assert_eq!(checked.errors(), 0, "{:#?}", checked.findings);
+}
+
 /// As the wheels of a car, which were open below, or not in the overview.
 #[test]
 fn a_wheel_on_the_road_is_closed_in_the_figure_and_in_the_overview() {

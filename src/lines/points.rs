@@ -51,7 +51,10 @@ const MIDDLE: f32 = 0.4;
 const FROM_SIDE: f32 = 1.0;
 /// A disc is drawn at most so many times as large as it is: smaller ones are the dots of a dotted line or of a shade.
 const MAGNIFIED: f32 = 3.0;
-/// A part of a circle keeps to it within this share of its radius.
+/// A disc of a cloud that is found in pixels is at least this large, as a share of the disc that is drawn for it: noise
+/// has many smaller ones that are alike.
+const LEAST_IN_PIXELS: f32 = 0.6;
+/// A circle, or a part of one, keeps to it within this share of its radius.
 const FROM_CIRCLE: f32 = 0.1;
 /// Least part of a circle that is seen of a point which others hide in part, in turns; and least of one arc of it, as a
 /// line that leads over it may divide them: of shorter ones the circle is not known.
@@ -79,6 +82,8 @@ pub(super) struct Point {
     is_disc: bool,
     /// Whether its outline is that of a path of a drawing, and not found in pixels.
     is_exact: bool,
+    /// Whether it is a shape for certain: its outline is that of a path, or in pixels keeps to a circle.
+    is_sure: bool,
     /// Whether it is as round as a circle, for fingers.
     is_circle: bool,
 }
@@ -244,17 +249,21 @@ fn is_like(point: &Point, other: &Point) -> bool {
 
 /// Filled points beside lines that are many and alike, such as those of a scatter plot: they are discs, each at its own
 /// place, and so are those like them that happen to lie on lines, which are no points of these. Gives those beside
-/// lines, with their numbers. Where lines become dots there are none, nor in pixels, where noise has many alike.
+/// lines, with their numbers. In pixels they are circles of some size, as noise has many that are alike, and have no
+/// other outline inside, as a broad ring has. Where lines become dots there are none.
 fn scattered(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
     if params.on_dots() {
         return Vec::new();
     }
+    let is_disc = |number: usize, point: &Point| {
+        let share = if point.is_exact { 1.0 / MAGNIFIED } else { LEAST_IN_PIXELS };
+        let is_there = |(other, of): &(usize, Point)| *other != number && is_drawn_twice(of, slice::from_ref(point));
+        let is_sure = point.is_exact || point.is_sure && !alone.iter().any(is_there);
+        point.is_filled && point.radius >= share * disc_radius(params) && is_sure
+    };
     // the outline of a disc beside its stroke is no other disc
     let mut apart: Vec<Point> = Vec::new();
-    for (_, point) in alone
-        .iter()
-        .filter(|(_, point)| point.is_filled && point.is_exact && point.radius >= disc_radius(params) / MAGNIFIED)
-    {
+    for (_, point) in alone.iter().filter(|(number, point)| is_disc(*number, point)) {
         if !is_drawn_twice(point, &apart) {
             apart.push(*point);
         }
@@ -264,7 +273,8 @@ fn scattered(points: &mut [Point], alone: &[(usize, Point)], params: &Params) ->
         (point.is_disc, point.series) = (true, None);
     }
     let disc = |(number, point): &(usize, Point)| (*number, Point { is_alone: true, is_disc: true, ..*point });
-    alone.iter().filter(|(_, point)| is_of_cloud(point)).map(disc).collect()
+    let is_one = |number: usize, point: &Point| is_of_cloud(point) && (point.is_exact || is_disc(number, point));
+    alone.iter().filter(|(number, point)| is_one(*number, point)).map(disc).collect()
 }
 
 /// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines
@@ -377,16 +387,19 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
     let twice: f32 = ring.segments().map(|(a, b)| (a.at - at).cross(b.at - at)).sum();
     let (area, length) = (0.5 * twice.abs(), ring.length());
     let is_round = roundness(area, length) >= ROUND;
+    let (radius, is_circle) = ((area / std::f32::consts::PI).sqrt(), roundness(area, length) >= CIRCLE);
+    let is_on = |vertex: &Vertex| ((vertex.at - at).length() / radius - 1.0).abs() <= FROM_CIRCLE;
     let point = Point {
         at,
-        radius: (area / std::f32::consts::PI).sqrt(),
+        radius,
         is_filled: is_edge(ring),
         strength: ring.mean_strength(),
         series: None,
         is_alone: false,
         is_disc: false,
         is_exact: is_exact(ring),
-        is_circle: roundness(area, length) >= CIRCLE,
+        is_sure: is_exact(ring) || is_circle && ring.vertices.iter().all(is_on),
+        is_circle,
     };
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
@@ -406,6 +419,7 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<(f32, Point)> {
         is_alone: false,
         is_disc: false,
         is_exact: is_exact(line),
+        is_sure: is_exact(line),
         is_circle: true,
     };
     is_arc.then_some((length, point))

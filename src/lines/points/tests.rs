@@ -237,6 +237,25 @@ fn many_discs_beside_lines_are_discs_at_their_own_places_and_so_are_those_on_a_l
 }
 
 #[test]
+fn discs_in_pixels_are_a_cloud_if_they_are_circles_of_some_size_and_no_rings_with_two_edges() {
+    let middles = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0), (60.0, 70.0)];
+    let taken = |outlines: &dyn Fn((f32, f32)) -> Vec<Vec<(f32, f32)>>| {
+        let outlines = middles.iter().flat_map(|&at| outlines(at));
+        let mut lines: Vec<_> = outlines.map(|points| line(&points, true, 60.0, FoundIn::Pixels)).collect();
+        lines.push(axis(5.0, 95.0));
+        let points = take(&mut lines, &PARAMS);
+        assert!(points.iter().all(|point| point.is_disc), "{points:?}");
+        points.len()
+    };
+    let round = |at: (f32, f32), radius: f32| arc(at, radius, (0.0, 1.0));
+    assert_eq!(taken(&|at| vec![round(at, 1.3)]), 4);
+    assert_eq!(taken(&|at| vec![round(at, 0.7)]), 0, "noise has such");
+    assert_eq!(taken(&|at| vec![round(at, 1.9), round(at, 1.4)]), 0, "the two edges of a broad ring");
+    let oval = |(x, y): (f32, f32)| round((0.0, 0.0), 1.0).into_iter().map(move |(a, b)| (x + 1.5 * a, y + 1.1 * b));
+    assert_eq!(taken(&|at| vec![oval(at).collect()]), 0, "ovals");
+}
+
+#[test]
 fn a_disc_is_moved_a_little_onto_a_line_or_off_it_and_one_too_near_to_another_is_told_with_its_place() {
     let far = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0)];
     let with = |other: &[(f32, f32)]| {
