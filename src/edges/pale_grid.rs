@@ -167,11 +167,12 @@ fn strong(contours: &[Contour], size: Size) -> f32 {
 }
 
 /// The stretches of a side of an open contour that are pale, with a contrast up to `most`, and those that are not. The
-/// shortest go to what is around them until none is too short for a change of contrast. None of a side that is bent is.
+/// shortest go to what is around them until none is too short for a change of contrast. None that is bent is pale; but
+/// what is strong may turn off from a gridline, as where the side of a triangle crosses it.
 fn stretches(contour: &Contour, side: usize, [first, last]: [usize; 2], most: f32) -> Vec<Stretch> {
     let vertices = &contour.vertices[first..=last];
     let is_straight = straight_ends(PolylineRef { vertices, closed: false }).is_some();
-    let is_pale: Vec<bool> = vertices.iter().map(|point| is_straight && point.strength <= most).collect();
+    let is_pale: Vec<bool> = vertices.iter().map(|point| point.strength <= most).collect();
     let runs = runs(is_pale.len(), false, |a, b| is_pale[a] == is_pale[b]);
     let stretch = |from: usize, to: usize, is_pale: bool| Stretch { from, to, is_pale, side, ends_side: to == last };
     let mut all: Vec<Stretch> =
@@ -188,6 +189,10 @@ fn stretches(contour: &Contour, side: usize, [first, last]: [usize; 2], most: f3
     // each ends where the next begins
     for next in 1..all.len() {
         all[next].from = all[next - 1].to;
+    }
+    for of in &mut all {
+        let own = PolylineRef { vertices: &contour.vertices[of.from..=of.to], closed: false };
+        of.is_pale &= is_straight || straight_ends(own).is_some();
     }
     all
 }

@@ -85,6 +85,21 @@ fn gridlines_that_turn_into_one_another_and_the_edge_of_the_paper_are_lines_of_t
     assert!(all.iter().filter(|(_, _, faint)| *faint).all(|(contour, ..)| straight_ends(contour.view()).is_some()));
 }
 
+/// As inside of a triangle on squared paper, where one line of the paper was as broad as the triangle's.
+#[test]
+fn a_gridline_that_turns_off_along_the_side_of_a_shape_is_parted_there() {
+    let grid = |y: f32| level(y, &[(50..550, 13.0)]);
+    let mut turning = level(200.0, &[(50..300, 13.0), (300..330, 140.0)]);
+    turning.vertices.iter_mut().for_each(|point| point.at.y += 0.6 * (point.at.x - 300.0).max(0.0));
+    let all = parted_strokes(vec![grid(100.0), grid(150.0), turning, grid(250.0), side(300.0, 60)]);
+    assert_eq!(all.len(), 6);
+    assert_eq!(faint(&all), [[50.0, 549.0], [50.0, 549.0], [50.0, 299.0], [50.0, 549.0]]);
+    let mut bent = level(200.0, &[(50..550, 13.0)]);
+    bent.vertices.iter_mut().for_each(|point| point.at.y += 0.6 * (point.at.x - 300.0).max(0.0));
+    let all = parted_strokes(vec![grid(100.0), grid(150.0), bent, grid(250.0), side(300.0, 60)]);
+    assert_eq!((all.len(), faint(&all).len()), (5, 3), "a pale line that is bent is none of the grid");
+}
+
 #[test]
 fn a_pale_shape_that_is_no_grid_stays_whole() {
     let square = along_gridlines(&[(100, 100), (300, 100), (300, 250), (100, 250)], true);
