@@ -20,7 +20,10 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert!(lacks(Making::PageAnew).ends_with("(--set overview.on=false)"), "render has no other option for it");
     let heads = Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, "1 arrowhead: make the figure larger".into());
     let told = of_note(&heads, print.beside_overview(true));
-    assert!(told.ends_with("make the figure larger (--no-overview, --sheets 2x2, --profile swell-a3)"), "what helps most first: {told}");
+    assert!(
+        told.ends_with("make the figure larger (--no-overview, --sheets 2x2, --profile swell-a3)"),
+        "what helps most first: {told}"
+    );
     assert_eq!(of_note(&heads, print.beside_overview(false)), heads.to_string(), "there is none to do without");
     assert_eq!(embossing.beside_overview(true), embossing, "it has a sheet of its own");
     let labels = |is_larger| {

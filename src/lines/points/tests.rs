@@ -239,7 +239,8 @@ fn many_discs_beside_lines_are_discs_at_their_own_places_and_so_are_those_on_a_l
 #[test]
 fn discs_in_pixels_are_a_cloud_if_they_are_circles_of_some_size_and_no_rings_with_two_edges() {
     let middles = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0), (60.0, 70.0)];
-    let taken = |outlines: &dyn Fn((f32, f32)) -> Vec<Vec<(f32, f32)>>| {
+    type Outlines = Vec<Vec<(f32, f32)>>;
+    let taken = |outlines: &dyn Fn((f32, f32)) -> Outlines| {
         let outlines = middles.iter().flat_map(|&at| outlines(at));
         let mut lines: Vec<_> = outlines.map(|points| line(&points, true, 60.0, FoundIn::Pixels)).collect();
         lines.push(axis(5.0, 95.0));
