@@ -74,7 +74,7 @@ pub enum Note {
     /// Something on a page is taken otherwise than it looks; says what, where and as what.
     #[error("{2}")]
     TakenAs(About, Reason, String),
-    /// Something on the page is as it was given and breaks a rule of legibility; says what, where and what to do.
+    /// Something on the page is as it is all the same and breaks a rule of legibility; says what, where and what to do.
     #[error("{2}")]
     Faulty(About, Reason, String),
     /// It is about a file that was given beside the picture, and its places are in the mm of that file.

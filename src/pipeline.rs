@@ -82,7 +82,7 @@ use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{DrawnMarks, FromPerson, WithRoom, draw, find};
-use finish::{PageSays, finished, origin, told_empty, too_black};
+use finish::{PageSays, finished, origin, told_empty, told_of_dots, too_black};
 use request::OverviewSize;
 use words::{OnPage, WrittenWords};
 
@@ -282,7 +282,7 @@ fn compose(
     }
     match &layout.medium {
         Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
-        Medium::Dots(medium) => notes.extend(medium.device.cell_dots().map(|_| Note::UnevenDots)),
+        Medium::Dots(medium) => notes.extend(told_of_dots(std::iter::once(&page), medium, plan)),
     }
     Note::sort(&mut notes);
     let is_larger_without_overview = page.overview.is_some() && request.fit.is_larger_without_overview(&layout, plan);

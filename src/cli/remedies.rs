@@ -117,6 +117,13 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Making::PageAnew => format!("{note} (--set overview.on=false)"),
             Making::Other => note.to_string(),
         },
+        Note::Faulty(_, Reason::AmongRows, _) => match making {
+            Making::Print | Making::Embossing | Making::Pins => {
+                format!("{note} (--outlines, --subject X,Y --calm-background)")
+            }
+            Making::PageAnew => format!("{note} (--set figure.textures=false)"),
+            Making::Other => note.to_string(),
+        },
         Note::EmptyPage if making.is_of_picture() => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),

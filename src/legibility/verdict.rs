@@ -4,6 +4,7 @@
 use std::fmt;
 
 use super::finding::Finding;
+use super::rules::{LEFT_OUT, LINES_AMONG_ROWS};
 use crate::page::Page;
 use crate::touch::Report;
 use crate::units::MmPoint;
@@ -15,6 +16,10 @@ const SQUARE: f32 = 5.0;
 /// Where less than this share of the textured area can be judged, what is read right of it says nothing of the rest.
 const LEAST_JUDGED: f32 = 0.25;
 
+/// From this share of the picture's contours on it is said that they are not on the page, as of drawings that are too
+/// dense for their figure.
+const MUCH: f32 = 0.2;
+
 /// What is said of a page as a whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -25,6 +30,10 @@ pub struct Verdict {
     pub warnings: usize,
     /// Share of the figure in which there is an error, 0..=1.
     pub faulty: f32,
+    /// Whether the lines can hardly be followed, as rows of textures lie close beside most of them.
+    pub lines_among_rows: bool,
+    /// Share of the picture's contours that are not on the page, 0..=1, if it is a fifth or more.
+    pub left_out: Option<f32>,
     /// What a fingertip feels of the textures, if there are any and they were felt.
     pub textures: Option<Textures>,
 }
@@ -74,7 +83,16 @@ impl Verdict {
                 })
             }
         };
-        Self { errors, warnings: findings.len() - errors, faulty: faulty(page, findings), textures }
+        let left_out = findings.iter().filter(|finding| finding.rule == LEFT_OUT);
+        let left_out = left_out.filter_map(|finding| finding.measured).map(|percent| 0.01 * percent);
+        Self {
+            errors,
+            warnings: findings.len() - errors,
+            faulty: faulty(page, findings),
+            lines_among_rows: findings.iter().any(|finding| finding.rule == LINES_AMONG_ROWS),
+            left_out: left_out.reduce(f32::max).filter(|share| *share >= MUCH),
+            textures,
+        }
     }
 }
 
@@ -102,14 +120,18 @@ fn faulty(page: &Page, findings: &[Finding]) -> f32 {
 impl Verdict {
     /// The sentence in the words of a language.
     pub(crate) fn told(&self, wording: &Wording) -> String {
-        let Self { errors, warnings, faulty, textures } = *self;
-        let percent = |share: f32| wording.percent(share).into();
+        let Self { errors, warnings, faulty, lines_among_rows, left_out, textures } = *self;
+        let percent = |share: f32| wording.percent(share);
+        let lines = if lines_among_rows { wording.say("verdict-lines", &[]) } else { "none".to_owned() };
+        let left_out = left_out.map_or_else(|| "none".to_owned(), percent);
         let textures = textures.map_or_else(|| "none".to_owned(), |textures| textures.told(wording));
-        let faulty = if faulty > 0.0 { percent(faulty) } else { "none".into() };
+        let faulty = if faulty > 0.0 { percent(faulty) } else { "none".to_owned() };
         let values = [
             ("errors", errors.into()),
-            ("faulty", faulty),
+            ("faulty", faulty.into()),
             ("warnings", warnings.into()),
+            ("lines", lines.into()),
+            ("missing", left_out.into()),
             ("textures", textures.into()),
         ];
         wording.say("verdict", &values)

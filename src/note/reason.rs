@@ -173,6 +173,8 @@ reasons! {
     BarAtAxis => "bar-at-axis",
     /// Fingers feel no colours of lines.
     ColoursOfLines => "colours-of-lines",
+    /// Rows of textures lie close beside most of the lines of a page of dots.
+    AmongRows => "among-rows",
     // of an overview
     /// Lines of the figure have no room in the overview.
     NoRoomInOverview => "no-room-in-overview",

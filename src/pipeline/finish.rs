@@ -4,11 +4,13 @@
 use super::print_words;
 use super::request::Request;
 use crate::description;
+use crate::legibility::rows_beside_lines;
 use crate::output::seal;
-use crate::page::{BrailleText, Dots, InSet, LeftOut, Medium, Page, Parts, Print};
+use crate::page::{BrailleText, DotMedium, Dots, InSet, LeftOut, Medium, Page, Parts, Print};
+use crate::profile::Plan;
 use crate::units::Size;
 use crate::wording::Wording;
-use crate::{Error, Note};
+use crate::{About, Error, Note, Reason};
 
 /// The page of these marks, as it is printed, and described.
 pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, Error> {
@@ -72,6 +74,27 @@ pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
     let most = print.max_black;
     let percent = |share: f32| (100.0 * share).round() as u32;
     (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
+}
+
+/// What the maker is told of these pages of dots: where these are those of text cells, and where rows of textures lie
+/// close beside most of the lines, by the worst of the pages.
+pub(super) fn told_of_dots<'a>(
+    pages: impl Iterator<Item = &'a Page>,
+    medium: &DotMedium,
+    plan: &Plan,
+) -> impl Iterator<Item = Note> {
+    let limits = plan.limits();
+    let worst = pages.filter_map(|page| rows_beside_lines(page, &limits)).max_by(f32::total_cmp);
+    let among_rows = worst.map(|share| {
+        let what = format!(
+            "beside {:.0} percent of the length of the lines rows of textures lie so close that these lines can \
+             hardly be followed, as both are rows of the same dots; draw the lines alone, or leave out the textures \
+             around what the picture is about",
+            100.0 * share
+        );
+        Note::Faulty(About::Lines, Reason::AmongRows, what)
+    });
+    medium.device.cell_dots().map(|_| Note::UnevenDots).into_iter().chain(among_rows)
 }
 
 /// How the page was made, so that it can be made again. Keys that do not count on it are left out: those of braille

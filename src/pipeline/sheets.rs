@@ -1,7 +1,7 @@
 //! From bytes to a picture on several sheets.
 
 use super::draw::{DrawnMarks, FromPerson, draw, find};
-use super::finish::{finished, origin, title_of_overview, title_of_sheet, told_empty, too_black};
+use super::finish::{finished, origin, title_of_overview, title_of_sheet, told_empty, told_of_dots, too_black};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
@@ -104,7 +104,7 @@ pub fn convert<'p>(
             let blackest = of_picture().map(Page::black_share).fold(0.0, f32::max);
             notes.extend(too_black(blackest, print));
         }
-        Medium::Dots(medium) => notes.extend(medium.device.cell_dots().map(|_| Note::UnevenDots)),
+        Medium::Dots(medium) => notes.extend(told_of_dots(of_picture(), medium, plan)),
     }
     Note::sort(&mut notes);
     sheets.notes = notes;

@@ -139,10 +139,18 @@ verdict = Urteil: { $errors ->
 }, { $warnings ->
     [one] 1 Warnung
    *[other] { $warnings } Warnungen
+}{ $lines ->
+    [none] {""}
+   *[other] ; { $lines }
+}{ $missing ->
+    [none] {""}
+   *[other] ; { $missing } der Konturen des Bildes fehlen auf der Seite
 }{ $textures ->
     [none] {""}
    *[other] ; { $textures }
 }.
+verdict-lines = die meisten Linien sind kaum zu verfolgen, weil Reihen von Texturen dicht neben ihnen liegen: Texturen
+    weglassen oder größer zeichnen
 verdict-textures = eine Fingerkuppe liest { $right } der Texturen richtig{ $wrong ->
     [none] {""}
    *[other] {" "}und { $wrong } falsch

@@ -139,7 +139,7 @@ sheet-of-sheets = This is sheet { $name } of { $sheets } ({ $names }), with a le
 left-out = { $length } mm of contours, { $share }, had no room and are left out.
 left-out-most = { $length } mm of contours, { $share }, had no room and are left out, most of them { $place }.
 
-# $faulty, $textures: none, or words
+# $faulty, $lines, $missing, $textures: none, or words
 verdict = Verdict: { $errors ->
     [one] 1 error
    *[other] { $errors } errors
@@ -149,10 +149,18 @@ verdict = Verdict: { $errors ->
 }, { $warnings ->
     [one] 1 warning
    *[other] { $warnings } warnings
+}{ $lines ->
+    [none] {""}
+   *[other] ; { $lines }
+}{ $missing ->
+    [none] {""}
+   *[other] ; { $missing } of the picture's contours are not on the page
 }{ $textures ->
     [none] {""}
    *[other] ; { $textures }
 }.
+verdict-lines = most lines can hardly be followed, as rows of textures lie close beside them: leave textures out, or draw the
+    picture larger
 verdict-textures = a fingertip reads { $right } of the textures right{ $wrong ->
     [none] {""}
    *[other] {" "}and { $wrong } wrong

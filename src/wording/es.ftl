@@ -139,10 +139,18 @@ verdict = Veredicto: { $errors ->
 }, { $warnings ->
     [one] 1 advertencia
    *[other] { $warnings } advertencias
+}{ $lines ->
+    [none] {""}
+   *[other] ; { $lines }
+}{ $missing ->
+    [none] {""}
+   *[other] ; { $missing } de los contornos de la imagen no están en la página
 }{ $textures ->
     [none] {""}
    *[other] ; { $textures }
 }.
+verdict-lines = la mayoría de las líneas apenas se pueden seguir, pues hay filas de texturas muy cerca de ellas: conviene
+    omitir texturas o dibujar más grande
 verdict-textures = una yema lee bien { $right } de las texturas{ $wrong ->
     [none] {""}
    *[other] {" "}y mal { $wrong }

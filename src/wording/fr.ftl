@@ -139,10 +139,18 @@ verdict = Verdict : { $errors ->
 }, { $warnings ->
     [one] { $warnings } avertissement
    *[other] { $warnings } avertissements
+}{ $lines ->
+    [none] {""}
+   *[other] {" "}; { $lines }
+}{ $missing ->
+    [none] {""}
+   *[other] {" "}; { $missing } des contours de l’image ne sont pas sur la page
 }{ $textures ->
     [none] {""}
    *[other] {" "}; { $textures }
 }.
+verdict-lines = la plupart des lignes sont difficiles à suivre, car des rangées de textures sont tout près d’elles : il faut
+    omettre des textures ou dessiner plus grand
 verdict-textures = un bout de doigt lit correctement { $right } des textures{ $wrong ->
     [none] {""}
    *[other] {" "}et { $wrong } de travers

@@ -143,10 +143,18 @@ verdict = Ocena: { $errors ->
     [one] 1 ostrzeżenie
     [few] { $warnings } ostrzeżenia
    *[other] { $warnings } ostrzeżeń
+}{ $lines ->
+    [none] {""}
+   *[other] ; { $lines }
+}{ $missing ->
+    [none] {""}
+   *[other] ; na stronie brakuje { $missing } konturów obrazu
 }{ $textures ->
     [none] {""}
    *[other] ; { $textures }
 }.
+verdict-lines = większość linii trudno śledzić, bo tuż obok nich leżą rzędy faktur: lepiej pominąć faktury albo narysować
+    obraz większy
 verdict-textures = opuszek palca odczytuje dobrze { $right } faktur{ $wrong ->
     [none] {""}
    *[other] {" "}i źle { $wrong }

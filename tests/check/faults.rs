@@ -1,7 +1,7 @@
 //! Faults are found, each by its rule and in its place: on pages that somebody changed, and on drawings from elsewhere.
 
 use crate::common::page;
-use tactograph::{Checked, PageOptions, check};
+use tactograph::{Checked, PageOptions, Reason, check};
 
 /// The page of a sample as its maker left it, with one thing changed.
 fn changed(sample: &str, change: impl Fn(String) -> String) -> Checked {
@@ -259,6 +259,30 @@ fn the_verdict_is_weighted_by_area_and_says_what_was_not_judged() {
     enough.textures.iter_mut().for_each(|textures| (textures.judged, textures.right) = (1.0, 1.0));
     let told = enough.to_string();
     assert!(told.ends_with("; a fingertip reads 100 % of the textures right."), "{told}");
+}
+
+/// A photograph on an embosser whose textures drown its lines says so when it is made and when it is checked; without
+/// textures, and on paper, there is nothing to say.
+#[test]
+fn a_page_whose_lines_drown_in_rows_of_textures_says_so() {
+    const RULE: &str = "lines-among-rows";
+    let photograph = page::of_sample("rocket.jpg", "index-basic-d");
+    let checked = check(photograph.page.to_svg(), &PageOptions::new()).expect("it can be read");
+    assert!(has(&checked, RULE, "50 % is the most") && has(&checked, RULE, "--outlines"), "{checked}");
+    assert_eq!(checked.errors(), 0, "it is a warning: {checked}");
+    assert!(checked.verdict.to_string().contains("lines can hardly be followed"), "{}", checked.verdict);
+    assert!(photograph.notes.iter().any(|note| note.reason() == Some(Reason::AmongRows)), "{:?}", photograph.notes);
+    let mut alone = tactograph::marks::Parts::clone(&photograph.page);
+    alone.figure.textures.clear();
+    let svg = tactograph::Page::new(alone).expect("a page").to_svg();
+    let checked = check(svg, &PageOptions::new()).expect("it can be read");
+    assert!(!has(&checked, RULE, "") && !checked.verdict.to_string().contains("followed"), "{checked}");
+    for (sample, profile) in [("rocket.jpg", "swell-a4"), ("landscape.svg", "index-basic-d")] {
+        let made = page::of_sample(sample, profile);
+        let checked = check(made.page.to_svg(), &PageOptions::new()).expect("it can be read");
+        assert!(!has(&checked, RULE, ""), "{sample} {profile}: {checked}");
+        assert!(made.notes.iter().all(|note| note.reason() != Some(Reason::AmongRows)), "{sample} {profile}");
+    }
 }
 
 /// A finding says in which line of the file its element stands: of lines and texts, as they were written or drawn by

@@ -96,6 +96,10 @@ fn broken(rule: &str) -> String {
             let at = parts.braille[0].dots.at[0];
             parts.figure.lines.push(line(at, at + MmPoint::new(20.0, 0.0).to_vector()));
         }),
+        "lines-among-rows" => changed(page::of_sample("coffee.png", "index-basic-d").page.clone(), |parts| {
+            // those of two rows stand out
+            parts.figure.lines.iter_mut().for_each(|line| line.runs.truncate(1));
+        }),
         "label-line" => changed(titled(), |parts| {
             (parts.figure.lines, parts.figure.textures) = (parts.figure.lines[..1].to_vec(), Vec::new());
             let (label, to) = (&mut parts.braille[0], parts.figure.place.min + MmPoint::new(8.0, 8.0).to_vector());

@@ -1,6 +1,7 @@
 //! Tests of `remedies`.
 
 use super::*;
+use tactograph::About;
 
 #[test]
 fn only_options_that_there_are_and_that_help_are_named() {
@@ -37,6 +38,10 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert_eq!(of_note(&left_out, Making::Other), left_out.to_string());
     assert!(of_note(&Note::EmptyPage, Making::Pins).ends_with("(--crop)"));
     assert_eq!(of_note(&Note::EmptyPage, Making::PageAnew), Note::EmptyPage.to_string());
+    let among_rows = Note::Faulty(About::Lines, Reason::AmongRows, String::new());
+    let told = |making| of_note(&among_rows, making);
+    assert!(told(Making::Embossing).contains("--outlines") && told(Making::Pins).contains("--calm-background"));
+    assert!(told(Making::PageAnew).contains("figure.textures=false") && !told(Making::PageAnew).contains("--outlines"));
 }
 
 /// What makes a figure larger, of a label that has no room, and what does not: what is done already, and paper that

@@ -1,0 +1,61 @@
+//! Tests of `rows_beside`.
+
+use super::*;
+use crate::page::{Class, DotMedium, Figure, Glyph, Height, Parts, Run, Shape, Sign, Texture};
+use crate::profile::{Plan, Profile};
+use crate::units::Size;
+
+/// Dots from left to right, `step` mm apart.
+fn row(y: f32, step: f32) -> Vec<MmPoint> {
+    (0..20).map(|k| MmPoint::new(20.0 + step * k as f32, y)).collect()
+}
+
+/// What is found on a page of a built-in profile with one line of these rows, and a texture of these dots.
+fn share(profile: &str, line: &[f32], texture: Vec<MmPoint>) -> Option<f32> {
+    let profile = Profile::named(profile).expect("it is built in");
+    let device = profile.dots.device.expect("a profile of dots");
+    let (pitch, sheet) = if device.has_heights() { (1.27, [279.4, 292.1]) } else { (2.0, [210.0, 297.0]) };
+    let medium = DotMedium::on(device, pitch, sheet).expect("a sheet that it takes");
+    let runs = line.iter().map(|y| Run::dots(1.6, row(*y, 2.0), Height::High)).collect();
+    let glyph = |at| Glyph { at, shape: Shape::Dot { diameter: 1.6 } };
+    let texture = Texture {
+        class: Class::ALL[0],
+        sign: Sign::Dot,
+        colour: [0, 0, 200],
+        area: 400.0,
+        glyphs: texture.into_iter().map(glyph).collect(),
+    };
+    let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(150.0, 150.0));
+    let lines = vec![Line { strength: 50.0, runs }];
+    let figure = Figure { place, source: Size::new(1, 1), textures: vec![texture], lines };
+    let mut parts = Parts::of(sheet, figure);
+    parts.medium = Medium::Dots(medium);
+    let page = Page::new(parts).expect("it is on the sheet");
+    too_many(&page, &Plan::new(&profile).expect("it is right").limits())
+}
+
+#[test]
+fn rows_beside_a_line_drown_it_and_those_farther_off_do_not() {
+    // from dot to dot 6 mm are 4.4 mm of blank, and 8 mm are 6.4 mm
+    assert_eq!(share("index-basic-d", &[60.0], row(66.0, 2.0)), Some(1.0));
+    assert_eq!(share("index-basic-d", &[60.0], row(68.0, 2.0)), None);
+}
+
+#[test]
+fn beside_half_of_a_line_is_not_too_much() {
+    // dots from 20 to 30 mm lie beside those of the line from 20 to 32 mm, which are less than 6.6 mm from one of them
+    let some = |count: usize| row(66.0, 2.0).into_iter().take(count).collect::<Vec<_>>();
+    assert_eq!(share("index-basic-d", &[60.0], some(6)), None);
+    assert!(share("index-basic-d", &[60.0], some(12)).is_some_and(|share| share > 0.5 && share < 0.8));
+}
+
+#[test]
+fn dots_that_stand_apart_and_lines_of_two_rows_are_told_from_one_another() {
+    assert_eq!(share("index-basic-d", &[60.0], row(66.0, 4.0)), None, "single dots are no row");
+    assert_eq!(share("index-basic-d", &[60.0, 62.0], row(54.0, 2.0)), None, "a line of two rows stands out");
+}
+
+#[test]
+fn where_dots_have_heights_textures_are_lower() {
+    assert_eq!(share("viewplus-columbia", &[60.0], row(66.0, 2.0)), None);
+}
