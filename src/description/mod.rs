@@ -66,17 +66,21 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     let felt = if page.is_mirrored() { &page.clone().mirrored() } else { page };
     let mut sentences: Vec<_> = before(page, wording).map(|text| ("sheet", text)).into_iter().collect();
     sentences.push(("sheet", sheet(felt, wording)));
-    let lines = &felt.figure.lines;
+    // a disc that is printed narrower is no disc by its width
+    let risen = felt.risen();
+    let lines = &risen.figure.lines;
     let told = shapes::told(lines, felt.figure.place, MOST_LINES, wording);
     let shorter = shapes::count(lines) - told.len();
     sentences.extend(told.into_iter().map(|text| ("shape", text)));
     if shorter > 0 {
         sentences.push(("lines", wording.say("lines-more", &[("lines", shorter.into())])));
     }
+    let points = shapes::points(lines, felt.figure.place, wording);
+    sentences.extend(points.into_iter().map(|text| ("shape", text)));
     sentences.extend(marks_on_lines(felt, wording).map(|text| ("lines", text)));
     sentences.extend(areas(felt, wording).into_iter().map(|text| ("area", text)));
     sentences.extend(texts(felt, wording).into_iter().map(|text| ("text", text)));
-    if let Some(overview) = &felt.overview {
+    if let Some(overview) = &risen.overview {
         let [width, height] = size(overview.place);
         let values = [("width", width), ("height", height), ("lines", shapes::count(&overview.lines).into())];
         sentences.push(("overview", wording.say("overview", &values)));
@@ -94,7 +98,9 @@ fn marks_on_lines<'a>(page: &'a Page, wording: &'a Wording) -> impl Iterator<Ite
     let points = || lines.iter().flat_map(Line::row_points);
     let filled = points().filter(|point| point.is_filled).count();
     let ticks = lines.iter().map(ticks_on).sum::<usize>();
-    let shafts: BTreeSet<usize> = arrows(lines).iter().map(|arrow| arrow.line).collect();
+    // where every line is told, so is every arrow
+    let arrows = if shapes::count(lines) > MOST_LINES { arrows(lines) } else { Vec::new() };
+    let shafts: BTreeSet<usize> = arrows.iter().map(|arrow| arrow.line).collect();
     let all = [
         ("arrows", shafts.len()),
         ("ticks", ticks),
@@ -142,7 +148,7 @@ fn sheet(page: &Page, wording: &Wording) -> String {
         ("height", height.into()),
         ("across", across),
         ("down", down),
-        ("lines", shapes::count(&page.figure.lines).into()),
+        ("lines", shapes::count(&page.risen().figure.lines).into()),
         ("areas", page.figure.textures.len().into()),
     ];
     wording.say("sheet", &values)

@@ -41,6 +41,11 @@ const LEAST_BOX: f32 = 4.0;
 /// How much its length may differ from that of three sides, as a share.
 const AS_LONG: f32 = 0.12;
 
+/// The widest point of dots, mm from middle to middle: what is wider is felt as a shape. Chosen by us.
+const WIDEST_POINT: f32 = 10.0;
+/// So many points are told with their places; of more, only how many there are.
+const MOST_POINTS: usize = 3;
+
 /// What lies so near to a border between two parts of a figure lies on it, mm: coordinates are written in steps of half
 /// of that.
 const ON_BORDER: f32 = 0.02;
@@ -199,9 +204,33 @@ fn way(arrow: &Arrow) -> &'static str {
     }
 }
 
-/// How many of lines are told as themselves: the head of an arrow is part of it.
+/// How many of lines are told as themselves: the head of an arrow is part of it, and a point is no line.
 pub(super) fn count(lines: &[Line]) -> usize {
-    lines.len() - arrows(lines).iter().filter(|arrow| arrow.head.is_some()).count()
+    let heads = arrows(lines).iter().filter(|arrow| arrow.head.is_some()).count();
+    lines.len() - heads - lines.iter().filter(|line| point(line).is_some()).count()
+}
+
+/// The middle of a point and how wide it is to its edges, mm, if a line is one: a disc, or dots that fill a small ring
+/// or a square.
+fn point(line: &Line) -> Option<(MmPoint, f32)> {
+    let points: Vec<MmPoint> = line.runs.iter().flat_map(|run| run.points.iter().copied().map(written)).collect();
+    let (extent, width) = (MmRect::from_points(&points), line.runs.first()?.width);
+    let (middle, across) = (extent.center(), 0.5 * (extent.width() + extent.height()));
+    let is_filled = || line.runs.iter().skip(1).flat_map(|run| &run.points).any(|at| (*at - middle).length() < width);
+    let is_filled_ring = || line.is_ring_of_dots() && across <= WIDEST_POINT && is_filled();
+    (line.is_disc() || line.is_block_of_dots() || is_filled_ring()).then_some((middle, across + width))
+}
+
+/// Sentences on the points that lie beside all lines, such as towns.
+pub(super) fn points(lines: &[Line], figure: MmRect, wording: &Wording) -> Vec<String> {
+    let all: Vec<(MmPoint, f32)> = lines.iter().filter_map(point).collect();
+    let across = |width: f32| ("across", Value::from(width.round()));
+    if all.len() > MOST_POINTS {
+        let widest = all.iter().map(|(_, width)| *width).fold(0.0, f32::max);
+        return vec![wording.say("points", &[("count", all.len().into()), across(widest)])];
+    }
+    let place = |at: MmPoint| ("place", wording.place(part_of(at, figure)).into());
+    all.iter().map(|(at, width)| wording.say("point", &[place(*at), across(*width)])).collect()
 }
 
 /// The least of some distances, whatever their sign.
@@ -238,7 +267,7 @@ pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wordin
         arrows.iter().filter(|arrow| arrow.line == number).map(|arrow| way(arrow)).collect()
     };
     let of_line = |(number, line)| Some(LineShape { ways: ways(number), ..LineShape::of(line)? });
-    let others = lines.iter().enumerate().filter(|(number, _)| !is_head(*number));
+    let others = lines.iter().enumerate().filter(|(number, line)| !is_head(*number) && point(line).is_none());
     let mut shapes: Vec<LineShape> = others.filter_map(of_line).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
     let stands: Vec<bool> = (0..shapes.len()).map(|number| stands(number, &shapes)).collect();

@@ -88,6 +88,8 @@ lines-more = { $lines ->
     [one] 1 weitere Linie ist kürzer als diese.
    *[other] { $lines } weitere Linien sind kürzer als diese.
 }
+point = Ein Punkt { $place }, { $across } mm im Durchmesser.
+points = { $count } Punkte, bis zu { $across } mm im Durchmesser.
 arrows = { $count ->
     [one] Eine Linie endet in einer Pfeilspitze.
    *[other] { $count } Linien enden in Pfeilspitzen.

@@ -96,6 +96,9 @@ lines-more = { $lines ->
     [one] 1 more line is shorter than these.
    *[other] { $lines } more lines are shorter than these.
 }
+# points beside all lines; of more than three only how many there are
+point = A point { $place }, { $across } mm across.
+points = { $count } points, up to { $across } mm across.
 # marks on lines of dots
 arrows = { $count ->
     [one] One line ends in an arrowhead.

@@ -88,6 +88,8 @@ lines-more = { $lines ->
     [one] 1 línea más es más corta que estas.
    *[other] { $lines } líneas más son más cortas que estas.
 }
+point = Un punto { $place }, de { $across } mm de diámetro.
+points = { $count } puntos, de { $across } mm de diámetro como máximo.
 arrows = { $count ->
     [one] Una línea termina en punta de flecha.
    *[other] { $count } líneas terminan en punta de flecha.

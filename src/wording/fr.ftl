@@ -88,6 +88,8 @@ lines-more = { $lines ->
     [one] { $lines } autre ligne est plus courte.
    *[other] { $lines } autres lignes sont plus courtes.
 }
+point = Un point { $place }, de { $across } mm de diamètre.
+points = { $count } points, de { $across } mm de diamètre au plus.
 arrows = { $count ->
     [one] Une ligne se termine par une pointe de flèche.
    *[other] { $count } lignes se terminent par une pointe de flèche.

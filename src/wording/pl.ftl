@@ -84,6 +84,8 @@ lines-more = { $lines ->
     [few] { $lines } dalsze linie są krótsze od tych.
    *[other] { $lines } dalszych linii jest krótszych od tych.
 }
+point = Punkt { $place }, o średnicy { $across } mm.
+points = Punkty: { $count }, o średnicy do { $across } mm.
 arrows = { $count ->
     [one] Jedna linia kończy się strzałką.
     [few] { $count } linie kończą się strzałką.

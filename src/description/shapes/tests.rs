@@ -92,3 +92,29 @@ fn a_river_is_not_straight_and_how_it_bends_is_told() {
     assert!(told_of(upright(-8.0)).contains("up to 8 mm left of the straight"), "{}", told_of(upright(-8.0)));
     assert!(told_of(bow(60.0)).ends_with(" mm long."), "of a hook it is not told: {}", told_of(bow(60.0)));
 }
+
+/// Towns of a map, on paper and as dots: no outlines, and no lines.
+#[test]
+fn discs_and_small_filled_rings_of_dots_are_points() {
+    let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let disc = |x: f32| {
+        let mut disc = circle(x, 75.0, 0.7);
+        disc.runs[0].width = 1.6;
+        disc
+    };
+    let dots = |at: Vec<MmPoint>| Run::dots(1.6, at, Default::default());
+    let around = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+    let ring: Vec<MmPoint> =
+        around.iter().map(|(x, y)| MmPoint::new(20.0 + 2.0 * *x as f32, 20.0 + 2.0 * *y as f32)).collect();
+    let hollow = Line { strength: 90.0, runs: vec![dots(ring.clone())] };
+    let filled = Line { strength: 90.0, runs: vec![dots(ring), dots(vec![MmPoint::new(22.0, 22.0)])] };
+    let told_of = |lines: &[Line]| points(lines, figure, Wording::english());
+    assert_eq!(told_of(&[disc(75.0)]), ["A point in the middle, 3 mm across."]);
+    assert_eq!(told_of(std::slice::from_ref(&filled)), ["A point in the upper left, 6 mm across."]);
+    assert!(told_of(&[hollow.clone(), circle(75.0, 75.0, 6.0)]).is_empty(), "what is hollow is an outline");
+    assert_eq!(count(&[filled, hollow, circle(75.0, 75.0, 30.0), disc(75.0)]), 2);
+    assert_eq!(told_of(&[disc(20.0), disc(60.0), disc(90.0), disc(120.0)]), ["4 points, up to 3 mm across."]);
+    let land = [circle(75.0, 75.0, 30.0), disc(75.0)];
+    let lines = told(&land, figure, 9, Wording::english());
+    assert_eq!(lines, ["A closed round outline in the middle, 60 mm across."], "it holds no smaller one");
+}
