@@ -258,6 +258,17 @@ fn ticks_that_dots_have_no_room_for_are_told_and_every_so_many_th_is_drawn() {
     assert!((10..=12).contains(&ticks), "{ticks} of the hours");
 }
 
+/// The hands of a clock cut the ring of their hub in two arcs, of which one was told as a mark of a right angle.
+#[test]
+fn the_hub_of_a_clock_is_no_mark_of_an_angle() {
+    let clock = "<circle cx='500' cy='250' r='240' fill='none' stroke='#000' stroke-width='6'/>\
+                 <path d='M500 250L617.8 304.9' stroke='#000' stroke-width='20'/>\
+                 <path d='M500 250L326.8 150' stroke='#000' stroke-width='12'/><circle cx='500' cy='250' r='20'/>";
+    let notes = told(&dots_of(clock, "index-basic-d"));
+    assert!(!notes.iter().any(|note| note.contains("angle")), "{notes:#?}");
+    assert!(notes.iter().any(|note| note.contains("1 piece of a small ring")), "{notes:#?}");
+}
+
 #[test]
 fn stations_of_a_route_of_dots_are_rings_at_which_it_ends() {
     let route = "<path d='M80 380H400L560 160H920' fill='none' stroke='#06c' stroke-width='8'/>\

@@ -162,6 +162,8 @@ pub struct LostMarks {
     pub arcs: usize,
     /// Corners between two lines, which mark right angles.
     pub corners: usize,
+    /// Pieces of small rings, such as the hub of a clock's hands.
+    pub pieces: usize,
     /// Length of all, mm.
     pub length: f32,
     /// Where the first of them is.

@@ -42,6 +42,8 @@ const LEG: f32 = 0.17;
 /// The ends of an arc of an angle and its middle are as far from where the legs meet, but for this share: a drawing is
 /// not exact, and lines are moved.
 const ROUND: f32 = 0.7;
+/// Two arcs are pieces of one ring if their ends are no farther apart than this, mm: a broad stroke lies between.
+const PIECES_APART: f32 = 4.0;
 /// A tick crosses its line at 60 degrees at least: the sine.
 const ACROSS: f32 = 0.87;
 /// A tick stands on a line if its ends are at distances from it that differ by this share of its length.
@@ -105,6 +107,7 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
             MarkKind::Tick => marks.ticks += 1,
+            MarkKind::Arc | MarkKind::Corner if has_rest(&points, edges, transform, &index) => marks.pieces += 1,
             MarkKind::Arc => marks.arcs += 1,
             MarkKind::Corner => marks.corners += 1,
         }
@@ -112,6 +115,23 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         marks.first.get_or_insert(first.lerp(last, 0.5));
     }
     marks
+}
+
+/// Whether an arc and another line, which is not drawn either, are a ring in two pieces: they end beside one another and
+/// lie on both sides of the straight between their ends. Two arcs of one angle lie on one side.
+fn has_rest(arc: &[MmPoint], edges: &Edges, transform: &PageTransform, index: &Nearby) -> bool {
+    let [Some(from), Some(to)] = [arc.first().copied(), arc.last().copied()] else { return false };
+    let middle = arc[arc.len() / 2];
+    let side = |at: MmPoint| (to - from).cross(at - from);
+    let near = |a: MmPoint, b: MmPoint| (a - b).length() <= PIECES_APART;
+    let is_rest = |chain: &ChainRange| {
+        let own = &edges.edgels[chain.edgels.clone()];
+        let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
+        let [a, b, at] = [first.at, last.at, own[own.len() / 2].at].map(|at| transform.to_mm(at));
+        let meets = near(a, from) && near(b, to) || near(a, to) && near(b, from);
+        meets && side(at) * side(middle) < 0.0 && index.nearest(at, DRAWN, |_| true).is_none()
+    };
+    edges.chains.iter().filter(|chain| !chain.closed).any(is_rest)
 }
 
 /// A gridline has at least so many pieces, or a long one: ticks at two axes are two.
@@ -228,10 +248,10 @@ fn ordinal(number: usize) -> String {
 }
 
 /// What the maker is told of marks of angles that the overview has not, where a reader may think that the angle has
-/// none. Ticks say little in an overview.
+/// none. Ticks say little in an overview, and of a ring the figure may have no more.
 pub(super) fn told_not_in_overview(marks: &LostMarks) -> Option<Note> {
     let LostMarks { arcs, corners, .. } = *marks;
-    let told = listed(&LostMarks { ticks: 0, ..*marks })?;
+    let told = listed(&LostMarks { ticks: 0, pieces: 0, ..*marks })?;
     let (are, they_are) = if arcs + corners == 1 { ("is", "it is") } else { ("are", "they are") };
     let told = format!("{told} {are} in the figure only, as {they_are} too short for fingers in the overview");
     Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told))
@@ -248,6 +268,7 @@ fn listed(marks: &LostMarks) -> Option<String> {
         count(marks.ticks, "short tick", "short ticks"),
         count(marks.arcs, "arc of an angle", "arcs of angles"),
         count(marks.corners, "mark of a right angle", "marks of right angles"),
+        count(marks.pieces, "piece of a small ring", "pieces of small rings"),
     ];
     let all: Vec<String> = all.into_iter().flatten().collect();
     (!all.is_empty()).then(|| all.join(" and "))

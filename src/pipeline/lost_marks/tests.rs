@@ -56,7 +56,7 @@ fn an_axis_is_not_the_tick_that_crosses_it() {
 #[test]
 fn what_is_lost_is_counted() {
     let plan = Plan::new(&crate::profile::Profile::named("swell-a4").expect("it is built in")).expect("a plan");
-    let marks = LostMarks { ticks: 60, arcs: 0, corners: 1, length: 200.0, first: Some(MmPoint::new(20.0, 30.2)) };
+    let marks = LostMarks { corners: 1, first: Some(MmPoint::new(20.0, 30.2)), ticks: 60, ..LostMarks::default() };
     let told = told_of_marks(&marks, &plan).expect("a note").to_string();
     let wanted = "left out of the page: 60 short ticks and 1 mark of a right angle (the first at 20, 30 mm): marks \
                       shorter than 8 mm";
@@ -66,6 +66,9 @@ fn what_is_lost_is_counted() {
     let wanted = "1 mark of a right angle is in the figure only, as it is too short for fingers in the overview";
     assert_eq!(in_overview, wanted);
     assert_eq!(told_not_in_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
+    let pieces = LostMarks { pieces: 2, ..marks };
+    assert!(listed(&pieces).is_some_and(|told| told.ends_with(" and 2 pieces of small rings")));
+    assert_eq!(told_not_in_overview(&LostMarks { pieces: 2, ..LostMarks::default() }), None, "nor are pieces of rings");
     let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
     let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
     assert!(
