@@ -6,7 +6,7 @@ use std::fmt;
 use super::finding::Finding;
 use super::rules::{LEFT_OUT, LINES_AMONG_ROWS};
 use crate::page::Page;
-use crate::touch::Report;
+use crate::touch::{JUDGED_FROM, Report};
 use crate::units::MmPoint;
 use crate::wording::Wording;
 
@@ -146,12 +146,16 @@ impl Textures {
     /// part sounds as if it were told of all.
     fn told(&self, wording: &Wording) -> String {
         let Self { judged, right, felt, .. } = *self;
+        let from = ("from", JUDGED_FROM.into());
         if judged <= 0.0 {
-            return wording.say(if felt { "verdict-textures-near" } else { "verdict-textures-large" }, &[]);
+            return match felt {
+                true => wording.say("verdict-textures-near", &[from]),
+                false => wording.say("verdict-textures-large", &[]),
+            };
         }
         let percent = |share: f32| wording.percent(share).into();
         if judged < LEAST_JUDGED {
-            return wording.say("verdict-textures-few", &[("judged", percent(judged))]);
+            return wording.say("verdict-textures-few", &[("judged", percent(judged)), from]);
         }
         let wrong = judged * (1.0 - right);
         let or_none = |is_told: bool, share: f32| if is_told { percent(share) } else { "none".into() };

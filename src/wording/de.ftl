@@ -160,7 +160,10 @@ verdict-textures = eine Fingerkuppe liest { $right } der Texturen richtig{ $wron
     [none] {""}
    *[other] ; der Rest liegt zu nah an Linien und Rändern, um beurteilt zu werden
 }
-verdict-textures-few = nur { $judged } der Texturen waren zu beurteilen, weil der Rest zu nah an Linien und Rändern liegt: zu wenig,
-    um zu sagen, wie eine Fingerkuppe sie liest
-verdict-textures-near = die Texturen waren nicht zu beurteilen, weil alle zu nah an Linien und Rändern liegen
+verdict-textures-few = nur { $judged } der Texturen liegen mindestens { $from } mm von Linien und Rändern, wo eine
+    Fingerkuppe nichts anderes fühlt; wie sie den Rest liest, ist nicht bekannt: größer oder mit weniger Linien
+    gezeichnet sind die Flächen breiter
+verdict-textures-near = alle Texturen liegen näher als { $from } mm an Linien oder Rändern, so dass eine Fingerkuppe
+    auch diese fühlt; wie sie sie liest, ist nicht bekannt: größer oder mit weniger Linien gezeichnet sind die Flächen
+    breiter
 verdict-textures-large = die Texturen waren nicht zu beurteilen, weil die Seite für das Modell einer Fingerkuppe zu groß ist

@@ -162,8 +162,8 @@ verdict = Verdict: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = most lines can hardly be followed, as rows of textures lie close beside them: leave textures out, or draw the
-    picture larger
+verdict-lines = most lines can hardly be followed, as rows of textures lie close beside them: leave textures out, or
+    draw the picture larger
 verdict-textures = a fingertip reads { $right } of the textures right{ $wrong ->
     [none] {""}
    *[other] {" "}and { $wrong } wrong
@@ -171,7 +171,9 @@ verdict-textures = a fingertip reads { $right } of the textures right{ $wrong ->
     [none] {""}
    *[other] ; the rest lies too near to lines and borders to be judged
 }
-verdict-textures-few = only { $judged } of the textures could be judged, as the rest lies too near to lines and borders: too
-    little to say how a fingertip reads them
-verdict-textures-near = the textures could not be judged, as all of them lie too near to lines and borders
+verdict-textures-few = only { $judged } of the textures is { $from } mm or more from lines and borders, where a
+    fingertip feels nothing else; how it reads the rest is not known: a larger figure, or one with fewer lines, has
+    wider areas
+verdict-textures-near = all textures are nearer than { $from } mm to lines or borders, so that a fingertip feels these
+    as well; how it reads them is not known: a larger figure, or one with fewer lines, has wider areas
 verdict-textures-large = the textures could not be judged, as the page is too large for the model of a fingertip

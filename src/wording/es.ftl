@@ -151,8 +151,8 @@ verdict = Veredicto: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = la mayoría de las líneas apenas se pueden seguir, pues hay filas de texturas muy cerca de ellas: conviene
-    omitir texturas o dibujar más grande
+verdict-lines = la mayoría de las líneas apenas se pueden seguir, pues hay filas de texturas muy cerca de ellas:
+    conviene omitir texturas o dibujar más grande
 verdict-textures = una yema lee bien { $right } de las texturas{ $wrong ->
     [none] {""}
    *[other] {" "}y mal { $wrong }
@@ -160,7 +160,9 @@ verdict-textures = una yema lee bien { $right } de las texturas{ $wrong ->
     [none] {""}
    *[other] ; el resto está demasiado cerca de líneas y bordes para juzgarlo
 }
-verdict-textures-few = solo se pudo juzgar { $judged } de las texturas, pues el resto está demasiado cerca de líneas y bordes: es muy
-    poco para decir cómo las lee una yema
-verdict-textures-near = las texturas no se pudieron juzgar, pues todas están demasiado cerca de líneas y bordes
+verdict-textures-few = solo { $judged } de las texturas está a { $from } mm o más de líneas y bordes, donde una yema
+    no siente nada más; no se sabe cómo lee el resto: una figura más grande, o con menos líneas, tiene áreas más
+    anchas
+verdict-textures-near = todas las texturas están a menos de { $from } mm de líneas o bordes, que una yema también
+    siente; no se sabe cómo las lee: una figura más grande, o con menos líneas, tiene áreas más anchas
 verdict-textures-large = las texturas no se pudieron juzgar, pues la página es demasiado grande para el modelo de una yema

@@ -151,8 +151,8 @@ verdict = Verdict : { $errors ->
     [none] {""}
    *[other] {" "}; { $textures }
 }.
-verdict-lines = la plupart des lignes sont difficiles à suivre, car des rangées de textures sont tout près d’elles : il faut
-    omettre des textures ou dessiner plus grand
+verdict-lines = la plupart des lignes sont difficiles à suivre, car des rangées de textures sont tout près d’elles :
+    il faut omettre des textures ou dessiner plus grand
 verdict-textures = un bout de doigt lit correctement { $right } des textures{ $wrong ->
     [none] {""}
    *[other] {" "}et { $wrong } de travers
@@ -160,7 +160,10 @@ verdict-textures = un bout de doigt lit correctement { $right } des textures{ $w
     [none] {""}
    *[other] {" "}; le reste est trop près des lignes et des bords pour être jugé
 }
-verdict-textures-few = seulement { $judged } des textures ont pu être jugées, car le reste est trop près des lignes et des bords : trop
-    peu pour dire comment un bout de doigt les lit
-verdict-textures-near = les textures n'ont pas pu être jugées, car toutes sont trop près des lignes et des bords
+verdict-textures-few = seulement { $judged } des textures sont à { $from } mm ou plus des lignes et des bords, où un
+    bout de doigt ne sent rien d’autre ; on ne sait pas comment il lit le reste : une figure plus grande, ou avec
+    moins de lignes, a des surfaces plus larges
+verdict-textures-near = toutes les textures sont à moins de { $from } mm de lignes ou de bords, qu’un bout de doigt
+    sent aussi ; on ne sait pas comment il les lit : une figure plus grande, ou avec moins de lignes, a des surfaces
+    plus larges
 verdict-textures-large = les textures n'ont pas pu être jugées, car la page est trop grande pour le modèle d'un bout de doigt

@@ -155,8 +155,8 @@ verdict = Ocena: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = większość linii trudno śledzić, bo tuż obok nich leżą rzędy faktur: lepiej pominąć faktury albo narysować
-    obraz większy
+verdict-lines = większość linii trudno śledzić, bo tuż obok nich leżą rzędy faktur: lepiej pominąć faktury albo
+    narysować obraz większy
 verdict-textures = opuszek palca odczytuje dobrze { $right } faktur{ $wrong ->
     [none] {""}
    *[other] {" "}i źle { $wrong }
@@ -164,7 +164,9 @@ verdict-textures = opuszek palca odczytuje dobrze { $right } faktur{ $wrong ->
     [none] {""}
    *[other] ; reszta leży zbyt blisko linii i brzegów, by ją ocenić
 }
-verdict-textures-few = tylko { $judged } faktur dało się ocenić, bo reszta leży zbyt blisko linii i brzegów: to za mało, by
-    powiedzieć, jak odczytuje je opuszek palca
-verdict-textures-near = faktur nie dało się ocenić, bo wszystkie leżą zbyt blisko linii i brzegów
+verdict-textures-few = tylko { $judged } faktur leży co najmniej { $from } mm od linii i brzegów, gdzie opuszek palca
+    nie czuje nic innego; nie wiadomo, jak odczytuje resztę: większy rysunek albo rysunek z mniejszą liczbą linii ma
+    szersze pola
+verdict-textures-near = wszystkie faktury leżą bliżej niż { $from } mm od linii lub brzegów, które opuszek palca też
+    czuje; nie wiadomo, jak je odczytuje: większy rysunek albo rysunek z mniejszą liczbą linii ma szersze pola
 verdict-textures-large = faktur nie dało się ocenić, bo strona jest za duża dla modelu opuszka palca

@@ -247,8 +247,12 @@ fn the_verdict_is_weighted_by_area_and_says_what_was_not_judged() {
     let textures = checked.verdict.textures.expect("it has textures");
     assert!(textures.judged < 0.25 && textures.right > 0.9, "{textures:?}");
     let told = checked.verdict.to_string();
-    let few = format!("only {:.0} % of the textures could be judged", 100.0 * textures.judged);
+    let few = format!("only {:.0} % of the textures is 7 mm or more from lines and borders", 100.0 * textures.judged);
     assert!(told.contains(&few) && !told.contains("right"), "{told}");
+    assert!(told.ends_with("a larger figure, or one with fewer lines, has wider areas."), "{told}");
+    let mut near = checked.verdict;
+    near.textures.iter_mut().for_each(|textures| textures.judged = 0.0);
+    assert!(near.to_string().contains("; all textures are nearer than 7 mm to lines or borders"), "{near}");
     let mut enough = checked.verdict;
     enough.textures.iter_mut().for_each(|textures| textures.judged = 0.6);
     let told = enough.to_string();
