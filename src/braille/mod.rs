@@ -18,6 +18,7 @@ mod neighbours;
 mod numbers;
 mod parse;
 mod table;
+mod telephone;
 mod translate;
 mod translator;
 mod wrap;

@@ -8,6 +8,7 @@ use super::joined;
 use super::neighbours::Neighbours;
 use super::numbers::{self, Written};
 use super::table::{SignRule, Table};
+use super::telephone;
 
 /// A text in braille.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -272,7 +273,8 @@ impl<'t> Writer<'t> {
     fn space(&mut self, i: usize) {
         match &self.table.group {
             Some(group)
-                if self.number == Number::GoesOn && (is_group(self.text, i) || is_in_phone_number(self.text, i)) =>
+                if self.number == Number::GoesOn
+                    && (is_group(self.text, i) || telephone::is_in_number(self.text, i)) =>
             {
                 self.out.cells.extend(group);
             }
@@ -328,43 +330,6 @@ fn is_group(text: &[char], i: usize) -> bool {
     let before = digits(&mut text[..i].iter().rev());
     (1..=3).contains(&before) && digits(&mut text[i + 1..].iter()) == 3
 }
-
-/// Whether the space at `i` parts groups of a telephone number, as in 020 7946 0018: one that begins with a zero before
-/// other digits, with a plus or with a code in brackets, or is of groups as in North America (555 123 4567); or of an
-/// ISBN. It has at least so many digits in all.
-fn is_in_phone_number(text: &[char], i: usize) -> bool {
-    let is_of_number = |at: usize| {
-        let is_digit = |at: Option<usize>| at.and_then(|at| text.get(at)).is_some_and(char::is_ascii_digit);
-        is_digit(Some(at)) || text[at] == ' ' && is_digit(at.checked_sub(1)) && is_digit(Some(at + 1))
-    };
-    let from = (0..i).rev().take_while(|&at| is_of_number(at)).last().unwrap_or(i);
-    let number: Vec<char> = (from..text.len()).take_while(|&at| is_of_number(at)).map(|at| text[at]).collect();
-    let is_international = from.checked_sub(1).is_some_and(|before| text[before] == '+');
-    let has_zero = number.starts_with(&['0']) && number.get(1).is_some_and(char::is_ascii_digit);
-    let groups: Vec<usize> = number.split(|letter| *letter == ' ').map(<[char]>::len).collect();
-    let digits: usize = groups.iter().sum();
-    let code = code_in_brackets(&text[..from]);
-    let has_code = code.starts_with(&['0']) || code.len() == 3 && groups == [3, 4];
-    let is_isbn =
-        digits == DIGITS_OF_ISBN && (number.starts_with(&['9', '7', '8']) || number.starts_with(&['9', '7', '9']));
-    let begins = is_international || has_zero || has_code || is_isbn || groups == [3, 3, 4];
-    // a list of hours has none of three
-    let has_long = groups.iter().any(|group| *group >= 3);
-    is_of_number(i) && begins && has_long && code.len() + digits >= FEWEST_OF_PHONE_NUMBER
-}
-
-/// The digits of a code in brackets at the end of a text, as before the rest of (212) 555 0199; none without one.
-fn code_in_brackets(text: &[char]) -> &[char] {
-    let [before @ .., ')', ' '] = text else { return &[] };
-    let count = before.iter().rev().take_while(|digit| digit.is_ascii_digit()).count();
-    let (before, code) = before.split_at(before.len() - count);
-    if before.ends_with(&['(']) { code } else { &[] }
-}
-
-/// Fewest digits of a telephone number with its code; dates have eight at most, and no zero before a year.
-const FEWEST_OF_PHONE_NUMBER: usize = 9;
-/// Digits of an ISBN, which begins with 978 or 979.
-const DIGITS_OF_ISBN: usize = 13;
 
 /// Whether a hyphen stands between two letters.
 fn is_hyphen_in_word(text: &[char], i: usize) -> bool {
