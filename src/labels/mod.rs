@@ -164,7 +164,7 @@ fn place_rows_first<'a>(
     rows
 }
 
-/// Points of what ticks of upright axes will be longer by than in the drawing, so that they are `least` mm long.
+/// Points of what ticks of axes will be longer by than in the drawing, so that they are `least` mm long.
 fn longer_ticks(
     wanted: &[Wanted],
     translator: &Translator<'_>,

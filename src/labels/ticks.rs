@@ -75,45 +75,53 @@ fn along(group: &Group, at: MmPoint) -> f32 {
     if matches!(group.lies, GroupDirection::Column(_)) { at.y } else { at.x }
 }
 
-/// Where ticks of numbers of upright axes will lie that are shorter than lines have to be, and are drawn longer towards
-/// their numbers: the points of those pieces.
+/// Where ticks of numbers of axes will lie that are shorter than lines have to be, and are drawn longer towards their
+/// numbers: the points of those pieces.
 pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f32) -> Vec<MmPoint> {
-    let columns =
-        groups.iter().filter(|group| group.steps.is_some() && matches!(group.lies, GroupDirection::Column(_)));
-    let piece = |label: &usize| {
-        let place = wanted[*label].anchor;
+    let scales = groups.iter().filter(|group| group.steps.is_some());
+    let numbers = scales.flat_map(|group| {
+        let across = to_axis(group);
+        group.members.iter().map(move |&label| (label, across))
+    });
+    let piece = |(label, across): (usize, MmVector)| {
+        let place = wanted[label].anchor;
+        let half = 0.5 * (across.x * place.width() + across.y * place.height());
         // the first piece of a line beside the number, and where it ends
         let side = |sign: f32| {
-            let edge = if sign > 0.0 { place.max.x } else { place.min.x };
-            let at = |step: u32| MmPoint::new(edge + sign * STEP * step as f32, place.center().y);
+            let direction = across * sign;
+            let along = MmVector::new(direction.y, direction.x);
+            let at = |step: u32| place.center() + direction * (half + STEP * step as f32);
             let steps = (REACH / STEP) as u32;
             let begin = (0..=steps).find(|step| room.is_ink(at(*step)))?;
-            let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + MmVector::new(0.0, 3.0 * by)));
+            let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + along * (3.0 * by)));
             let axis = (begin..=begin + steps).find(|step| beside(*step) || !room.is_ink(at(*step)))?;
             let length = STEP * (axis - begin) as f32;
             let is_tick = beside(axis) && length >= SHORTEST_DRAWN && length < least;
-            is_tick.then(|| (begin as f32 * STEP, (at(begin), sign * (least - length))))
+            is_tick.then(|| (begin as f32 * STEP, (at(begin), direction * (least - length))))
         };
         let sides = [-1.0, 1.0].into_iter().filter_map(side);
         sides.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, piece)| piece)
     };
-    let pieces = columns.flat_map(|group| &group.members).filter_map(piece);
-    let points = |(tip, more): (MmPoint, f32)| {
-        let steps = (more.abs() / STEP).ceil() as u32;
-        (0..=steps).map(move |step| tip - MmVector::new(more * step as f32 / steps as f32, 0.0))
+    let points = |(tip, more): (MmPoint, MmVector)| {
+        let steps = (more.length() / STEP).ceil() as u32;
+        (0..=steps).map(move |step| tip - more * (step as f32 / steps as f32))
     };
-    pieces.flat_map(points).collect()
+    numbers.filter_map(piece).flat_map(points).collect()
+}
+
+/// The way from a number to its axis, or away from it.
+fn to_axis(group: &Group) -> MmVector {
+    match group.lies {
+        GroupDirection::Column(_) => MmVector::new(1.0, 0.0),
+        GroupDirection::Row | GroupDirection::BelowPoints => MmVector::new(0.0, 1.0),
+    }
 }
 
 /// Which numbers have a tick: a piece of a line across the axis at their place, with nothing on either side of it.
 fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
     let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
-    let (across, beside) = match group.lies {
-        GroupDirection::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, CLEAR_OF_TICK * pitch)),
-        GroupDirection::Row | GroupDirection::BelowPoints => {
-            (MmVector::new(0.0, 1.0), MmVector::new(CLEAR_OF_TICK * pitch, 0.0))
-        }
-    };
+    let across = to_axis(group);
+    let beside = MmVector::new(across.y, across.x) * (CLEAR_OF_TICK * pitch);
     let has_tick = |&label: &usize| {
         let place = wanted[label].anchor;
         let reach = REACH + 0.5 * across.x * place.width();

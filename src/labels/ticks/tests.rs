@@ -52,27 +52,31 @@ fn lines_of_a_grid_are_no_ticks() {
 
 #[test]
 fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
-    let line = |from: (f32, f32), to: (f32, f32)| Line {
-        strength: 50.0,
-        runs: vec![Run::stroke(1.0, vec![MmPoint::from(from), MmPoint::from(to)])],
-    };
     let at = |i: usize| 10.0 + 20.0 * i as f32;
-    let longest = |tick: f32| {
-        let ticks = (0..4).map(|i| line((40.0 - tick, at(i)), (40.0, at(i))));
-        let lines: Vec<Line> = std::iter::once(line((40.0, 5.0), (40.0, 80.0))).chain(ticks).collect();
+    // of an upright axis, or of a level one: the same with x and y swapped
+    let longest = |tick: f32, is_level: bool| {
+        let point = |x: f32, y: f32| if is_level { MmPoint::new(y, 90.0 - x) } else { MmPoint::new(x, y) };
+        let line = |from: MmPoint, to: MmPoint| Line { strength: 50.0, runs: vec![Run::stroke(1.0, vec![from, to])] };
+        let ticks = (0..4).map(|i| line(point(40.0 - tick, at(i)), point(40.0, at(i))));
+        let axis = line(point(40.0, 5.0), point(40.0, 80.0));
+        let lines: Vec<Line> = std::iter::once(axis).chain(ticks).collect();
         let room = Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0))));
         let number = |i: usize| Wanted {
             text: format!("{i} \u{20ac}"),
-            anchor: MmRect::new(MmPoint::new(28.0, at(i) - 2.0), MmPoint::new(34.0, at(i) + 2.0)),
+            anchor: MmRect::from_points([point(28.0, at(i) - 2.0), point(34.0, at(i) + 2.0)]),
             lost_leader: None,
             kept_leader: None,
             is_nameless: false,
         };
         let wanted: Vec<Wanted> = (0..4).map(number).collect();
         let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);
-        longer(&groups, &wanted, &room, 8.0).iter().map(|at| at.x).fold(f32::INFINITY, f32::min)
+        let longer = longer(&groups, &wanted, &room, 8.0);
+        let off = |at: &MmPoint| if is_level { 90.0 - at.y } else { at.x };
+        longer.iter().map(off).fold(f32::INFINITY, f32::min)
     };
-    assert!(longest(2.5) < 33.5, "{}", longest(2.5));
-    assert!(longest(1.5) < 33.5, "{}", longest(1.5));
-    assert!(longest(0.0).is_infinite(), "an axis is no tick");
+    for is_level in [false, true] {
+        assert!(longest(2.5, is_level) < 33.5, "{}", longest(2.5, is_level));
+        assert!(longest(1.5, is_level) < 33.5, "{}", longest(1.5, is_level));
+        assert!(longest(0.0, is_level).is_infinite(), "an axis is no tick");
+    }
 }
