@@ -6,6 +6,7 @@ use super::interrupted::SCRAP;
 use super::placed::{Attachment, Params, PlacedAs, Wanted};
 use super::room::Room;
 use super::scale;
+use super::spacing::Spacing;
 use super::surroundings::{AT_END, NEAR, Surroundings, TO_LEADER};
 use crate::geom::polygon::{circle_points, corners, distance_to_box};
 use crate::geom::segment_distance;
@@ -55,67 +56,6 @@ const MOST_LED: usize = 36;
 const APART_LED: f32 = 8.0;
 const APART: f32 = 4.0;
 
-/// Blank between labels, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Spacing {
-    /// Side by side.
-    aside: f32,
-    /// One above the other.
-    above: f32,
-}
-
-/// The least blank side by side where there is room for no more, mm, whatever the cells.
-const LEAST_ASIDE: f32 = 6.0;
-/// Within a word the dots of two cells are as far apart as the cells where one of them lacks a column: so much more is
-/// the least between labels, mm, or two are read as one.
-const MORE_THAN_CELLS: f32 = 0.5;
-/// The least blank one above the other, mm.
-pub(super) const LEAST_ABOVE: f32 = 3.5;
-/// A hair for sums of floating point, mm.
-const HAIR: f32 = 0.01;
-
-impl Spacing {
-    /// As columns of a table in braille, which two blank cells keep apart; one above the other, more than lines of one
-    /// text.
-    pub(super) fn wide(cells: &CellGrid<'_>) -> Self {
-        Self { aside: blank(cells, 2), above: 7.0 }
-    }
-
-    /// The least blank: where there is room for no more.
-    pub(super) fn least(cells: &CellGrid<'_>) -> Self {
-        let from_cell_to_cell = cells.extent(2, 1).x - cells.extent(1, 1).x;
-        Self { aside: LEAST_ASIDE.max(from_cell_to_cell + MORE_THAN_CELLS), above: LEAST_ABOVE }
-    }
-
-    /// The same, less a hair.
-    pub(super) fn least_rounded(cells: &CellGrid<'_>) -> Self {
-        let Self { aside, above } = Self::least(cells);
-        Self { aside: aside - HAIR, above: above - HAIR }
-    }
-
-    /// Blank on either side.
-    pub(super) fn aside(self) -> f32 {
-        self.aside
-    }
-
-    /// Side by side as words of a text, which a blank cell keeps apart.
-    pub(super) fn narrow(cells: &CellGrid<'_>) -> Self {
-        Self { aside: blank(cells, 1), ..Self::wide(cells) }
-    }
-
-    /// The same with the least blank side by side.
-    pub(super) fn tight(cells: &CellGrid<'_>) -> Self {
-        Self { aside: Self::least(cells).aside, ..Self::narrow(cells) }
-    }
-}
-
-/// Blank between the dots of two cells with so many blank cells between them, mm.
-fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
-    let of_all = cells.extent(count + 2, 1).x;
-    // a little less, for dots that lie off by rounding
-    of_all - 2.0 * cells.extent(1, 1).x - 0.1
-}
-
 impl Candidate {
     /// One that is placed together with its row.
     pub(super) fn of_row(form: usize, place: MmRect, attachment: Attachment, cost: f32, stands: PlacedAs) -> Self {
@@ -132,10 +72,24 @@ impl Candidate {
         self.stands != PlacedAs::Alone
     }
 
-    /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight segment.
-    pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
-        let is_wrong = || self.takes_leader(other) || other.takes_leader(self);
+    /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight segment. Without a
+    /// room they may stand near to each other at one height, as two numbers do: each begins with its sign.
+    pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32, room: Option<&Room>) -> bool {
+        let is_read_on = || room.is_some_and(|room| self.is_read_on(other, spacing, room));
+        let is_wrong = || self.takes_leader(other) || other.takes_leader(self) || is_read_on();
         !(self.is_fixed() && other.is_fixed()) && (self.is_too_near(other, spacing, off) || is_wrong())
+    }
+
+    /// Whether two labels stand at one height so near to each other that a finger reads on from one to the other: they
+    /// are then one text. A line between them parts them, but no gridline does.
+    pub(super) fn is_read_on(&self, other: &Self, spacing: Spacing, room: &Room) -> bool {
+        let (low, high) = (self.place.min.max(other.place.min), self.place.max.min(other.place.max));
+        let gap = low.x - high.x;
+        let is_parted = || {
+            let y = 0.5 * (low.y + high.y);
+            room.is_parted_from_text(MmPoint::new(high.x, y), MmPoint::new(low.x, y), 0.0)
+        };
+        low.y < high.y && gap < spacing.in_line && !is_parted()
     }
 
     /// Whether a leader line of the drawing begins nearer to this label than to the other, whose it is, or about as
@@ -152,7 +106,7 @@ impl Candidate {
 
     /// Whether labels or their leader lines have less blank between them than this.
     pub(super) fn is_too_near(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
-        let Spacing { aside, above } = spacing;
+        let Spacing { aside, above, .. } = spacing;
         // nearly all pairs are far apart, and their distances need not be known
         let far = aside.max(above).max(TO_LEADER + off).max(BETWEEN_LEADERS) + EPSILON_MM;
         if !self.extent().inflate(far, far).intersects(&other.extent()) {

@@ -1,9 +1,10 @@
 //! Words one below the other that have no room all in one form, as the names beside a diagram: each as it fits.
 
-use super::candidates::{Candidate, Spacing};
+use super::candidates::Candidate;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::groups::{Group, GroupDirection};
 use super::placed::{Attachment, PlacedAs};
+use super::spacing::Spacing;
 use crate::units::{MmPoint, MmRect};
 
 /// Words of a column at the nearest edge at which most are written in full, in one line or two, and at most one or two

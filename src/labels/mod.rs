@@ -30,6 +30,7 @@ mod predicted;
 mod room;
 mod rows;
 mod scale;
+mod spacing;
 mod surroundings;
 mod ticks;
 mod titles;
@@ -50,11 +51,12 @@ use crate::braille::Translator;
 use crate::page::Figure;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
-use candidates::{Candidate, Spacing};
+use candidates::Candidate;
 use forms::{Form, FormKind, Forms};
 use groups::Group;
 use named_points::SmallRing;
 use room::Room;
+use spacing::Spacing;
 use surroundings::{AROUND_RING, LabelsAt, Surroundings};
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
@@ -92,9 +94,9 @@ pub fn place(
         (None, Err(_)) => Vec::new(),
     };
     let mut candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
-    let (mut chosen, mut spacing) = chosen_of(&candidates, &forms, cells, params.leader_off);
+    let (mut chosen, mut spacing) = chosen_of(&candidates, &forms, cells, params.leader_off, (wanted, &room));
     if let Some(alike) = alike(&chosen, &candidates, &forms, wanted) {
-        let with = chosen_of(&alike, &forms, cells, params.leader_off);
+        let with = chosen_of(&alike, &forms, cells, params.leader_off, (wanted, &room));
         let count = |chosen: &[Option<usize>]| chosen.iter().flatten().count();
         if count(&with.0) >= count(&chosen) {
             ((chosen, spacing), candidates) = (with, alike);
@@ -280,12 +282,17 @@ fn chosen_of(
     forms: &[Result<Forms, Unplaced>],
     cells: &CellGrid<'_>,
     leader_off: f32,
+    (wanted, room): (&[Wanted], &Room),
 ) -> (Vec<Option<usize>>, Spacing) {
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
+    let is_number = are_numbers(wanted);
     let chosen_with = |spacing: Spacing| {
         let of = |choice: Choice| &candidates[choice.label][choice.candidate];
-        let chosen = choose(&costs, &|a, b| of(a).conflicts(of(b), spacing, leader_off));
+        let chosen = choose(&costs, &|a, b| {
+            let room = (!(is_number[a.label] && is_number[b.label])).then_some(room);
+            of(a).conflicts(of(b), spacing, leader_off, room)
+        });
         (loss(&chosen, candidates, forms), chosen, spacing)
     };
     let (wide, narrow) = (chosen_with(Spacing::wide(cells)), chosen_with(Spacing::narrow(cells)));
@@ -306,6 +313,11 @@ fn chosen_of(
         }
     }
     (best.1, best.2)
+}
+
+/// Which labels are numbers: two of them may stand nearer to each other in one line, as their signs tell them apart.
+fn are_numbers(wanted: &[Wanted]) -> Vec<bool> {
+    wanted.iter().map(|label| scale::is_number(&label.text)).collect()
 }
 
 /// What a choice of places costs.
@@ -336,6 +348,7 @@ fn move_nearer(
     cells: &CellGrid<'_>,
     spacing: Spacing,
 ) {
+    let is_number = are_numbers(wanted);
     for _ in 0..ROUNDS {
         let mut changed = false;
         for number in 0..chosen.len() {
@@ -343,10 +356,12 @@ fn move_nearer(
             if now.is_fixed() {
                 continue;
             }
-            let others =
-                || chosen.iter().enumerate().filter(|(other, _)| *other != number).filter_map(|(_, of)| of.as_ref());
-            let off = around[number].leader_off();
-            let is_free = |found: &Candidate| !others().any(|other| found.conflicts(other, spacing, off));
+            let (off, room) = (around[number].leader_off(), around[number].room);
+            let conflicts = |found: &Candidate, other: usize| {
+                let room = (!(is_number[number] && is_number[other])).then_some(room);
+                chosen[other].as_ref().is_some_and(|of| other != number && found.conflicts(of, spacing, off, room))
+            };
+            let is_free = |found: &Candidate| !(0..chosen.len()).any(|other| conflicts(found, other));
             let form = &of.forms[now.form];
             if let Some(better) = candidates::better(&wanted[number], form, now, &around[number], cells, is_free) {
                 chosen[number] = Some(better);

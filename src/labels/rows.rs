@@ -2,13 +2,14 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{BEFORE_LEADER, Candidate, LEAST_ABOVE, Spacing};
+use super::candidates::{BEFORE_LEADER, Candidate};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::cost::LIKE_A_CELL;
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
+use super::spacing::{LEAST_ABOVE, Spacing};
 use super::surroundings::{OFF_LEVEL, OFF_TICK};
 use super::ticks;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -403,7 +404,7 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) 
     let is_column = matches!(group.lies, GroupDirection::Column(_));
     let of_point = |at: MmPoint| if is_column { at.y } else { at.x };
     let of_size = |size: MmVector| if is_column { size.y } else { size.x };
-    let blank = if is_column { LEAST_ABOVE } else { Spacing::least(context.cells).aside() };
+    let blank = if is_column { LEAST_ABOVE } else { Spacing::least(context.cells).aside };
     let step = context.cells.steps().map(of_size);
     let area = context.params.area;
     let (low, high) = (of_point(area.min), of_point(area.max));

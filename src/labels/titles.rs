@@ -1,10 +1,11 @@
 //! Titles of axes. Print is turned upright beside an axis; braille is not, so that the title of an upright axis stands
 //! above it, as transcribers set it, and that of a level one below its numbers or at their end.
 
-use super::candidates::{Candidate, LEAST_ABOVE, Spacing};
+use super::candidates::Candidate;
 use super::context::Context;
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::{Attachment, PlacedAs};
+use super::spacing::{LEAST_ABOVE, Spacing};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from its numbers a title stands in print, mm, at most.
@@ -95,7 +96,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
             GroupDirection::Column(_) => corner.x + size.x >= row.min.x,
             GroupDirection::Row | GroupDirection::BelowPoints => true,
         };
-        let at_end = MmPoint::new(row.max.x + Spacing::least(context.cells).aside(), row.max.y - size.y);
+        let at_end = MmPoint::new(row.max.x + least.in_line + 0.5 * context.params.step, row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {
             let place = context.cells.snapped(MmRect::new(corner, corner + size));
             let candidate =
@@ -103,7 +104,10 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
             let mut others = placed.iter().flatten();
             let is_free = context.params.holds(&place)
                 && context.room.is_free(place)
-                && others.all(|other| !candidate.is_too_near(other, least, context.params.leader_off));
+                && others.all(|other| {
+                    !candidate.is_too_near(other, least, context.params.leader_off)
+                        && !candidate.is_read_on(other, least, context.room)
+                });
             is_free.then_some(candidate)
         };
         let step = context.params.step.max(1.0);

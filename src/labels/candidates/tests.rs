@@ -2,6 +2,7 @@
 
 use super::super::forms::FormKind;
 use super::super::room::Room;
+use super::super::spacing::{LEAST_ABOVE, LEAST_ASIDE};
 use super::super::surroundings::LabelsAt;
 use super::*;
 use crate::page::{Line, Run};
@@ -162,19 +163,44 @@ fn at_leader(place: MmRect, leader: [(f32, f32); 2]) -> Candidate {
     Candidate::of_row(0, place, Attachment::Leader(leader.map(MmPoint::from)), 0.0, PlacedAs::Alone)
 }
 
-const LEAST: Spacing = Spacing { aside: LEAST_ASIDE, above: LEAST_ABOVE };
+const LEAST: Spacing = Spacing { aside: LEAST_ASIDE, above: LEAST_ABOVE, in_line: 15.0 };
 
 #[test]
 fn leader_lines_that_are_too_near_conflict() {
-    let one = at_leader(box_at(0.0, 0.0), [(23.0, 3.0), (80.0, 3.0)]);
-    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), LEAST, 0.0);
+    let (blank, one) = (room(&[], false), at_leader(box_at(0.0, 0.0), [(23.0, 3.0), (80.0, 3.0)]));
+    let conflicts =
+        |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), LEAST, 0.0, Some(&blank));
     assert!(conflicts(5.9) && !conflicts(6.1), "3 mm of blank");
     // and what lies in the way of a leader line
     let label = |y: f32| Candidate { attachment: Attachment::Beside, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
-    assert!(one.conflicts(&label(6.4), LEAST, 0.0) && !one.conflicts(&label(6.6), LEAST, 0.0), "3.5 mm");
-    assert!(one.conflicts(&label(6.6), LEAST, 0.5), "its dots lie off by half a millimetre");
+    assert!(
+        one.conflicts(&label(6.4), LEAST, 0.0, Some(&blank)) && !one.conflicts(&label(6.6), LEAST, 0.0, Some(&blank)),
+        "3.5 mm"
+    );
+    assert!(one.conflicts(&label(6.6), LEAST, 0.5, Some(&blank)), "its dots lie off by half a millimetre");
     let fixed = |of: Candidate| Candidate { stands: PlacedAs::InRow, ..of };
-    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), LEAST, 0.0), "rows keep their own blank");
+    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), LEAST, 0.0, Some(&blank)), "rows keep their own blank");
+}
+
+#[test]
+fn labels_at_one_height_are_not_read_as_one_text() {
+    let label = |x: f32, y: f32| Candidate::of_row(0, box_at(x, y), Attachment::Beside, 0.0, PlacedAs::Alone);
+    // the first ends at 60
+    let conflicts = |x: f32, y: f32, room: &Room| {
+        let (one, other) = (label(40.0, 50.0), label(x, y));
+        let of_both = [one.conflicts(&other, LEAST, 0.0, Some(room)), other.conflicts(&one, LEAST, 0.0, Some(room))];
+        assert_eq!(of_both[0], of_both[1]);
+        of_both[0]
+    };
+    let blank = room(&[], false);
+    assert!(conflicts(67.0, 50.0, Some(&blank)), "a blank cell or two, as between two words");
+    assert!(conflicts(67.0, 55.5, &blank), "half a line lower");
+    assert!(!conflicts(75.1, 50.0, Some(&blank)));
+    assert!(!conflicts(67.0, 60.0, Some(&blank)), "in another line");
+    let line = room(&[(63.5, 20.0), (63.5, 80.0)], false);
+    assert!(!conflicts(67.0, 50.0, &line), "a line between them");
+    assert!(conflicts(65.0, 50.0, &line), "nearer than labels ever are");
+    assert!(!label(40.0, 50.0).conflicts(&label(67.0, 50.0), LEAST, 0.0, None), "two numbers");
 }
 
 #[test]
