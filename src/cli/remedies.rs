@@ -118,7 +118,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Making::Other => note.to_string(),
         },
         Note::Faulty(_, Reason::AmongRows, _) => match making {
-            Making::Print | Making::Embossing | Making::Pins => {
+            Making::Print(_) | Making::Embossing(_) | Making::Pins => {
                 format!("{note} (--outlines, --subject X,Y --calm-background)")
             }
             Making::PageAnew => format!("{note} (--set figure.textures=false)"),

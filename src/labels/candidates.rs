@@ -340,6 +340,10 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>)
 /// The leader line of a label in the open to such an outline: it ends there, and crosses nothing.
 fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
     let &Surroundings { room, anchor, .. } = around;
+    // from the area beside, such as the sea around a land, it would say where the name of that belongs
+    if around.is_shut_in() && !around.is_in_blank(place) {
+        return None;
+    }
     let chord = anchor - nearest;
     let direction = (chord.length() > 0.0).then(|| chord.normalize())?;
     let off = around.leader_off();

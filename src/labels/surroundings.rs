@@ -232,9 +232,11 @@ impl<'a> Surroundings<'a> {
         !self.room.is_in_room(place.center(), FURTHEST_OUTLINE)
     }
 
-    /// Whether a place in the open is on no area that could have a name of its own.
+    /// Whether a place in the open is on no area that could have a name of its own: neither it nor the blank around it
+    /// lies on a texture, of which rows may be as far apart as a label is high.
     pub(super) fn is_in_blank(&self, place: MmRect) -> bool {
-        !self.params.has_coloured_ground && self.room.glyphs(place) == 0.0
+        let blank = self.params.texture_clearance;
+        !self.params.has_coloured_ground && self.room.glyphs(place.inflate(blank, blank)) == 0.0
     }
 
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text

@@ -211,8 +211,8 @@ pub(super) const LINES_AMONG_ROWS: Rule = Rule {
     severity: Severity::Warning,
     source: "the share was chosen by us, on the sample pictures; a study of guide maps (40 sighted testers) found \
              lines easiest to tell from a texture of dots from 5 mm on",
-    remedy: "convert the picture with lines only (--outlines), with textures around its subject left out \
-             (--calm-background) or on a larger sheet; or delete textures beside the lines that matter",
+    remedy: "convert the picture with lines only, without textures around its subject, or for a larger sheet; or \
+             delete textures beside the lines that matter",
     number: |limits| match limits.medium {
         MediumLimits::Print { .. } => None,
         MediumLimits::Dots { .. } => Some((100.0 * MOST_BESIDE_ROWS, "%")),

@@ -89,6 +89,45 @@ fn a_share_stands_in_no_other_sector() {
     }
 }
 
+/// The name of a land that a river parts has no room in full on either side of it: it stands abbreviated in the land,
+/// and not in the sea around it, where it would be a name of that.
+#[test]
+fn the_name_of_a_land_stands_in_no_sea() {
+    let lands = [
+        ("Norland", vec![[60.0, 60.0], [330.0, 40.0], [350.0, 150.0], [300.0, 260.0], [180.0, 300.0], [90.0, 230.0]]),
+        (
+            "Sudania",
+            vec![[180.0, 300.0], [300.0, 260.0], [430.0, 250.0], [460.0, 340.0], [380.0, 450.0], [240.0, 440.0]],
+        ),
+    ];
+    let path = |points: &[[f32; 2]]| {
+        let points: Vec<String> = points.iter().map(|[x, y]| format!("{x} {y}")).collect();
+        format!("<path d='M{}Z' stroke='#333' stroke-width='2' ", points.join("L"))
+    };
+    let marks = format!(
+        "<path d='M0 0H700V520H0Z' fill='#9ecae1'/>{} fill='#a1d99b'/>{} fill='#ef5350'/>\
+         <path d='M330 40L620 70L600 220L430 250L300 260L350 150Z' fill='#fdd835' stroke='#333' stroke-width='2'/>\
+         <path d='M200 45Q230 150 150 270' fill='none' stroke='#1f4fbf' stroke-width='3'/>\
+         <text x='190' y='130' text-anchor='middle' font-size='18'>Norland</text>\
+         <text x='330' y='350' text-anchor='middle' font-size='18'>Sudania</text>",
+        path(&lands[0].1),
+        path(&lands[1].1)
+    );
+    for profile in PROFILES {
+        let drawing = drawn(&svg([700.0, 520.0], &marks), profile);
+        for (text, land) in &lands {
+            let label = label(&drawing, text).unwrap_or_else(|| panic!("{profile}: no {text}: {}", notes(&drawing)));
+            let at = middle(&drawing, label, 700.0);
+            // its outline goes round clockwise
+            let is_inside = |i: usize| {
+                let [[ax, ay], [bx, by]] = [land[i], land[(i + 1) % land.len()]];
+                (bx - ax) * (at.y - ay) - (by - ay) * (at.x - ax) > 0.0
+            };
+            assert!((0..land.len()).all(is_inside), "{profile}: {text} stands at {at:?}");
+        }
+    }
+}
+
 /// Leader lines that lie side by side are no lines of a grid: no label stands on one of them.
 #[test]
 fn leader_lines_side_by_side_are_whole() {

@@ -299,10 +299,13 @@ fn a_label_beside_the_outline_of_its_shape_stands_on_blank_ground() {
     let label = [named(MmRect::new(MmPoint::new(97.0, 98.0), MmPoint::new(103.0, 102.0)))];
     let found = |has_coloured_ground: bool| {
         let params = Params { may_cross: false, has_coloured_ground, ..params() };
-        placed(&label, box_at(114.0, 97.0), &shape, &params).map(|found| found.attachment)
+        let found = |x: f32| placed(&label, box_at(x, 97.0), &shape, &params).map(|found| found.attachment);
+        [found(114.0), found(122.0)]
     };
-    assert_eq!(found(false), Some(Attachment::Beside));
-    assert_eq!(found(true), None, "in the sea it would be a name of that");
+    let [near, far] = found(false);
+    assert_eq!(near, Some(Attachment::Beside));
+    assert!(matches!(far, Some(Attachment::Leader([_, to])) if (109.0..112.0).contains(&to.x)), "{far:?}");
+    assert_eq!(found(true), [None, None], "in the sea it would be a name of that");
 }
 
 #[test]
