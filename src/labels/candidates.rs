@@ -255,7 +255,7 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
         Some(angle) => around.is_in_angle(angle, nearest, place),
         None => {
             let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
-            is_near || !is_point && is_beside_outline(nearest, place, around)
+            is_near && around.is_before_own(place) || !is_point && is_beside_outline(nearest, place, around)
         }
     };
     if is_beside {

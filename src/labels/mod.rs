@@ -13,6 +13,7 @@
 
 mod abbreviate;
 mod angles;
+mod before;
 mod candidates;
 mod choose;
 mod columns;
@@ -30,6 +31,7 @@ mod predicted;
 mod room;
 mod rows;
 mod scale;
+mod shape;
 mod spacing;
 mod surroundings;
 mod ticks;
@@ -157,6 +159,9 @@ fn place_rows_first<'a>(
     on_axes.for_each(|&label| around[label].cell = None);
     let scales = groups.iter().filter(|group| group.steps.is_some());
     scales.for_each(|group| group.members.iter().for_each(|&label| around[label].scale = Some(group.lies)));
+    let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
+    let reach: Vec<f32> = forms.iter().map(|of| longest(of, cells, params)).collect();
+    before::look(&mut around, wanted, is_alone, &reach);
     let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
     let mut rows = RowsPlaced { wanted, cells, room, params, forms, around, placed, thinned, titles };
     let rows::InRows { mut placed, thinned } = rows::placed(&groups, &rows.context());
@@ -181,6 +186,12 @@ fn longer_ticks(
     ticks::longer(&groups_of(wanted, &mut forms, &around, translator).0, wanted, room, least)
 }
 
+/// Length of the longest form of a label, mm, at most all that there is.
+fn longest(forms: &Result<Forms, Unplaced>, cells: &CellGrid<'_>, params: &Params) -> f32 {
+    let forms = forms.iter().flat_map(|forms| &forms.forms);
+    forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
+}
+
 /// What lies around what each label names.
 fn around<'a>(
     wanted: &[Wanted],
@@ -189,10 +200,6 @@ fn around<'a>(
     cells: &CellGrid<'_>,
     params: &'a Params,
 ) -> Vec<Surroundings<'a>> {
-    let longest = |forms: &Result<Forms, Unplaced>| {
-        let forms = forms.iter().flat_map(|forms| &forms.forms);
-        forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
-    };
     // one in the blank is told by the name that stands in its place
     let is_on_line = |at: &&MmPoint| room.line_beside(MmRect::new(**at, **at), OFF_LINE, OFF_LINE).is_some();
     let missing = params.points.iter().filter(is_on_line).map(|&at| named_points::missing(at));
@@ -200,7 +207,7 @@ fn around<'a>(
     let is_seen = |text: MmPoint, ring: &SmallRing| !room.is_parted(text, ring.at, ring.reach + AROUND_RING);
     let anchors = named_points::anchors(wanted, &rings, is_seen);
     let labels = LabelsAt { wanted, anchors: &anchors };
-    let around = |(number, forms)| Surroundings::of(number, labels, longest(forms), room, params);
+    let around = |(number, forms)| Surroundings::of(number, labels, longest(forms, cells, params), room, params);
     forms.iter().enumerate().map(around).collect()
 }
 

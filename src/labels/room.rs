@@ -13,10 +13,14 @@ use crate::geom::polygon::{corners, distance_to_box};
 use crate::page::{Line, Pen, Texture, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
+/// What lines shut in that are nearer than this on nearly all sides, mm, is inside of a shape, and not in the open.
+pub(super) const FURTHEST_OUTLINE: f32 = 90.0;
 /// From the middle of a square to its corner, mm.
 const CORNER: f32 = 0.354;
 /// Directions in which a point is looked at from.
 const RAYS: u32 = 32;
+/// The same where outlines are looked for: at 40 mm they are met every 2 mm.
+const FINE_RAYS: u32 = 128;
 /// A place is in the open if it is seen in so many of them, an eighth of the circle: a door of 16 mm is narrower from
 /// 20 mm on. Chosen by us.
 const OPEN: usize = 4;
@@ -322,6 +326,20 @@ impl Room {
             let (sin, cos) = (TAU * ray as f32 / RAYS as f32).sin_cos();
             self.first_ink(at, MmVector::new(cos, sin), reach)
         })
+    }
+
+    /// Where a line, but for gridlines, is met first in directions all around a point within `reach` mm, each with a
+    /// place `behind` mm further on in which no line lies.
+    pub(super) fn lines_around(&self, at: MmPoint, reach: f32, behind: f32) -> Vec<[MmPoint; 2]> {
+        let ink = self.strong.as_ref().unwrap_or(&self.ink);
+        let met = |ray: u32| {
+            let (sin, cos) = (TAU * ray as f32 / FINE_RAYS as f32).sin_cos();
+            let direction = MmVector::new(cos, sin);
+            let far = self.first_in(ink, at, direction, reach)?;
+            let place = at + direction * (far + behind);
+            (!ink.holds(place, &self.squares)).then_some([at + direction * far, place])
+        };
+        (0..FINE_RAYS).filter_map(met).collect()
     }
 
     /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as

@@ -3,7 +3,8 @@
 use super::angles::{self, Angle};
 use super::groups::GroupDirection;
 use super::placed::{Params, Wanted};
-use super::room::Room;
+use super::room::{FURTHEST_OUTLINE, Room};
+use super::shape::Shape;
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -33,8 +34,6 @@ const AT_VERTEX: f32 = 6.0;
 const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
 const FARTHEST_ARC: f32 = 25.0;
-/// A text or a label is in the open if it is not shut in by lines that are nearer than this on nearly all sides, mm.
-const FURTHEST_OUTLINE: f32 = 90.0;
 /// So far from its middle one is beside a line, mm: more than half of the widest.
 const OFF_LINE: f32 = 2.5;
 /// Print in a cell of a table reaches beyond its lines by at most this, mm: lines are moved, and are broader.
@@ -109,6 +108,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) tip: MmPoint,
     /// The angle between two lines that it names: a label on the other side of one of these names nothing.
     pub(super) angle: Option<Angle>,
+    /// Of a text in the open, the shape before which it stands.
+    pub(super) before: Option<Shape>,
     /// Of a number of an axis, whether that is a row or a column.
     pub(super) scale: Option<GroupDirection>,
     /// What labels beside it name.
@@ -172,6 +173,7 @@ impl<'a> Surroundings<'a> {
             anchor: at,
             tip,
             angle,
+            before: None,
             scale: None,
             others,
             points,
@@ -191,6 +193,26 @@ impl<'a> Surroundings<'a> {
     /// Whether it stands for a text that lines shut in.
     pub(super) fn is_shut_in(&self) -> bool {
         matches!(self.names, Named::Text { shut_in: Some(_), .. })
+    }
+
+    /// Whether it stands for a text in the open, and neither in an angle nor at an axis.
+    pub(super) fn is_text_in_open(&self) -> bool {
+        let is_in_open = matches!(self.names, Named::Text { shut_in: None, .. });
+        is_in_open && self.angle.is_none() && self.cell.is_none() && self.scale.is_none()
+    }
+
+    /// The text stands before a shape and names that, also from a little further away than others name a line.
+    pub(super) fn stands_before(&mut self, shape: Shape) {
+        if self.tip == self.anchor {
+            (self.tip, self.end) = (shape.outline, AT_END);
+        }
+        self.before = Some(shape);
+    }
+
+    /// Whether a label in a place stands before the shape before which its text stands, if there is one, and not before
+    /// another.
+    pub(super) fn is_before_own(&self, place: MmRect) -> bool {
+        self.before.as_ref().is_none_or(|shape| shape.is_nearest(place))
     }
 
     /// Whether it stands for a text in the open that no line is beside.

@@ -89,6 +89,51 @@ fn a_share_stands_in_no_other_sector() {
     }
 }
 
+/// The names around a pie, with their shares, stand each before its own sector, or have a leader line that ends at it:
+/// in braille they are longer, and would be pushed before the next one.
+#[test]
+fn a_name_beside_a_pie_stands_before_its_own_sector() {
+    // where each begins on the circle, px, and its text: its place and which of its ends lies there
+    let sectors = [
+        ("Bus 45%", 45.0_f32, "#1f77b4", [220.0_f32, 40.0], [422.0, 188.0], "start"),
+        ("Walk 25%", 25.0, "#ff7f0e", [275.6, 391.2], [127.0, 403.0], "end"),
+        ("Bicycle 20%", 20.0, "#2ca02c", [48.8, 275.6], [25.0, 157.0], "end"),
+        ("Car 7%", 7.0, "#d62728", [114.2, 74.4], [139.0, 32.0], "end"),
+        ("Other 3%", 3.0, "#9467bd", [186.3, 43.2], [201.0, 16.0], "end"),
+    ];
+    let mut marks = String::new();
+    for (number, (text, _, colour, [x, y], [text_x, text_y], end)) in sectors.iter().enumerate() {
+        let [to_x, to_y] = sectors[(number + 1) % sectors.len()].3;
+        marks += &format!(
+            "<path d='M220 220L{x} {y}A180 180 0 0 1 {to_x} {to_y}Z' fill='{colour}' stroke='#fff' stroke-width='2'/>\
+             <text x='{text_x}' y='{text_y}' text-anchor='{end}' font-size='16'>{text}</text>"
+        );
+    }
+    let centre = MmPoint::new(220.0, 220.0);
+    let share_at = |off: MmPoint| {
+        let off = off - centre;
+        (off.x.atan2(-off.y) / std::f32::consts::TAU * 100.0).rem_euclid(100.0)
+    };
+    for profile in PROFILES {
+        let drawing = drawn(&svg([520.0, 440.0], &marks), profile);
+        let figure = drawing.page.figure.place;
+        let in_drawing = |at: MmPoint| ((at - figure.min) * (520.0 / figure.width())).to_point();
+        let (mut begin, mut count) = (0.0, 0);
+        for (text, share, ..) in sectors {
+            let middle_of_own = begin + 0.5 * share;
+            begin += share;
+            let Some(label) = label(&drawing, text) else { continue };
+            count += 1;
+            let tip = label.leader.as_ref().and_then(|leader| leader.points.last().copied());
+            let at = share_at(in_drawing(tip.unwrap_or(place(label).center())));
+            let off = (at - middle_of_own + 50.0).rem_euclid(100.0) - 50.0;
+            // an outline may lie a little aside
+            assert!(off.abs() <= 0.5 * share + 1.0, "{profile}: {text} stands at {at} %, led: {}", tip.is_some());
+        }
+        assert!(count >= 4, "{profile}: {}", notes(&drawing));
+    }
+}
+
 /// The name of a land that a river parts has no room in full on either side of it: it stands abbreviated in the land,
 /// and not in the sea around it, where it would be a name of that.
 #[test]
