@@ -204,7 +204,7 @@ pub(super) fn draw(
     notes.extend(told_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
-    let of_legend = (&mut legend[..], edges.of_drawing());
+    let of_legend = (&mut legend, edges.of_drawing());
     let leaders = leaders::on_page(&edges, (&texts, leaders::FROM_PRINT), &layout);
     drop((picture.raster, edges));
     let areas = areas_of_colours.map(|areas| (areas.classes, areas.bars));

@@ -48,6 +48,16 @@ pub struct LegendEntry {
 }
 
 impl LegendEntry {
+    /// Of bars that are blank and of which no legend says what their colour means: its name is all that a key can tell.
+    pub(super) fn of_blank(class: Class) -> Self {
+        Self { text: String::new(), class, place: None, has_blank: true }
+    }
+
+    /// Whether a legend says what the colour means.
+    pub(super) fn has_meaning(&self) -> bool {
+        !self.text.is_empty()
+    }
+
     /// Whether a text is its word.
     fn is_of(&self, text: &Text) -> bool {
         text.string == self.text && self.place.is_some_and(|place| is_beside(place, text.place))
@@ -209,7 +219,8 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
 pub(super) fn told(entries: &[LegendEntry], figure: &Figure, has_key: bool) -> Vec<Note> {
     let occurs = |class: Class| figure.textures.iter().any(|texture| texture.class == class);
     let texts = |is: &dyn Fn(&LegendEntry) -> bool| -> Vec<&str> {
-        entries.iter().filter(|entry| is(entry)).map(|entry| entry.text.as_str()).collect()
+        let told = entries.iter().filter(|entry| entry.has_meaning() && is(entry));
+        told.map(|entry| entry.text.as_str()).collect()
     };
     let note = |texts: &[&str], reason: Reason, why: &str| {
         (!texts.is_empty()).then(|| {

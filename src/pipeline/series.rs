@@ -97,10 +97,10 @@ struct Lacking {
 }
 
 /// The textures of the figure, those of bars alike in each series, and what is told of areas without any. Entries of
-/// the legend whose series have bars without one are marked.
+/// the legend whose series have bars without one are marked; without a legend, the colours of such series are added.
 pub(super) fn textured(
     areas: Option<(Classes, Vec<ColouredBar>)>,
-    (legend, of_drawing): (&mut [LegendEntry], bool),
+    (legend, of_drawing): (&mut Vec<LegendEntry>, bool),
     layout: &Layout,
     lines: &[Line],
     plan: &Plan,
@@ -126,7 +126,7 @@ fn made_alike(
     bars: &[ColouredBar],
     classes: &mut Classes,
     textures: &mut Vec<Texture>,
-    legend: &mut [LegendEntry],
+    legend: &mut Vec<LegendEntry>,
     figure: MmRect,
 ) -> Option<Note> {
     let has_sign = |bar: &ColouredBar| {
@@ -154,12 +154,17 @@ fn made_alike(
         texture.glyphs.retain(|glyph| !own.iter().any(|place| place.contains(glyph.at)));
     }
     textures.retain(|texture| !texture.glyphs.is_empty());
+    let has_legend = !legend.is_empty();
+    if !has_legend {
+        let is_gone = |class: &Class| !textures.iter().any(|texture| texture.class == *class);
+        legend.extend(blanked.iter().map(|of| of.class).filter(is_gone).map(LegendEntry::of_blank));
+    }
     let bare = bars.iter().zip(&is_bare).filter(|(_, is_bare)| **is_bare).map(|(bar, _)| bar.place);
     let blank: Vec<MmRect> = own.into_iter().chain(bare).collect();
     let cells: BTreeSet<usize> = blank.iter().flat_map(|place| cells_in(*place, classes, figure)).collect();
     let numbers: Vec<bool> = classes.regions.iter().map(|region| is_lacking(region.class)).collect();
     blank_cells(classes, |cell, region| numbers[region as usize] && cells.contains(&cell));
-    Some(told(&blanked, &partly, !legend.is_empty()))
+    Some(told(&blanked, &partly, has_legend))
 }
 
 /// What is told of series without textures, and of those of which some bars have none.
@@ -182,7 +187,7 @@ fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
             "the key names them as blank, and fingers cannot tell these series apart: write labels at the bars, or \
              make the figure larger"
         }
-        (false, _) => "say in a label which are which",
+        (false, _) => "a key names them by their colour as blank; say in a label which are which",
     };
     let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
     Note::NotOnPage(

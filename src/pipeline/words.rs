@@ -316,7 +316,9 @@ impl<'a> WrittenWords<'a> {
         let has_title_alone = self.title.is_some() && !is_above;
         let is_wanted = match words.key {
             KeySheets::Auto => {
-                let is_told = |entry: &LegendEntry| occurs(&entry.class) || entry.has_blank || entry.place.is_some();
+                let is_told = |entry: &LegendEntry| {
+                    entry.has_meaning() && (occurs(&entry.class) || entry.has_blank || entry.place.is_some())
+                };
                 !abbreviations.is_empty() || words.legend.iter().any(is_told) || has_title_alone
             }
             KeySheets::Always => true,
@@ -324,8 +326,11 @@ impl<'a> WrittenWords<'a> {
         };
         let translator = self.translator.as_ref().filter(|_| is_wanted)?;
         let classes = Class::ALL.into_iter().filter(occurs).collect();
-        let meaning = |entry: &LegendEntry| (entry.class, entry.text.clone());
-        let meanings = words.legend.iter().map(meaning).collect();
+        let meaning = |entry: &LegendEntry| {
+            let text = if entry.has_meaning() { entry.text.as_str() } else { translator.word(entry.class.name()) };
+            (entry.class, text.to_owned())
+        };
+        let meanings = words.legend.iter().filter(|entry| entry.has_meaning()).map(meaning).collect();
         let blank = words.legend.iter().filter(|entry| entry.has_blank).map(meaning).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
         let number = self.number.map(|number| number.saturating_add(sheets_before));

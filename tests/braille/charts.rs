@@ -1,12 +1,12 @@
 //! Charts and diagrams as teachers make them: numbers at their gridlines, bars of one series alike, legends in the key,
 //! leader lines only where their words are.
 
-use super::labels::{labels_of, place};
+use super::labels::{labels_of, options, place};
 use super::worksheets::{drawn, notes, svg};
 use std::fmt::Write as _;
 use tactograph::marks::Line;
 use tactograph::medium::Medium;
-use tactograph::{Class, Drawing, MmPoint, MmRect};
+use tactograph::{Class, Drawing, KeySheets, MmPoint, MmRect, convert};
 
 const PROFILES: [&str; 4] = ["swell-a4", "index-basic-d", "viewplus-columbia", "pins-120x60"];
 const SIZE: [f32; 2] = [720.0, 480.0];
@@ -180,6 +180,41 @@ fn bars_of_a_series_are_alike_and_the_key_tells_of_blank_ones() {
             );
             let lines = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
             assert_eq!(lines.filter(|at| legend.contains(**at)).count(), 0, "{of}");
+        }
+    }
+}
+
+/// Bars that are too narrow for a texture, of a chart without a legend: the key names their colour as blank, and not
+/// only that of the one bar that has a texture.
+#[test]
+fn the_key_names_blank_bars_by_their_colour() {
+    let bars: String = [(115, 126), (207, 288), (299, 198), (391, 72), (483, 230)]
+        .into_iter()
+        .map(|(x, height)| {
+            let (y, colour) = (420 - height, if x == 483 { "#cc3333" } else { "#3366cc" });
+            format!("<rect x='{x}' y='{y}' width='56' height='{height}' fill='{colour}'/>")
+        })
+        .collect();
+    let words: String = [(143, "Mon"), (235, "Tue"), (327, "Wed"), (419, "Thu"), (511, "Fri")]
+        .into_iter()
+        .map(|(x, day)| format!("<text x='{x}' y='445' text-anchor='middle' font-size='16'>{day}</text>"))
+        .collect();
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='620' height='470' font-family='sans-serif'>\
+         <rect width='620' height='470' fill='#fff'/>{bars}{words}\
+         <path d='M90 50V420H580' fill='none' stroke='#000' stroke-width='2.5'/></svg>"
+    );
+    for profile in ["swell-a4", "braillerap"] {
+        let options = options(profile).label_texts(true).key(KeySheets::Always);
+        let drawing = convert(svg.as_bytes(), &options).expect("a page");
+        let key: Vec<&str> = drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
+        let has_texture = |class: Class| drawing.page.figure.textures.iter().any(|texture| texture.class == class);
+        let told = notes(&drawing);
+        // both are named, each as it is on the page
+        for (class, name) in [(Class::Blue, "blue"), (Class::Red, "red")] {
+            let is_blank = key.iter().any(|text| text.starts_with("blank: ") && text.contains(name));
+            assert_eq!(has_texture(class), key.contains(&name), "{profile}: {key:?} {told}");
+            assert_eq!(has_texture(class), !is_blank, "{profile}: {key:?} {told}");
         }
     }
 }

@@ -44,14 +44,15 @@ fn entry(text: &str, class: Class) -> LegendEntry {
 /// Which bars have a texture afterwards if these had one, which entries of the legend have blank ones, what is told.
 fn alike(bars: &[ColouredBar], had: &[usize]) -> (Vec<usize>, Vec<bool>, String) {
     let mut textures: Vec<Texture> = had.iter().map(|&bar| texture(&bars[bar])).collect();
-    let mut legend = [entry("Girls", Class::Red), entry("Boys", Class::Yellow)];
+    let mut legend = vec![entry("Girls", Class::Red), entry("Boys", Class::Yellow)];
     let told = made_alike(bars, &mut classes(bars), &mut textures, &mut legend, FIGURE);
     let has = |bar: &ColouredBar| {
         let own = textures.iter().filter(|texture| texture.class == bar.class);
         own.flat_map(|texture| &texture.glyphs).any(|glyph| bar.place.contains(glyph.at))
     };
     let with: Vec<usize> = (0..bars.len()).filter(|&number| has(&bars[number])).collect();
-    (with, legend.map(|entry| entry.has_blank).to_vec(), told.map(|note| note.to_string()).unwrap_or_default())
+    let blank = legend.iter().map(|entry| entry.has_blank).collect();
+    (with, blank, told.map(|note| note.to_string()).unwrap_or_default())
 }
 
 fn girls_and_boys() -> [ColouredBar; 6] {
@@ -69,6 +70,21 @@ fn a_series_whose_low_bars_have_no_texture_has_none() {
     assert_eq!((with, blank), (vec![0, 2, 4], vec![false, true]));
     assert!(told.contains("all 3 yellow bars (2 for want of room, and the others so that all are alike)"), "{told}");
     assert!(told.contains("names them as blank"), "{told}");
+}
+
+#[test]
+fn a_series_without_texture_is_named_by_its_colour_where_there_is_no_legend() {
+    let bars = girls_and_boys();
+    let legend_of = |had: &[usize]| {
+        let mut textures: Vec<Texture> = had.iter().map(|&bar| texture(&bars[bar])).collect();
+        let mut legend = Vec::new();
+        let told = made_alike(&bars, &mut classes(&bars), &mut textures, &mut legend, FIGURE);
+        (legend, told.map(|note| note.to_string()).unwrap_or_default())
+    };
+    let (legend, told) = legend_of(&[0, 1, 2, 4]);
+    assert_eq!(legend, [LegendEntry::of_blank(Class::Yellow)]);
+    assert!(told.contains("names them by their colour as blank"), "{told}");
+    assert_eq!(legend_of(&[0, 1, 2, 3, 4, 5]), (Vec::new(), String::new()), "all have theirs");
 }
 
 #[test]
