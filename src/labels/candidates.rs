@@ -269,7 +269,8 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     if around.angle.is_none_or(|angle| angle.holds_box(place)) {
         let is_of_one =
             |to: MmPoint| !around.is_shut_in() || label.lost_leader.is_some() || !is_at_corner(to, OFF_CORNERS, room);
-        let clear = clear_leader(place, around).filter(|[_, to]| is_of_one(*to));
+        let clear = clear_leader(place, around)
+            .filter(|segment| is_of_one(segment[1]) && !around.is_in_shape_of_other(place, *segment));
         if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
             return Some(Attachment::Leader(segment));
         }

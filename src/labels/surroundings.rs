@@ -287,6 +287,18 @@ impl<'a> Surroundings<'a> {
         self.is_off_others(place) && self.others.iter().all(is_clear) && self.is_clear_of_blocked([from, to])
     }
 
+    /// Whether a label of a point stands in a shape in which lies what another one names, and not its own, to which its
+    /// leader line comes through a gap of the outline: a finger takes the label for the name of that shape.
+    pub(super) fn is_in_shape_of_other(&self, place: MmRect, [from, to]: [MmPoint; 2]) -> bool {
+        let middle = place.center();
+        let is_seen = |at: MmPoint| !self.room.is_parted_from_text(middle, at, 0.0);
+        self.is_point()
+            && !is_seen(self.anchor)
+            && self.others.iter().any(|&other| is_seen(other))
+            && !self.room.is_parted(from, to, 0.0)
+            && self.room.is_in_room(middle, FURTHEST_OUTLINE)
+    }
+
     /// Whether a label in a place, without its leader line, keeps clear of what other labels name.
     pub(super) fn is_off_others(&self, place: MmRect) -> bool {
         self.others.iter().all(|&other| distance_to_box(other, place) >= TO_OTHERS)

@@ -107,6 +107,21 @@ fn a_label_nearer_to_another_anchor_has_a_leader_line_of_some_length() {
 }
 
 #[test]
+fn a_label_stands_in_no_shape_of_another_though_its_outline_has_a_gap() {
+    // two shapes, one above the other, and a gap between them on the right
+    let outline =
+        [(92.0, 100.0), (60.0, 100.0), (60.0, 60.0), (140.0, 60.0), (140.0, 140.0), (60.0, 140.0), (60.0, 100.0)];
+    let shapes = room(&outline, false);
+    let own = at(106.0, 112.0);
+    let leads = |wanted: &[Wanted]| {
+        placed(wanted, box_at(70.0, 88.0), &shapes, &params()).map(|found| found.leader().is_some())
+    };
+    assert_eq!(leads(std::slice::from_ref(&own)), Some(true), "nothing else is named");
+    assert_eq!(leads(&[own.clone(), at(75.0, 75.0)]), None, "it would be a name of the upper shape");
+    assert_eq!(leads(&[own, at(125.0, 125.0)]), Some(true), "the other is in the lower one too");
+}
+
+#[test]
 fn leader_lines_keep_away_from_what_others_name() {
     let (room, params) = (room(&[], false), params());
     let start = |y: f32| {
