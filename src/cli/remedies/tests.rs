@@ -40,7 +40,7 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert_eq!(of_note(&Note::EmptyPage, Making::PageAnew), Note::EmptyPage.to_string());
     let among_rows = Note::Faulty(About::Lines, Reason::AmongRows, String::new());
     let told = |making| of_note(&among_rows, making);
-    assert!(told(Making::Embossing).contains("--outlines") && told(Making::Pins).contains("--calm-background"));
+    assert!(told(embossing).contains("--outlines") && told(Making::Pins).contains("--calm-background"));
     assert!(told(Making::PageAnew).contains("figure.textures=false") && !told(Making::PageAnew).contains("--outlines"));
 }
 

@@ -208,10 +208,10 @@ fn labels_at_one_height_are_not_read_as_one_text() {
         of_both[0]
     };
     let blank = room(&[], false);
-    assert!(conflicts(67.0, 50.0, Some(&blank)), "a blank cell or two, as between two words");
+    assert!(conflicts(67.0, 50.0, &blank), "a blank cell or two, as between two words");
     assert!(conflicts(67.0, 55.5, &blank), "half a line lower");
-    assert!(!conflicts(75.1, 50.0, Some(&blank)));
-    assert!(!conflicts(67.0, 60.0, Some(&blank)), "in another line");
+    assert!(!conflicts(75.1, 50.0, &blank));
+    assert!(!conflicts(67.0, 60.0, &blank), "in another line");
     let line = room(&[(63.5, 20.0), (63.5, 80.0)], false);
     assert!(!conflicts(67.0, 50.0, &line), "a line between them");
     assert!(conflicts(65.0, 50.0, &line), "nearer than labels ever are");
