@@ -10,7 +10,6 @@
 
 mod clearance;
 mod grid_dot;
-mod leader_line;
 mod marks;
 mod params;
 mod rasterise;
@@ -19,12 +18,12 @@ mod spacing;
 pub mod textures;
 
 pub use clearance::{GOES_ON, STEPS, least_arc, longest_approach, longest_cut};
-pub use leader_line::{HOLE, every_second, has_every_second};
 pub use marks::{Shown, ShownScale};
 pub use params::Params;
 
 use crate::devices::DotArea;
 use crate::geom::polyline::PolylineRef;
+use crate::geom::spaced_row::every_second;
 use crate::lines::{Height, Line, LineMarks, Run};
 use crate::units::{MmPoint, MmRect};
 

@@ -10,13 +10,14 @@ pub mod ninths;
 pub mod polygon;
 pub mod polyline;
 pub mod simplify;
+pub mod spaced_row;
 pub mod walk;
 
 use lyon::geom::euclid::{Point2D, Vector2D};
 
-/// A line runs along another if their directions differ by no more than 40 degrees: the cosine. What crosses it or ends
-/// at it does not. Chosen by us: a line drawn by eye or moved aside is some degrees off, and a grid of dots has steps of
-/// 45 degrees.
+/// A line runs along another if their directions differ by no more than 40 degrees: the cosine. What crosses it or
+/// ends at it does not. Chosen by us: a line drawn by eye or moved aside is some degrees off, and a grid of dots has
+/// steps of 45 degrees.
 pub const ALONG: f32 = 0.77;
 
 /// Unit vector along the first eigenvector of the symmetric matrix `[[xx, xy], [xy, yy]]`; none if all directions are

@@ -1,9 +1,9 @@
 //! Lines as paths: what a finger follows in one go, with the length along it at each of its segments.
 
 use super::limits::LAST_DIGIT;
-use crate::dots::has_every_second;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
+use crate::geom::spaced_row::has_every_second;
 use crate::geom::walk::arc_between;
 use crate::page::{Line, Pen, Run};
 use crate::units::{MmPoint, MmRect};

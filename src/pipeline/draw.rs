@@ -215,8 +215,7 @@ pub(super) fn draw(
     request.go_on()?;
     let lines = leaders::spaced(drawn.lines, &leaders, &layout);
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-    let (lost_of_overview, overview) = (overview.lost.share(), overview.marks);
-    let lost_signs = drawn.lost.signs;
+    let (lost_signs, lost_of_overview, overview) = (drawn.lost.signs, overview.lost.share(), overview.marks);
     Ok(DrawnMarks { figure, overview, layout, lost_of_overview, facts, said, lost_signs, legend, texts, notes })
 }
 

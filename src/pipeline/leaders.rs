@@ -3,11 +3,11 @@
 
 use super::texts::Text;
 use super::unwritten::named;
-use crate::dots;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
+use crate::geom::spaced_row::{HOLE, every_second, has_every_second};
 use crate::geom::{ALONG, crossing, nearest_on_segment};
 use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
 use crate::lines::{self, Line, Pen};
@@ -148,10 +148,10 @@ pub(super) fn on_page(edges: &Edges, (texts, beside): (&[Text], f32), layout: &L
 pub(super) fn of_dots(page: &Page) -> impl Iterator<Item = [MmPoint; 2]> + '_ {
     let step = match &page.medium {
         Medium::Print(_) => None,
-        Medium::Dots(medium) => Some(dots::HOLE * medium.pitch),
+        Medium::Dots(medium) => Some(HOLE * medium.pitch),
     };
     let rows = page.figure.lines.iter().filter_map(Line::row).filter(|row| row.points.len() > 2);
-    let spaced = rows.filter(move |row| step.is_some_and(|step| dots::has_every_second(&row.points, step)));
+    let spaced = rows.filter(move |row| step.is_some_and(|step| has_every_second(&row.points, step)));
     spaced.filter_map(|row| Some([*row.points.first()?, *row.points.last()?]))
 }
 
@@ -167,7 +167,7 @@ pub(super) fn spaced(mut lines: Vec<Line>, leaders: &[[MmPoint; 2]], layout: &La
         if leads_back {
             run.points.reverse();
         }
-        run.points = dots::every_second(&run.points, medium.pitch);
+        run.points = every_second(&run.points, medium.pitch);
         if leads_back {
             run.points.reverse();
         }

@@ -117,8 +117,8 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
     marks
 }
 
-/// Whether an arc and another line, which is not drawn either, are a ring in two pieces: they end beside one another and
-/// lie on both sides of the straight between their ends. Two arcs of one angle lie on one side.
+/// Whether an arc and another line, which is not drawn either, are a ring in two pieces: they end beside one another
+/// and lie on both sides of the straight between their ends. Two arcs of one angle lie on one side.
 fn has_rest(arc: &[MmPoint], edges: &Edges, transform: &PageTransform, index: &Nearby) -> bool {
     let [Some(from), Some(to)] = [arc.first().copied(), arc.last().copied()] else { return false };
     let middle = arc[arc.len() / 2];

@@ -1,4 +1,4 @@
-//! Tests of `leader_line`.
+//! Tests of `spaced_row`.
 
 use super::*;
 
