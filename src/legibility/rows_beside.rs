@@ -1,5 +1,5 @@
 //! Lines among textures: where all dots are of one height, a row of a texture feels as a line does, and a finger cannot
-//! follow a line that has such rows close beside it.
+//! follow a line that has such rows close beside it on both sides. On the blank side of the outline of an area it can.
 //!
 //! ```text
 //! o o o o o o o   a row of a texture
@@ -14,21 +14,21 @@ use super::limits::{MOST_BESIDE_ROWS, MediumLimits, ROUNDING, ROWS_BESIDE, RuleL
 use super::rules::LINES_AMONG_ROWS;
 use crate::geom::nearby::Index;
 use crate::page::{Line, Medium, Page};
-use crate::units::{Mm, MmPoint, MmRect};
+use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// The breach of a page where rows of textures lie close beside most of the lines.
 pub(super) fn findings(page: &Page, limits: &RuleLimits) -> Option<FoundBreach> {
     let percent = 100.0 * too_many(page, limits)?;
     let what = format!(
-        "beside {percent:.0} % of the length of the lines rows of textures are nearer than {ROWS_BESIDE} mm and feel \
-         as lines do, so that these can hardly be followed; {:.0} % is the most",
+        "on both sides of {percent:.0} % of the length of the lines rows of textures are nearer than {ROWS_BESIDE} mm \
+         and feel as lines do, so that these can hardly be followed; {:.0} % is the most",
         100.0 * MOST_BESIDE_ROWS
     );
     Some(FoundBreach::of_page(LINES_AMONG_ROWS, Some(percent), what))
 }
 
-/// What share of the length of a figure's lines, 0..=1, has rows of textures nearer than [`ROWS_BESIDE`], if that is
-/// too much for lines to be followed. On paper textures are of other marks than lines, and on devices with heights they
+/// What share of the length of a figure's lines, 0..=1, has rows of textures nearer than [`ROWS_BESIDE`] on both sides,
+/// if that is too much for lines to be followed. On paper textures are of other marks than lines, and on devices with heights they
 /// are lower.
 pub(crate) fn too_many(page: &Page, limits: &RuleLimits) -> Option<f32> {
     let (Medium::Dots(medium), MediumLimits::Dots { .. }) = (&page.medium, limits.medium) else { return None };
@@ -48,8 +48,12 @@ pub(crate) fn too_many(page: &Page, limits: &RuleLimits) -> Option<f32> {
         let second = indexed(beside_row(line));
         all += row.points.len();
         // a line of two rows is felt among single ones
-        let is_drowned = |at: &&MmPoint| !has_other(&second, **at, next) && has_other(&of_rows, **at, near);
-        beside += row.points.iter().filter(is_drowned).count();
+        let last = row.points.len().saturating_sub(1);
+        let is_drowned = |(k, at): &(usize, &MmPoint)| {
+            let along = row.points[(k + 1).min(last)] - row.points[k.saturating_sub(1)];
+            !has_other(&second, **at, next) && has_on_both_sides(&of_rows, **at, along, near)
+        };
+        beside += row.points.iter().enumerate().filter(is_drowned).count();
     }
     let share = beside as f32 / all.max(1) as f32;
     (share > MOST_BESIDE_ROWS).then_some(share)
@@ -78,6 +82,24 @@ fn has_other(dots: &Index<MmPoint, Mm>, at: MmPoint, reach: f32) -> bool {
     });
     has
 }
+
+/// Whether there are dots nearer than `reach` to a place of a line on both sides of that, which goes `along` there.
+fn has_on_both_sides(dots: &Index<MmPoint, Mm>, at: MmPoint, along: MmVector, reach: f32) -> bool {
+    let along = along.try_normalize().unwrap_or_default();
+    let mut has = [false; 2];
+    dots.around(at, at, reach, |other| {
+        let away = *other - at;
+        let aside = along.cross(away);
+        if away.length() < reach && aside.abs() >= ASIDE * away.length() {
+            has[usize::from(aside > 0.0)] = true;
+        }
+    });
+    has == [true; 2]
+}
+
+/// A dot is beside a line, and not before its end, if the direction to it is off that of the line by at least 30
+/// degrees: the sine.
+const ASIDE: f32 = 0.5;
 
 #[cfg(test)]
 mod tests;

@@ -207,7 +207,7 @@ pub(super) const BLACK: Rule = Rule {
 pub(super) const LINES_AMONG_ROWS: Rule = Rule {
     id: "lines-among-rows",
     asks: "On a device with one height of dots, at most this share of the length of the lines has rows of a texture \
-           nearer than 5 mm, which feel as lines do; lines of two rows of dots stand out all the same.",
+           nearer than 5 mm on both sides, which feel as lines do; lines of two rows of dots stand out all the same.",
     severity: Severity::Warning,
     source: "the share was chosen by us, on the sample pictures; a study of guide maps (40 sighted testers) found \
              lines easiest to tell from a texture of dots from 5 mm on",

@@ -77,7 +77,7 @@ pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
 }
 
 /// What the maker is told of these pages of dots: where these are those of text cells, and where rows of textures lie
-/// close beside most of the lines, by the worst of the pages.
+/// close beside most of the lines on both sides, by the worst of the pages.
 pub(super) fn told_of_dots<'a>(
     pages: impl Iterator<Item = &'a Page>,
     medium: &DotMedium,
@@ -87,9 +87,9 @@ pub(super) fn told_of_dots<'a>(
     let worst = pages.filter_map(|page| rows_beside_lines(page, &limits)).max_by(f32::total_cmp);
     let among_rows = worst.map(|share| {
         let what = format!(
-            "beside {:.0} percent of the length of the lines rows of textures lie so close that these lines can \
-             hardly be followed, as both are rows of the same dots; draw the lines alone, or leave out the textures \
-             around what the picture is about",
+            "on both sides of {:.0} percent of the length of the lines rows of textures lie so close that these lines \
+             can hardly be followed, as both are rows of the same dots; draw the lines alone, or leave out the \
+             textures around what the picture is about",
             100.0 * share
         );
         Note::Faulty(About::Lines, Reason::AmongRows, what)
