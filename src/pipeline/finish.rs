@@ -77,7 +77,7 @@ pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
 }
 
 /// What the maker is told of these pages of dots: where these are those of text cells, and where rows of textures lie
-/// close beside most of the lines on both sides, by the worst of the pages.
+/// close on both sides of too many of the lines, by the worst of the pages.
 pub(super) fn told_of_dots<'a>(
     pages: impl Iterator<Item = &'a Page>,
     medium: &DotMedium,

@@ -151,7 +151,7 @@ verdict = Urteil: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = die meisten Linien sind kaum zu verfolgen, weil Reihen von Texturen dicht neben ihnen liegen: Texturen
+verdict-lines = manche Linien sind kaum zu verfolgen, weil Reihen von Texturen dicht neben ihnen liegen: Texturen
     weglassen oder größer zeichnen
 verdict-textures = eine Fingerkuppe liest { $right } der Texturen richtig{ $wrong ->
     [none] {""}

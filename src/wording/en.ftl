@@ -162,7 +162,7 @@ verdict = Verdict: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = most lines can hardly be followed, as rows of textures lie close beside them: leave textures out, or
+verdict-lines = some lines can hardly be followed, as rows of textures lie close beside them: leave textures out, or
     draw the picture larger
 verdict-textures = a fingertip reads { $right } of the textures right{ $wrong ->
     [none] {""}

@@ -151,7 +151,7 @@ verdict = Veredicto: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = la mayoría de las líneas apenas se pueden seguir, pues hay filas de texturas muy cerca de ellas:
+verdict-lines = algunas líneas apenas se pueden seguir, pues hay filas de texturas muy cerca de ellas:
     conviene omitir texturas o dibujar más grande
 verdict-textures = una yema lee bien { $right } de las texturas{ $wrong ->
     [none] {""}

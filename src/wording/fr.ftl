@@ -151,7 +151,7 @@ verdict = Verdict : { $errors ->
     [none] {""}
    *[other] {" "}; { $textures }
 }.
-verdict-lines = la plupart des lignes sont difficiles à suivre, car des rangées de textures sont tout près d’elles :
+verdict-lines = certaines lignes sont difficiles à suivre, car des rangées de textures sont tout près d’elles :
     il faut omettre des textures ou dessiner plus grand
 verdict-textures = un bout de doigt lit correctement { $right } des textures{ $wrong ->
     [none] {""}

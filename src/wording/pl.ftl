@@ -155,7 +155,7 @@ verdict = Ocena: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-lines = większość linii trudno śledzić, bo tuż obok nich leżą rzędy faktur: lepiej pominąć faktury albo
+verdict-lines = niektóre linie trudno śledzić, bo tuż obok nich leżą rzędy faktur: lepiej pominąć faktury albo
     narysować obraz większy
 verdict-textures = opuszek palca odczytuje dobrze { $right } faktur{ $wrong ->
     [none] {""}
