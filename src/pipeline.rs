@@ -83,6 +83,7 @@ use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{DrawnMarks, FromPerson, WithRoom, draw, find};
 use finish::{PageSays, finished, origin, told_empty, told_of_dots, too_black};
+use read::ReadPicture;
 use request::OverviewSize;
 use words::{OnPage, WrittenWords};
 
@@ -165,13 +166,19 @@ pub fn convert_with_words<'p>(
             was_narrowed.set(narrowed.figure != own);
             narrowed
         };
-    let mut made = |with_room: &WithRoom<'_>| {
+    let made = |picture: ReadPicture<'p>, with_room: &WithRoom<'_>, watch: &mut Watch<'_>| {
         let marks = draw(find(picture, person, request, &layout_of, with_room, watch)?, given, request, watch)?;
         let loss = marks.loss();
         Ok((compose(marks, words, &written, request, watch)?, loss))
     };
-    let narrowed = made(&with_room)?;
-    if was_narrowed.get() { narrowed_or_whole(narrowed, || made(&|_, layout, _| layout)) } else { Ok(narrowed.0) }
+    let picture = ReadPicture::of(picture, given, request, &layout_of, watch)?;
+    let again = (words.own_texts && picture.has_texts()).then(|| picture.clone());
+    let narrowed = made(picture, &with_room, watch)?;
+    match again.filter(|_| was_narrowed.get()) {
+        // stages are told of once
+        Some(picture) => narrowed_or_whole(narrowed, || made(picture, &|_, layout, _| layout, &mut |_| ())),
+        None => Ok(narrowed.0),
+    }
 }
 
 /// A page whose figure is smaller for the sake of its words, each page with its loss ([`DrawnMarks::loss`]): or, if
@@ -228,13 +235,16 @@ pub fn redraw(
     let layout_of = |size: Size| written.layout(size, OverviewSize::Own, request);
     let roomy = redraw::with_room(page, &words, &written, request.plan, layout.clone(), &layout_of);
     let was_narrowed = roomy.figure != layout.figure;
-    let mut made = |layout: Layout| {
+    let made = |layout: Layout, watch: &mut Watch<'_>| {
         let marks = redraw::marks(old, layout, request, watch)?;
         let loss = marks.loss();
         Ok((compose(marks, &words, &written, request, watch)?, loss))
     };
-    let narrowed = made(roomy)?;
-    let drawing = if was_narrowed { narrowed_or_whole(narrowed, || made(layout))? } else { narrowed.0 };
+    let narrowed = made(roomy, watch)?;
+    let drawing = match was_narrowed {
+        true => narrowed_or_whole(narrowed, || made(layout, &mut |_| ()))?,
+        false => narrowed.0,
+    };
     // its labels are no texts of a picture
     Ok(Drawing { texts: Vec::new(), ..drawing })
 }

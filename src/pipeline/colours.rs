@@ -1,11 +1,10 @@
 //! From bytes to sorted colours: as for a page, but no further.
 
 use super::areas_of_colours::sort_colours;
-use super::draw::working_size;
 use super::find_edges::find_edges;
 use super::progress::Watch;
 use super::read::{Read, read};
-use super::request::{OverviewSize, Request};
+use super::request::{OverviewSize, Request, working_size};
 use crate::Error;
 use crate::classes::{self, Classes};
 use crate::picture::Picture;

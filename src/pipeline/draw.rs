@@ -22,7 +22,7 @@ use super::overview::{
     DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
 };
 use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
-use super::read::{Content, Read, read, read_lines};
+use super::read::{Content, Read, ReadPicture, read_lines};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series;
 use super::subject;
@@ -37,8 +37,7 @@ use super::words::{Words, become_labels};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
-use crate::page::{Figure, Medium, MediumParams};
-use crate::picture::Picture;
+use crate::page::{Figure, Medium};
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
@@ -97,10 +96,10 @@ pub(super) struct FromPerson<'a> {
     pub(super) words: &'a Words<'a>,
 }
 
-/// Reads a picture, lays it out where `layout_of` its size says, `with_room` for the texts in it, and finds its
-/// contours: what [`draw`] draws.
+/// Lays a picture out where `layout_of` its size says, `with_room` for the texts in it, and finds its contours: what
+/// [`draw`] draws.
 pub(super) fn find(
-    picture: Picture<'_>,
+    picture: ReadPicture<'_>,
     person: FromPerson<'_>,
     request: &Request<'_>,
     layout_of: &LayoutOf<'_>,
@@ -109,10 +108,7 @@ pub(super) fn find(
 ) -> Result<Found, Error> {
     let FromPerson { given, words } = person;
     let (plan, fit) = (request.plan, &request.fit);
-    let working_size = |source: Header| working_size(source, layout_of, fit, plan);
-    let options = request.decoding(&working_size);
-    let file = picture;
-    let Read { picture, content } = read(file, &options, given.text_reader.as_ref(), watch)?;
+    let ReadPicture { file, read: Read { picture, content } } = picture;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
     let overview = overview_of(&picture, &content, given, plan);
@@ -356,35 +352,6 @@ pub(super) fn overview_of(picture: &decode::Decoded, content: &Content, given: &
     // few shapes need no more room
     let has_regions = plan.region_detail().is_some() && plan.lines().most_shapes.is_none();
     if is_photograph && has_regions && given.lines.is_none() { OverviewSize::OfPhotograph } else { OverviewSize::Own }
-}
-
-/// A bitmap has as many pixels on a smaller printed figure as on one whose longer side is so many mm: in fewer the
-/// strokes of a sharp corner are one blot. Of the pages of a house on figures of 60 to 90 mm, 6 of 10 lost an eave
-/// without. Dots are too coarse to show it.
-const SMALL: f32 = 110.0;
-
-/// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
-/// more than there are.
-pub(super) fn working_size(source: Header, layout_of: &LayoutOf<'_>, fit: &Fit, plan: &Plan) -> Result<Size, Error> {
-    let Header { size, is_drawing } = source;
-    enough_pixels(size)?;
-    let place = layout_of(size, OverviewSize::Own)?.figure;
-    let figure = &plan.profile().figure;
-    let side = place.width().min(place.height());
-    if side < figure.min_side {
-        let least = figure.min_side;
-        return Err(match fit.width {
-            None => Error::TooNarrow { size, side, least },
-            Some(wanted) => Error::NotWideEnough { wanted, side, least },
-        });
-    }
-    let is_fine_enough = is_drawing || matches!(plan.medium(), MediumParams::Dots { .. });
-    let finer = if is_fine_enough { 1.0 } else { (SMALL / place.width().max(place.height())).max(1.0) };
-    let pixels = |mm: f32, own: u32| {
-        let wanted = ((mm * figure.resolution * finer).round() as u32).max(1);
-        if is_drawing { wanted } else { wanted.min(own) }
-    };
-    Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
 }
 
 /// What becomes of the lines of a figure.

@@ -1,6 +1,8 @@
 //! A picture is decoded, and the text in its pixels taken out of it.
 
+use super::given::Given;
 use super::progress::{Event, Stage, Watch, run_stage};
+use super::request::{LayoutOf, Request, working_size};
 use super::text_reader::TextReader;
 use crate::edges::PictureKind;
 use crate::lettering::{FoundLine, Lettering};
@@ -22,12 +24,41 @@ const LEAST_FINER: f32 = 1.15;
 const FONT_SIZE: f32 = 1.6;
 
 /// A picture, and what is known of it.
+#[derive(Clone)]
 pub(super) struct Read {
     pub(super) picture: decode::Decoded,
     pub(super) content: Content,
 }
 
+/// A picture as it was given, and as it was read for its size on the sheet.
+#[derive(Clone)]
+pub(super) struct ReadPicture<'p> {
+    pub(super) file: Picture<'p>,
+    pub(super) read: Read,
+}
+
+impl<'p> ReadPicture<'p> {
+    /// Reads a picture that lies where `layout_of` its size says.
+    pub(super) fn of(
+        file: Picture<'p>,
+        given: &Given,
+        request: &Request<'_>,
+        layout_of: &LayoutOf<'_>,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self, Error> {
+        let working_size = |source: Header| working_size(source, layout_of, &request.fit, request.plan);
+        let read = read(file, &request.decoding(&working_size), given.text_reader.as_ref(), watch)?;
+        Ok(Self { file, read })
+    }
+
+    /// Whether it has texts that are not drawn.
+    pub(super) fn has_texts(&self) -> bool {
+        !self.read.picture.texts.is_empty()
+    }
+}
+
 /// What is known of a picture before contours are looked for.
+#[derive(Clone)]
 pub(super) enum Content {
     /// It is of one colour: there is nothing to find.
     Uniform,

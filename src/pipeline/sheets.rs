@@ -6,6 +6,7 @@ use super::given::Given;
 use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run_stage};
+use super::read::ReadPicture;
 use super::request::{Request, SLACK};
 use super::words::{OnPage, Words, WrittenWords};
 use crate::page::heading::HeadingParams;
@@ -64,7 +65,8 @@ pub fn convert<'p>(
     let written = WrittenWords::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
     let layout_of = |size: Size, _| Ok(together(&lay(size)?));
-    let found = find(picture.into(), FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
+    let picture = ReadPicture::of(picture.into(), given, request, &layout_of, watch)?;
+    let found = find(picture, FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
     let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
     let legend = if words.own_texts { legend } else { Vec::new() };

@@ -1,12 +1,12 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of, working_size};
+use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of};
 use super::find_edges::edges_of;
 use super::given::Given;
 use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
-use super::request::{Fit, OverviewSize, Request, enough_pixels};
+use super::request::{Fit, OverviewSize, Request, enough_pixels, working_size};
 use super::told_bars;
 use super::told_lines::told_left_out;
 use crate::contours::Trace;
