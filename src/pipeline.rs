@@ -259,7 +259,7 @@ fn compose(
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
     let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
-    let legend = if words.own_texts { legend } else { words.legend.to_vec() };
+    let legend = words.told_legend(legend);
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
@@ -274,6 +274,7 @@ fn compose(
         let before = 1 + u32::from(alone);
         let key = written.key(words, &braille, &figure, before, &layout, request)?;
         key.tell_of_title(&mut notes);
+        key.tell_of_blank(&mut notes);
         notes.extend(key.notes);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, said, braille, &layout, request)?, None)),

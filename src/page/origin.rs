@@ -192,8 +192,8 @@ pub struct ToldInKey {
     pub colours: Vec<(Class, Option<String>)>,
     /// Abbreviations and what they stand for.
     pub abbreviations: Vec<(String, String)>,
-    /// What areas without a texture mean, with the colour that they have in the drawing.
-    pub blank: Vec<(Class, String)>,
+    /// The colours that areas without a texture have in the drawing, each with what it means by the legend, if it does.
+    pub blank: Vec<(Class, Option<String>)>,
     /// The title of the page, where it has no room above the figure and stands in the key alone.
     pub title: Option<String>,
 }
@@ -203,17 +203,17 @@ impl ToldInKey {
     pub fn to_origin(&self) -> Vec<(String, String)> {
         // each is one line of the file
         let line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let colours = self.colours.iter().map(|(class, means)| match means {
-            Some(means) => (COLOURS.to_owned(), format!("{}{MEANS}{}", class.name(), line(means))),
-            None => (COLOURS.to_owned(), class.name().to_owned()),
-        });
+        let colour = |(class, means): &(Class, Option<String>)| match means {
+            Some(means) => format!("{}{MEANS}{}", class.name(), line(means)),
+            None => class.name().to_owned(),
+        };
+        let colours = self.colours.iter().map(|of| (COLOURS.to_owned(), colour(of)));
+        let blank = self.blank.iter().map(|of| (BLANK.to_owned(), colour(of)));
         let abbreviation = |(short, text): &(String, String)| {
             (ABBREVIATIONS.to_owned(), format!("{}{MEANS}{}", line(short), line(text)))
         };
-        let blank =
-            |(class, means): &(Class, String)| (BLANK.to_owned(), format!("{}{MEANS}{}", class.name(), line(means)));
         let title = self.title.iter().map(|title| (TITLE.to_owned(), line(title)));
-        let colours = title.chain(colours).chain(self.blank.iter().map(blank));
+        let colours = title.chain(colours).chain(blank);
         colours.chain(self.abbreviations.iter().map(abbreviation)).collect()
     }
 
@@ -229,7 +229,7 @@ impl ToldInKey {
         let pair = |value: &str| value.split_once(MEANS).map(|(short, text)| (short.to_owned(), text.to_owned()));
         let told = Self {
             colours: values(COLOURS).filter_map(colour).collect(),
-            blank: values(BLANK).filter_map(colour).filter_map(|(class, means)| Some((class, means?))).collect(),
+            blank: values(BLANK).filter_map(colour).collect(),
             abbreviations: values(ABBREVIATIONS).filter_map(pair).collect(),
             title: Self::title_of(page).map(str::to_owned),
         };

@@ -15,6 +15,7 @@ use crate::braille::{Braille, Divide, Translator, unicode, wrap};
 use crate::classes::{Class, Classes, Region};
 use crate::dots;
 use crate::lines::{Line, Run};
+use crate::listing::list;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, TextRole, Texture, ToldInKey};
@@ -22,7 +23,7 @@ use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
-use crate::{Error, Note, error};
+use crate::{Error, Note, Reason, error};
 
 /// When there is a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -82,8 +83,8 @@ pub(super) struct Entries<'a> {
     pub(super) classes: Vec<Class>,
     /// What colours mean by the legend of the drawing.
     pub(super) meanings: Vec<(Class, String)>,
-    /// What areas mean that have no room for the texture of their colour.
-    pub(super) blank: Vec<(Class, String)>,
+    /// The colours of areas that have no room for their texture, and what they mean by the legend, if it says so.
+    pub(super) blank: Vec<(Class, Option<String>)>,
     /// Abbreviations and what they stand for.
     pub(super) abbreviations: Vec<(String, String)>,
     /// The page number of its first sheet.
@@ -123,6 +124,20 @@ impl Key {
         for note in notes {
             if let Note::NoRoomForTitle { in_key, .. } = note {
                 *in_key = self.told.title.is_some();
+            }
+        }
+    }
+
+    /// Says of bars without a texture which of them this key names as blank.
+    pub(super) fn tell_of_blank(&self, notes: &mut [Note]) {
+        let name = |(class, means): &(Class, Option<String>)| means.clone().unwrap_or_else(|| class.name().to_owned());
+        let names: Vec<String> = self.told.blank.iter().map(name).collect();
+        if names.is_empty() {
+            return;
+        }
+        for note in notes {
+            if let Note::NotOnPage(_, Reason::BarsTooSmall, told) = note {
+                *told = format!("{told}; the key names {} as blank", list(&names, "and"));
             }
         }
     }
@@ -310,7 +325,8 @@ fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> (Vec<Item>
         };
         Item { patch: Some(class), lines: lines(&text, beside_patch), text }
     }));
-    let blank: Vec<&str> = entries.blank.iter().map(|(_, text)| text.as_str()).collect();
+    let name = |(class, text): &(Class, Option<String>)| text.clone().unwrap_or_else(|| word(class.name()));
+    let blank: Vec<String> = entries.blank.iter().map(name).collect();
     items.extend((!blank.is_empty()).then(|| {
         let text = format!("{}: {}", word("blank"), blank.join(", "));
         Item { patch: None, lines: lines(&text, width), text }

@@ -156,7 +156,8 @@ const OF_PATCH: f32 = 1.0;
 /// The legend of a page that was read, as its key told it.
 pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
     let told = ToldInKey::of(page).unwrap_or_default();
-    let is_blank = |class: Class, text: &str| told.blank.iter().any(|(of, blank)| *of == class && blank == text);
+    let is_blank =
+        |class: Class, text: &str| told.blank.iter().any(|(of, blank)| *of == class && blank.as_deref() == Some(text));
     let entry = |(class, text): (Class, &str)| LegendEntry {
         text: text.to_owned(),
         class,
@@ -165,8 +166,11 @@ pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
     };
     let mut entries: Vec<LegendEntry> = told.meanings().map(entry).collect();
     let is_there = |class: Class, text: &str| entries.iter().any(|entry| entry.class == class && entry.text == text);
-    let blank = told.blank.iter().filter(|(class, text)| !is_there(*class, text));
-    let blank: Vec<LegendEntry> = blank.map(|(class, text)| entry((*class, text))).collect();
+    let of_blank = |(class, text): &(Class, Option<String>)| match text {
+        None => Some(LegendEntry::of_blank(*class)),
+        Some(text) => (!is_there(*class, text)).then(|| entry((*class, text))),
+    };
+    let blank: Vec<LegendEntry> = told.blank.iter().filter_map(of_blank).collect();
     entries.extend(blank);
     entries
 }

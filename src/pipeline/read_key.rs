@@ -33,8 +33,8 @@ pub(super) fn is_key(page: &Page) -> bool {
 pub(super) fn has_own_key(page: &Page) -> bool {
     is_key(page)
         || ToldInKey::of(page).is_some_and(|told| {
-            let has_none = told.abbreviations.is_empty() && told.blank.is_empty() && told.title.is_none();
-            has_none && told.meanings().count() == 0
+            let has_meaning = told.blank.iter().any(|(_, means)| means.is_some()) || told.meanings().count() > 0;
+            told.abbreviations.is_empty() && told.title.is_none() && !has_meaning
         })
 }
 
@@ -155,7 +155,7 @@ fn entries<'a>(page: &'a Page, written: &'a WrittenWords<'_>) -> Option<(Entries
             entries.title = title;
         } else if let Some(Some(of)) = after(said, translator.word("blank")) {
             // of which colour they are in the drawing is not told there
-            entries.blank.push((Class::Grey, of.to_owned()));
+            entries.blank.push((Class::Grey, Some(of.to_owned())));
         } else if let Some((short, of)) = said.split_once(": ") {
             let pair = (short.to_owned(), of.to_owned());
             entries.abbreviations.extend((!entries.abbreviations.contains(&pair)).then_some(pair));

@@ -97,7 +97,7 @@ struct Lacking {
 }
 
 /// The textures of the figure, those of bars alike in each series, and what is told of areas without any. Entries of
-/// the legend whose series have bars without one are marked; without a legend, the colours of such series are added.
+/// the legend whose series have bars without one are marked; without one, colours without any texture are added.
 pub(super) fn textured(
     areas: Option<(Classes, Vec<ColouredBar>)>,
     (legend, of_drawing): (&mut Vec<LegendEntry>, bool),
@@ -154,8 +154,7 @@ fn made_alike(
         texture.glyphs.retain(|glyph| !own.iter().any(|place| place.contains(glyph.at)));
     }
     textures.retain(|texture| !texture.glyphs.is_empty());
-    let has_legend = !legend.is_empty();
-    if !has_legend {
+    if legend.is_empty() {
         let is_gone = |class: &Class| !textures.iter().any(|texture| texture.class == *class);
         legend.extend(blanked.iter().map(|of| of.class).filter(is_gone).map(LegendEntry::of_blank));
     }
@@ -164,11 +163,12 @@ fn made_alike(
     let cells: BTreeSet<usize> = blank.iter().flat_map(|place| cells_in(*place, classes, figure)).collect();
     let numbers: Vec<bool> = classes.regions.iter().map(|region| is_lacking(region.class)).collect();
     blank_cells(classes, |cell, region| numbers[region as usize] && cells.contains(&cell));
-    Some(told(&blanked, &partly, has_legend))
+    Some(told(&blanked, &partly))
 }
 
-/// What is told of series without textures, and of those of which some bars have none.
-fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
+/// What is told of series without textures, and of those of which some bars have none. Whether a key names them is told
+/// where that is known (`Key::tell_of_blank`).
+fn told(blanked: &[Lacking], partly: &[Lacking]) -> Note {
     let all = |of: &Lacking| match of.bars - of.bare {
         0 if of.bars == 1 => format!("the {} bar", of.class.name()),
         0 => format!("all {} {} bars", of.bars, of.class.name()),
@@ -181,19 +181,16 @@ fn told(blanked: &[Lacking], partly: &[Lacking], has_legend: bool) -> Note {
     };
     let some = |of: &Lacking| format!("{} of {} {} bars", of.bare, of.bars, of.class.name());
     let each: Vec<String> = blanked.iter().map(all).chain(partly.iter().map(some)).collect();
-    let key = match (has_legend, blanked.len() > 1) {
-        (true, false) => "the key names them as blank",
-        (true, true) => {
-            "the key names them as blank, and fingers cannot tell these series apart: write labels at the bars, or \
-             make the figure larger"
-        }
-        (false, _) => "a key names them by their colour as blank; say in a label which are which",
+    let advice = if blanked.len() > 1 {
+        "fingers cannot tell these series apart: write labels at the bars, or make the figure larger"
+    } else {
+        "say in labels which these are, or make the figure larger"
     };
     let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
     Note::NotOnPage(
         About::Areas,
         Reason::BarsTooSmall,
-        format!("the textures of bars of the chart, {each}, as they are {why}; {key}"),
+        format!("the textures of bars of the chart, {each}, as they are {why}; {advice}"),
     )
 }
 

@@ -69,7 +69,7 @@ pub fn convert<'p>(
     let found = find(picture, FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
     let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
-    let legend = if words.own_texts { legend } else { Vec::new() };
+    let legend = words.told_legend(legend);
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
@@ -90,6 +90,7 @@ pub fn convert<'p>(
         let before = sheets.all().count() as u32;
         let key = written.key(words, &labels, &figure, before, &sheet, request)?;
         key.tell_of_title(&mut notes);
+        key.tell_of_blank(&mut notes);
         notes.extend(key.notes);
         let pages = sheets.pages.into_iter().map(|page| page.with_key(&key.told)).collect();
         Ok::<_, Error>(Sheets { pages, key: key.sheets, ..sheets })

@@ -74,6 +74,16 @@ impl Words<'_> {
             || self.key == KeySheets::Always
             || self.number.is_some()
     }
+
+    /// The legend that a key tells, where a drawing has its `own`. If its words are no labels, that is only what the
+    /// maker of the page gave, and which colours are blank.
+    pub(super) fn told_legend(&self, own: Vec<LegendEntry>) -> Vec<LegendEntry> {
+        if self.own_texts {
+            return own;
+        }
+        let given = self.legend.iter().filter(|entry| entry.has_meaning()).cloned();
+        given.chain(own.into_iter().filter(|entry| !entry.has_meaning())).collect()
+    }
 }
 
 /// The words of a page in braille.
@@ -326,12 +336,11 @@ impl<'a> WrittenWords<'a> {
         };
         let translator = self.translator.as_ref().filter(|_| is_wanted)?;
         let classes = Class::ALL.into_iter().filter(occurs).collect();
-        let meaning = |entry: &LegendEntry| {
-            let text = if entry.has_meaning() { entry.text.as_str() } else { translator.word(entry.class.name()) };
-            (entry.class, text.to_owned())
-        };
-        let meanings = words.legend.iter().filter(|entry| entry.has_meaning()).map(meaning).collect();
-        let blank = words.legend.iter().filter(|entry| entry.has_blank).map(meaning).collect();
+        let meaning = |entry: &LegendEntry| entry.has_meaning().then(|| entry.text.clone());
+        let meanings = words.legend.iter().filter_map(|entry| Some((entry.class, meaning(entry)?))).collect();
+        // a colour that has a texture on the page has its patch
+        let is_blank = |entry: &&LegendEntry| entry.has_blank && (entry.has_meaning() || !occurs(&entry.class));
+        let blank = words.legend.iter().filter(is_blank).map(|entry| (entry.class, meaning(entry))).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
         let number = self.number.map(|number| number.saturating_add(sheets_before));
         Some(Entries {

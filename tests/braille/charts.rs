@@ -6,7 +6,7 @@ use super::worksheets::{drawn, notes, svg};
 use std::fmt::Write as _;
 use tactograph::marks::Line;
 use tactograph::medium::Medium;
-use tactograph::{Class, Drawing, KeySheets, MmPoint, MmRect, convert};
+use tactograph::{Class, Drawing, KeySheets, MmPoint, MmRect, Profile, RenderOptions, convert};
 
 const PROFILES: [&str; 4] = ["swell-a4", "index-basic-d", "viewplus-columbia", "pins-120x60"];
 const SIZE: [f32; 2] = [720.0, 480.0];
@@ -184,10 +184,8 @@ fn bars_of_a_series_are_alike_and_the_key_tells_of_blank_ones() {
     }
 }
 
-/// Bars that are too narrow for a texture, of a chart without a legend: the key names their colour as blank, and not
-/// only that of the one bar that has a texture.
-#[test]
-fn the_key_names_blank_bars_by_their_colour() {
+/// A chart without a legend, of bars that are too narrow for a texture on an embosser of large dots.
+fn without_legend() -> String {
     let bars: String = [(115, 126), (207, 288), (299, 198), (391, 72), (483, 230)]
         .into_iter()
         .map(|(x, height)| {
@@ -199,23 +197,80 @@ fn the_key_names_blank_bars_by_their_colour() {
         .into_iter()
         .map(|(x, day)| format!("<text x='{x}' y='445' text-anchor='middle' font-size='16'>{day}</text>"))
         .collect();
-    let svg = format!(
+    format!(
         "<svg xmlns='http://www.w3.org/2000/svg' width='620' height='470' font-family='sans-serif'>\
          <rect width='620' height='470' fill='#fff'/>{bars}{words}\
          <path d='M90 50V420H580' fill='none' stroke='#000' stroke-width='2.5'/></svg>"
-    );
-    for profile in ["swell-a4", "braillerap"] {
-        let options = options(profile).label_texts(true).key(KeySheets::Always);
-        let drawing = convert(svg.as_bytes(), &options).expect("a page");
-        let key: Vec<&str> = drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
-        let has_texture = |class: Class| drawing.page.figure.textures.iter().any(|texture| texture.class == class);
-        let told = notes(&drawing);
-        // both are named, each as it is on the page
-        for (class, name) in [(Class::Blue, "blue"), (Class::Red, "red")] {
-            let is_blank = key.iter().any(|text| text.starts_with("blank: ") && text.contains(name));
-            assert_eq!(has_texture(class), key.contains(&name), "{profile}: {key:?} {told}");
-            assert_eq!(has_texture(class), !is_blank, "{profile}: {key:?} {told}");
+    )
+}
+
+/// What stands on the sheets of a key.
+fn key_of(drawing: &Drawing) -> Vec<&str> {
+    drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect()
+}
+
+fn has_texture(drawing: &Drawing, class: Class) -> bool {
+    drawing.page.figure.textures.iter().any(|texture| texture.class == class)
+}
+
+/// Bars that are too narrow for a texture, of a chart without a legend: the key names their colour as blank, and not
+/// only that of the one bar that has a texture; also where the texts of the drawing are no labels.
+#[test]
+fn the_key_names_blank_bars_by_their_colour() {
+    let svg = without_legend();
+    for (profile, is_bare) in [("swell-a4", false), ("braillerap", true)] {
+        for texts in [true, false] {
+            let options = options(profile).label_texts(texts).key(KeySheets::Always);
+            let drawing = convert(svg.as_bytes(), &options).expect("a page");
+            let (key, told) = (key_of(&drawing), notes(&drawing));
+            assert_eq!(has_texture(&drawing, Class::Blue), !is_bare, "{profile}: {told}");
+            // both are named, each as it is on the page
+            for (class, name) in [(Class::Blue, "blue"), (Class::Red, "red")] {
+                let is_blank = key.iter().any(|text| text.starts_with("blank: ") && text.contains(name));
+                let has_texture = has_texture(&drawing, class);
+                assert_eq!(has_texture, key.contains(&name), "{profile}, {texts}: {key:?} {told}");
+                assert_eq!(has_texture, !is_blank, "{profile}, {texts}: {key:?} {told}");
+            }
         }
+    }
+}
+
+/// A remark on blank bars speaks of a key that names them only where there is one.
+#[test]
+fn a_remark_on_blank_bars_promises_no_key() {
+    let svg = without_legend();
+    for key in KeySheets::ALL {
+        for texts in [true, false] {
+            let drawing = convert(svg.as_bytes(), &options("braillerap").label_texts(texts).key(key)).expect("a page");
+            let (told, of) = (notes(&drawing), format!("{}, {texts}", key.name()));
+            let is_in_key = key_of(&drawing).iter().any(|text| text.starts_with("blank: "));
+            assert_eq!(is_in_key, key == KeySheets::Always, "{of}");
+            assert!(told.contains("the textures of bars of the chart, all 4 blue bars"), "{of}: {told}");
+            assert_eq!(told.contains("; the key names "), is_in_key, "{of}: {told}");
+        }
+    }
+}
+
+/// On a page that is laid out anew blank bars keep their place in the key, by their colour and not as what it means.
+#[test]
+fn a_key_that_is_made_anew_names_blank_bars_by_their_colour() {
+    let options = options("braillerap").label_texts(true).key(KeySheets::Always);
+    let svg = without_legend();
+    let page = convert(svg.as_bytes(), &options).expect("a page").page;
+    let origin = |page: &tactograph::Page| -> Vec<String> {
+        page.origin.iter().filter(|(name, _)| name == "blank in the key").map(|(_, value)| value.clone()).collect()
+    };
+    assert_eq!(origin(&page), ["blue", "red"], "without a meaning");
+    // nor is the word of a language one
+    let german = convert(svg.as_bytes(), &options.language("de")).expect("a page");
+    assert!(key_of(&german).contains(&"leer: blau, rot"), "{:?}", key_of(&german));
+    assert_eq!(origin(&german.page), ["blue", "red"]);
+    for profile in ["swell-a4", "index-basic-d"] {
+        let profile = Profile::named(profile).expect("it is built in");
+        let anew = tactograph::render(page.to_svg(), &RenderOptions::new().profile(profile)).expect("a page");
+        let key = key_of(&anew);
+        assert!(key.contains(&"blank: blue, red") && !key.iter().any(|text| text.contains("blue: ")), "{key:?}");
+        assert_eq!(origin(&anew.page), ["blue", "red"]);
     }
 }
 

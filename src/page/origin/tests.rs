@@ -28,7 +28,7 @@ fn what_a_key_tells_is_read_as_it_was_said() {
     let told = ToldInKey {
         colours: vec![(Class::Red, None), (Class::Blue, Some("the sea".into()))],
         abbreviations: vec![("ab".into(), "a long word: two".into())],
-        blank: vec![(Class::Green, "woods".into())],
+        blank: vec![(Class::Green, Some("woods".into())), (Class::Blue, None)],
         title: Some("Where people live: 2024".into()),
     };
     let page = page(told.to_origin());
