@@ -241,8 +241,8 @@ fn ticks_reach_two_free_dots_beyond_their_axis_and_long_ones_farther() {
     }
 }
 
-#[test]
-fn ticks_that_dots_have_no_room_for_are_told_and_every_so_many_th_is_drawn() {
+/// The face of a clock with a tick at each minute and a longer one at each hour.
+fn clock_face() -> String {
     let mut clock = "<circle cx='500' cy='250' r='220' fill='none' stroke='#000' stroke-width='4'/>".to_owned();
     for k in 0..60 {
         let (sin, cos) = (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
@@ -250,7 +250,24 @@ fn ticks_that_dots_have_no_room_for_are_told_and_every_so_many_th_is_drawn() {
         let at = |radius: f32| format!("{:.2} {:.2}", 500.0 + radius * sin, 250.0 - radius * cos);
         write!(clock, "<path d='M{}L{}' stroke='#000' stroke-width='3'/>", at(220.0), at(inner)).expect("a string");
     }
-    let page = dots_of(&clock, "index-basic-d");
+    clock
+}
+
+/// On a page of few shapes the ticks of a scale are lines, and those that are left out of it are told as on paper.
+#[test]
+fn ticks_without_room_on_a_page_of_few_shapes_of_dots_are_told() {
+    for name in ["index-basic-d", "swell-a4"] {
+        let mut profile = Profile::named(name).expect("it is built in");
+        profile.set("lines.shapes", 3).expect("the key is there");
+        let page = tactograph::convert(svg(&clock_face()).as_bytes(), &Options::new(profile)).expect("a page");
+        let notes = told(&page);
+        assert!(notes.iter().any(|note| note.contains("48 of the 60 ticks of a scale")), "{name}: {notes:#?}");
+    }
+}
+
+#[test]
+fn ticks_that_dots_have_no_room_for_are_told_and_every_so_many_th_is_drawn() {
+    let page = dots_of(&clock_face(), "index-basic-d");
     let notes = told(&page);
     let is_told = notes.iter().any(|note| note.contains("of the 60 ticks of a scale") && note.contains("every 5th"));
     assert!(is_told, "{notes:#?}");

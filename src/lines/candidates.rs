@@ -10,7 +10,7 @@ use super::outlines::{Outlines, Rank};
 use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::standing::StandingEnds;
-use super::ticks::{alone, crossbars};
+use super::ticks::{ThinnedScale, alone, crossbars};
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, few, join, lead_on, links, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
@@ -31,9 +31,11 @@ pub(super) struct LineCandidates {
     pub(super) short: LossTally,
     /// Points on lines.
     pub(super) points: Vec<Point>,
-    /// The ticks of scales that are handed on: to be drawn as dots, or those that are left out.
+    /// The ticks of scales that are handed on, to be drawn as dots.
     pub(super) scales: Vec<Vec<TickMark>>,
-    /// The scales of which ticks are left out.
+    /// The ticks that are left out of scales whose others are lines.
+    pub(super) left_out: Vec<TickMark>,
+    /// Those scales.
     lost_scales: Vec<LostScale>,
     /// The heads of arrows.
     pub(super) heads: Vec<HeadMark>,
@@ -63,8 +65,10 @@ impl LineCandidates {
         let mut polylines = join::join(polylines, params.bridged_gap(), &standing);
         let lengthens = params.of_drawing && !is_overview;
         let at_points: Vec<MmPoint> = points.iter().map(|point| point.at).collect();
-        let (scales, lost_scales) =
+        let (scales, thinned) =
             if lengthens { lengthened(&mut polylines, &at_points, area, params) } else { (Vec::new(), Vec::new()) };
+        let lost_scales = thinned.iter().map(|scale| scale.lost).collect();
+        let left_out = thinned.into_iter().flat_map(|scale| scale.left_out).collect();
         let (mut polylines, short) = long_enough(polylines, &standing, area, params);
         polylines.iter_mut().for_each(Polyline::fill);
         let contours = polylines.len();
@@ -75,7 +79,7 @@ impl LineCandidates {
         let ranks = ranks(&polylines, &of_outlines, area, params);
         let saliencies = saliency::saliencies(&polylines, params);
         let lines = polylines.into_iter().zip(ranks).collect();
-        Self { lines, saliencies, contours, gridlines, short, points, scales, lost_scales, heads }
+        Self { lines, saliencies, contours, gridlines, short, points, scales, left_out, lost_scales, heads }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
@@ -161,24 +165,22 @@ fn ranks(polylines: &[Polyline<Vertex>], of_outlines: &[Rank], area: MmRect, par
 }
 
 /// Makes the marks on the lines of a drawing as long as fingers need them; gives the scales whose ticks are handed on,
-/// and those of which ticks are left out. `points` are those on lines.
+/// to be drawn as dots, and those of which ticks are left out. `points` are those on lines.
 fn lengthened(
     polylines: &mut Vec<Polyline<Vertex>>,
     points: &[MmPoint],
     area: MmRect,
     params: &Params,
-) -> (Vec<Vec<TickMark>>, Vec<LostScale>) {
-    // a page of few shapes has no marks
-    let (scales, lost) = if params.on_dots() && params.most_shapes.is_none() {
+) -> (Vec<Vec<TickMark>>, Vec<ThinnedScale>) {
+    // a page of few shapes has no marks: its ticks are lines
+    let (scales, thinned) = if params.on_dots() && params.most_shapes.is_none() {
         (ticks::take(polylines, area, params), Vec::new())
     } else {
-        let thinned = ticks::lengthen(polylines, points, area, params);
-        thinned.into_iter().map(|scale| (scale.left_out, scale.lost)).unzip()
+        (Vec::new(), ticks::lengthen(polylines, points, area, params))
     };
     crossbars::lengthen(polylines, area, params);
     alone::lengthen(polylines, area, params);
-    // and dots would be made of those that are left out
-    if params.on_dots() && params.most_shapes.is_some() { (Vec::new(), lost) } else { (scales, lost) }
+    (scales, thinned)
 }
 
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found

@@ -13,8 +13,10 @@ const MOSTLY: f32 = 0.75;
 pub struct LineMarks {
     /// Points, such as those of a number line.
     pub points: Vec<PointMark>,
-    /// The ticks of each scale, in order along its line; in print those of each that are left out.
+    /// The ticks of each scale that are to be drawn where its line becomes dots, in order along it.
     pub scales: Vec<Vec<TickMark>>,
+    /// The ticks that are left out of scales whose others are drawn as lines: what they are is told of the scale.
+    pub left_out: Vec<TickMark>,
     /// The heads of arrows, those that are drawn already too.
     pub heads: Vec<HeadMark>,
 }

@@ -117,8 +117,9 @@ pub fn draw_with(
     // A page of few shapes has no points; each is a shape that is left out.
     let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
     beyond.shapes += candidates.points.len() - points.len();
-    let mut marks =
-        LineMarks { points: Vec::new(), scales: candidates.scales.clone(), heads: candidates.heads.clone() };
+    let LineCandidates { scales, left_out, heads, .. } = &candidates;
+    let (scales, left_out, heads) = (scales.clone(), left_out.clone(), heads.clone());
+    let mut marks = LineMarks { points: Vec::new(), scales, left_out, heads };
     let (points, heads) = if params.on_dots() {
         marks.points = points.iter().map(Point::mark).collect();
         let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();

@@ -68,7 +68,8 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, kind: SignKind::Ring }));
     let heads = drawn.marks.heads.iter().zip(&shown.heads).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, kind: SignKind::Arrowhead }));
-    lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
+    // beside those whose ticks are lines, as on a page of few shapes
+    lost.scales.extend(drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks));
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }
 

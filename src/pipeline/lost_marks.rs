@@ -77,7 +77,7 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
     let beads = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN));
     let covered: Vec<MmRect> = beads.chain(rings).collect();
     let is_handed_on = |at: MmPoint| {
-        let ticks = || handed_on.scales.iter().flatten();
+        let ticks = || handed_on.scales.iter().flatten().chain(&handed_on.left_out);
         let is_tick = |(from, to): (MmPoint, MmPoint)| nearest_on_segment(at, from, to).0 < DRAWN;
         let points = &handed_on.points;
         points.iter().any(|point| (at - point.at).length() < point.radius + DRAWN)
