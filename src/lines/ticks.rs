@@ -7,8 +7,10 @@ mod bases;
 pub(super) mod crossbars;
 pub(super) mod selections;
 
+use std::collections::BTreeSet;
+
 use bases::Half;
-use selections::{MOST_BLOCKED, tick_selections};
+use selections::{EVEN, MOST_BLOCKED, tick_selections};
 
 use super::lead_on::{extend_to, heading};
 use super::lost::LostScale;
@@ -118,7 +120,8 @@ fn lengthen_scale(
     params: &Params,
 ) -> Option<(usize, Vec<usize>)> {
     let marks: Vec<TickMark> = scale.iter().map(|(_, mark)| *mark).collect();
-    let own: Vec<usize> = scale.iter().flat_map(|(tick, _)| [tick.number, tick.base]).collect();
+    let own = scale.iter().flat_map(|(tick, _)| [tick.number, tick.base]).collect();
+    let others = others(polylines, &own, area, params);
     let is_spared = |mark: &TickMark| points.iter().any(|point| (*point - mark.at).length() <= AT_POINT);
     // beside a straight line they may also grow to one side of it only
     let aside = scale.first().filter(|(tick, _)| is_straight(&polylines[tick.base])).map(|(_, mark)| mark.along);
@@ -128,8 +131,9 @@ fn lengthen_scale(
     let group = |members: &[usize]| TickGroup {
         ticks: members.iter().map(|&member| scale[member].0).collect(),
         spared: members.iter().map(|&member| is_spared(&marks[member])).collect(),
-        own: &own,
+        others: &others,
         sides: &sides,
+        may_lack: true,
     };
     let mut selections = tick_selections(&marks);
     let all = group(&(0..scale.len()).collect::<Vec<_>>()).longer(None, polylines, params);
@@ -137,7 +141,19 @@ fn lengthen_scale(
     if are_apart(&all.iter().collect::<Vec<_>>(), area, params) {
         selections.truncate(1);
     }
-    selections.into_iter().find(|(_, members)| group(members).lengthen(polylines, area, params))
+    selections.into_iter().find_map(|(every, members)| {
+        let drawn = group(&members).lengthen(polylines, area, params)?;
+        // of a scale that is drawn as a whole the few without room are told by what they are
+        Some((every, if every == 1 { members } else { drawn.into_iter().map(|at| members[at]).collect() }))
+    })
+}
+
+/// The lines that ticks have to be clear of: all but their `own`, which are all ticks of their scale and what they
+/// stand on, and crumbs that are not drawn.
+fn others(polylines: &[Polyline<Vertex>], own: &BTreeSet<usize>, area: MmRect, params: &Params) -> Nearby {
+    let is_other =
+        |(number, line): &(usize, &Polyline<Vertex>)| !own.contains(number) && line.length() >= params.min_length;
+    nearby(polylines.iter().enumerate().filter(is_other).map(|(_, line)| line), area, params)
 }
 
 /// Ticks that are drawn longer by the same length, or none of them.
@@ -146,10 +162,12 @@ struct TickGroup<'t> {
     ticks: Vec<&'t Tick>,
     /// Which of them may lack room.
     spared: Vec<bool>,
-    /// The lines that they need not be clear of: all ticks of their scale, and what they stand on.
-    own: &'t [usize],
+    /// The lines that they have to be clear of ([`others`]).
+    others: &'t Nearby,
     /// Where they grow, in the order in which that is tried: to a side of their line, or at all their free ends.
     sides: &'t [Option<MmVector>],
+    /// Whether a few others may lack room, too, which stay as they are.
+    may_lack: bool,
 }
 
 impl TickGroup<'_> {
@@ -161,29 +179,32 @@ impl TickGroup<'_> {
         self.ticks.iter().map(|tick| tick.longer(&polylines[tick.number], more, side)).collect()
     }
 
-    /// Draws the ticks longer if they have room, or else all but a few; says whether.
-    fn lengthen(&self, polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) -> bool {
-        // what crosses the scale, as its own axis, and crumbs that are not drawn
-        let is_other = |(number, line): &(usize, &Polyline<Vertex>)| {
-            !self.own.contains(number) && line.length() >= params.min_length
-        };
-        let others = polylines.iter().enumerate().filter(is_other).map(|(_, line)| line);
-        let others = nearby(others, area, params);
+    /// Draws the ticks longer if they have room, or else all but a few. Gives the places in the group of those that are
+    /// on the page then; none if they stay as they are.
+    fn lengthen(&self, polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) -> Option<Vec<usize>> {
         let is_open = self.ticks.iter().all(|tick| !polylines[tick.base].closed);
-        for (may_lack, side) in
-            [false, true].into_iter().flat_map(|may| self.sides.iter().map(move |side| (may, *side)))
-        {
+        let ways = [false, true].into_iter().filter(|lacks| self.may_lack || !lacks);
+        for (may_lack, side) in ways.flat_map(|may| self.sides.iter().map(move |side| (may, *side))) {
             let longer = self.longer(side, polylines, params);
-            let is_free: Vec<bool> = longer.iter().map(|line| is_free(line, &others, area, params)).collect();
+            let is_free: Vec<bool> = longer.iter().map(|line| is_free(line, self.others, area, params)).collect();
             let free =
                 || longer.iter().zip(&self.ticks).zip(&is_free).filter(|(_, is_free)| **is_free).map(|(of, _)| of);
             let lines: Vec<&Polyline<Vertex>> = free().map(|(line, _)| line).collect();
             if self.are_enough(&is_free, is_open, may_lack) && are_apart(&lines, area, params) {
                 free().for_each(|(line, tick)| polylines[tick.number] = line.clone());
-                return true;
+                let is_there = |at: &usize| is_free[*at] || self.is_there_as_it_is(*at, polylines, params);
+                return Some((0..is_free.len()).filter(is_there).collect());
             }
         }
-        false
+        None
+    }
+
+    /// Whether a tick is on the page though it has no room to be longer: as a line, as a point at its place, or as
+    /// another line that it lies along, such as an axis.
+    fn is_there_as_it_is(&self, at: usize, polylines: &[Polyline<Vertex>], params: &Params) -> bool {
+        let line = &polylines[self.ticks[at].number];
+        let is_along = |vertex: &Vertex| self.others.nearest(vertex.at, AT_POINT, |_| true).is_some();
+        self.spared[at] || line.length() >= params.min_length || line.vertices.iter().all(is_along)
     }
 
     /// Whether enough of the ticks are free: all but those that are spared, and where some may lack room all but the
@@ -209,12 +230,13 @@ fn in_order<'t>(scale: &[&'t Tick], polylines: &[Polyline<Vertex>]) -> Vec<(&'t 
     };
     let mut places: Vec<(f32, &'t Tick, TickMark)> = scale.iter().copied().filter_map(place).collect();
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // on a ring, as the tube of a thermometer, they begin after the widest gap
+    // on a ring, as the tube of a thermometer, they begin after the widest gap; if they go round there is none
     if scale.first().is_some_and(|tick| polylines[tick.base].closed) {
         let count = places.len();
-        let gap = |i: usize| (places[i].2.at - places[(i + count - 1) % count].2.at).square_length();
-        let first = (0..count).max_by(|&a, &b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
-        places.rotate_left(first);
+        let gap = |i: usize| (places[i].2.at - places[(i + count - 1) % count].2.at).length();
+        let least = (0..count).map(gap).fold(f32::INFINITY, f32::min);
+        let first = (0..count).max_by(|&a, &b| gap(a).total_cmp(&gap(b))).filter(|&at| gap(at) > EVEN * least);
+        places.rotate_left(first.unwrap_or(0));
     }
     places.into_iter().map(|(_, tick, mark)| (tick, mark)).collect()
 }

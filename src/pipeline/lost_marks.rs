@@ -218,7 +218,7 @@ pub(super) fn told(lost: &Lost, plan: &Plan) -> Vec<Note> {
     told_of_marks(&lost.marks, plan).into_iter().chain(lost.scales.iter().map(told_of_scale)).collect()
 }
 
-/// What the maker is told of ticks for which lines of dots have no room.
+/// What the maker is told of a scale of which some ticks are not drawn.
 fn told_of_scale(scale: &LostScale) -> Note {
     let LostScale { ticks, lost, every, first } = *scale;
     let at = format!("the first at {:.0}, {:.0} mm", first.x, first.y);
@@ -229,7 +229,7 @@ fn told_of_scale(scale: &LostScale) -> Note {
         }
         _ => format!(
             "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every \
-             {} one is drawn; say so in a label",
+             {} one that has room is drawn; say so in a label",
             ordinal(every)
         ),
     };

@@ -2,7 +2,7 @@
 //! ends there is felt as torn, so they are drawn longer where there is room, like ticks: those that belong together by
 //! the same length, so that a longer plate stays longer.
 
-use super::{ACROSS, STEEP, Tick, TickGroup, in_order, is_straight, ticks};
+use super::{ACROSS, STEEP, Tick, TickGroup, in_order, is_straight, others, ticks};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
@@ -39,8 +39,11 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
         group.iter().for_each(|&other| done[other] = true);
         let group: Vec<&Tick> = group.into_iter().map(|other| &bars[other]).collect();
         let ticks: Vec<&Tick> = in_order(&group, polylines).into_iter().map(|(bar, _)| bar).collect();
-        let own: Vec<usize> = ticks.iter().flat_map(|bar| [bar.number, bar.base]).collect();
-        let group = TickGroup { spared: vec![false; ticks.len()], ticks, own: &own, sides: &[None] };
+        let own = ticks.iter().flat_map(|bar| [bar.number, bar.base]).collect();
+        let others = others(polylines, &own, area, params);
+        let spared = vec![false; ticks.len()];
+        // all or none: a longer one that stays as it is may become the shorter one
+        let group = TickGroup { spared, ticks, others: &others, sides: &[None], may_lack: false };
         group.lengthen(polylines, area, params);
     }
 }

@@ -6,7 +6,7 @@ use crate::lines::marks::TickMark;
 pub(crate) const MOST_BLOCKED: f32 = 0.25;
 
 /// Ticks are even if no two are this much farther apart than the nearest two.
-const EVEN: f32 = 1.3;
+pub(super) const EVEN: f32 = 1.3;
 /// Every so many-th of even ticks is drawn, where there is no room for more.
 const EVERY: [usize; 3] = [2, 5, 10];
 /// A tick is long if it is this much longer than the shortest of its scale.
@@ -15,7 +15,8 @@ const LONG: f32 = 1.3;
 const LEAST: usize = 3;
 
 /// All ticks of a scale, then fewer, in the order in which they are tried: each with the step from one to the next.
-/// Where a scale goes round, as that of a clock, every so many-th is every so many-th from the last to the first too.
+/// Where a scale goes round, as that of a clock, every so many-th is every so many-th from the last to the first too,
+/// and it has long ticks: of those that are all alike nobody could say from which one they are counted.
 pub(crate) fn tick_selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
     let mut all = vec![(1, (0..scale.len()).collect())];
     let apart = scale.windows(2).map(|pair| (pair[1].at - pair[0].at).length());
@@ -26,6 +27,9 @@ pub(crate) fn tick_selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
     let goes_round = scale.first().zip(scale.last()).is_some_and(|(a, b)| (b.at - a.at).length() <= EVEN * least);
     let shortest = scale.iter().map(TickMark::length).fold(f32::INFINITY, f32::min);
     let long: Vec<usize> = (0..scale.len()).filter(|&i| scale[i].length() >= LONG * shortest).collect();
+    if goes_round && long.is_empty() {
+        return all;
+    }
     let first = long.first().copied().unwrap_or(0);
     let of_long = long
         .windows(2)

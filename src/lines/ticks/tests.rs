@@ -84,12 +84,22 @@ fn ticks_grow_to_one_side_of_their_line_where_the_other_has_no_room() {
 /// Where the ticks of an axis along y = 50 are that are drawn, and of those left out every how many-th is drawn and
 /// how many they are.
 fn drawn(step: f32, ticks: &[(f32, f32)]) -> (Vec<i32>, Option<(usize, usize, usize)>) {
+    drawn_beside(step, ticks, None)
+}
+
+/// The same with another line there, longer than 20 mm.
+fn drawn_beside(
+    step: f32,
+    ticks: &[(f32, f32)],
+    more: Option<Polyline<Vertex>>,
+) -> (Vec<i32>, Option<(usize, usize, usize)>) {
     let tick = |(k, &(from, to)): (usize, &(f32, f32))| {
         let x = 20.0 + step * k as f32;
         line((x, from), (x, to))
     };
     let mut lines: Vec<_> = ticks.iter().enumerate().map(tick).collect();
     lines.push(line((10.0, 50.0), (90.0, 50.0)));
+    lines.extend(more);
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
     let thinned = lengthen(&mut lines, &[], area, &PARAMS);
     let ticks = lines.iter().filter(|line| line.length() < 20.0);
@@ -104,6 +114,43 @@ fn of_ticks_that_are_too_near_to_one_another_every_so_many_th_is_drawn() {
     assert_eq!(drawn(4.0, &alike), (vec![20, 28, 36, 44, 52], Some((2, 4, 4))));
     let rule: Vec<(f32, f32)> = (0..21).map(|k| if k % 5 == 0 { (46.0, 54.0) } else { (47.0, 53.0) }).collect();
     assert_eq!(drawn(2.4, &rule), (vec![20, 32, 44, 56, 68], Some((5, 16, 16))), "the long ones");
+}
+
+#[test]
+fn of_a_thinned_scale_ticks_without_room_are_left_out_and_counted() {
+    let rule: Vec<(f32, f32)> = (0..21).map(|k| if k % 5 == 0 { (46.5, 53.5) } else { (47.5, 52.5) }).collect();
+    let above = |to: f32| Some(line((44.0, 10.0), (44.0, to)));
+    assert_eq!(drawn_beside(2.4, &rule, above(40.0)), (vec![20, 32, 44, 56, 68], Some((5, 16, 16))));
+    assert_eq!(drawn_beside(2.4, &rule, above(44.5)), (vec![20, 32, 56, 68], Some((5, 17, 17))));
+}
+
+/// The face of a clock with ticks at its minutes, of which every so many-th is long.
+fn clock(every: usize) -> Vec<Polyline<Vertex>> {
+    let at = |k: usize, radius: f32| {
+        let (sin, cos) = (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
+        (50.0 + radius * sin, 50.0 - radius * cos)
+    };
+    let mut rim = line(at(0, 40.0), at(1, 40.0));
+    (1..60).for_each(|k| rim.vertices.extend(line(at(k, 40.0), at(k + 1, 40.0)).vertices.into_iter().skip(1)));
+    rim.vertices.pop();
+    rim.closed = true;
+    let inner = |k: usize| if k.is_multiple_of(every) { 33.0 } else { 35.5 };
+    let mut lines: Vec<_> = (0..60).map(|k| line(at(k, 40.0), at(k, inner(k)))).collect();
+    lines.push(rim);
+    lines
+}
+
+#[test]
+fn a_scale_that_goes_round_is_thinned_only_if_some_of_its_ticks_are_long() {
+    let left = |every: usize| {
+        let mut lines = clock(every);
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let thinned = lengthen(&mut lines, &[], area, &PARAMS);
+        let told: Vec<(usize, usize)> = thinned.iter().map(|scale| (scale.lost.every, scale.lost.lost)).collect();
+        (told, lines.len())
+    };
+    assert_eq!(left(5), (vec![(5, 48)], 13), "the hours");
+    assert_eq!(left(1), (Vec::new(), 61), "where all are alike nothing says at which one to begin");
 }
 
 #[test]

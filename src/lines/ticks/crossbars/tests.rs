@@ -26,6 +26,22 @@ fn a_short_plate_of_a_battery_is_drawn_longer_and_the_long_one_by_as_much() {
     assert_eq!(plates(1.4, 6.0), [28, 14], "crumbs");
 }
 
+/// A wire through four plates, of which the second is longer than the third: with something in the way of the second
+/// all of them stay, as that would be shorter than the third otherwise.
+#[test]
+fn of_plates_that_belong_together_all_are_longer_or_none() {
+    let lengths = |beside: f32| -> Vec<i32> {
+        let plate = |y: f32, length: f32| line((50.0 - 0.5 * length, y), (50.0 + 0.5 * length, y));
+        let mut lines = vec![plate(36.0, 7.0), plate(30.0, 4.0), plate(44.5, 4.0), plate(50.0, 7.0)];
+        lines.extend([line((50.0, 10.0), (50.0, 30.0)), line((50.0, 36.0), (50.0, 44.5))]);
+        lines.extend([line((50.0, 50.0), (50.0, 90.0)), line((beside, 36.0), (95.0, 36.0))]);
+        lengthen(&mut lines, area(), &PARAMS);
+        lines[..4].iter().map(|plate| (10.0 * plate.length()).round() as i32).collect()
+    };
+    assert_eq!(lengths(65.0), [112, 82, 82, 112]);
+    assert_eq!(lengths(59.0), [70, 40, 40, 70]);
+}
+
 #[test]
 fn the_last_tick_of_a_scale_is_none() {
     let mut lines = vec![line((10.0, 50.0), (90.0, 50.0))];
