@@ -13,6 +13,7 @@ use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::{Lines, Lost, LostMarks, LostScale};
+use crate::listing::list;
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note, Reason};
@@ -257,7 +258,7 @@ pub(super) fn told_not_in_overview(marks: &LostMarks) -> Option<Note> {
     Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told))
 }
 
-/// Marks by their kinds, such as "2 short ticks and 1 arc of an angle"; none where there are none.
+/// Marks by their kinds, such as "2 short ticks, 1 arc of an angle and 1 piece of a small ring"; none where there are none.
 fn listed(marks: &LostMarks) -> Option<String> {
     let count = |count: usize, one: &str, more: &str| match count {
         0 => None,
@@ -271,7 +272,7 @@ fn listed(marks: &LostMarks) -> Option<String> {
         count(marks.pieces, "piece of a small ring", "pieces of small rings"),
     ];
     let all: Vec<String> = all.into_iter().flatten().collect();
-    (!all.is_empty()).then(|| all.join(" and "))
+    (!all.is_empty()).then(|| list(&all, "and"))
 }
 
 fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {

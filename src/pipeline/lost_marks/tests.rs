@@ -67,7 +67,8 @@ fn what_is_lost_is_counted() {
     assert_eq!(in_overview, wanted);
     assert_eq!(told_not_in_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
     let pieces = LostMarks { pieces: 2, ..marks };
-    assert!(listed(&pieces).is_some_and(|told| told.ends_with(" and 2 pieces of small rings")));
+    let all = listed(&pieces).expect("there are some");
+    assert_eq!(all, "60 short ticks, 1 mark of a right angle and 2 pieces of small rings");
     assert_eq!(told_not_in_overview(&LostMarks { pieces: 2, ..LostMarks::default() }), None, "nor are pieces of rings");
     let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
     let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
