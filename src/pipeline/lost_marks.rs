@@ -89,6 +89,7 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
     let gridlines = LazyCell::new(|| gridlines_of(edges, transform));
+    let pieces = LazyCell::new(|| undrawn(edges, transform, &index));
     for chain in edges.chains.iter().filter(|chain| !chain.closed && !chain.kind.added) {
         let points = points(chain);
         let length = PolylineRef { vertices: &points, closed: false }.length();
@@ -108,7 +109,7 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
             MarkKind::Tick => marks.ticks += 1,
-            MarkKind::Arc | MarkKind::Corner if has_rest(&points, edges, transform, &index) => marks.pieces += 1,
+            MarkKind::Arc | MarkKind::Corner if has_rest(&points, &pieces) => marks.pieces += 1,
             MarkKind::Arc => marks.arcs += 1,
             MarkKind::Corner => marks.corners += 1,
         }
@@ -120,19 +121,27 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
 
 /// Whether an arc and another line, which is not drawn either, are a ring in two pieces: they end beside one another
 /// and lie on both sides of the straight between their ends. Two arcs of one angle lie on one side.
-fn has_rest(arc: &[MmPoint], edges: &Edges, transform: &PageTransform, index: &Nearby) -> bool {
+fn has_rest(arc: &[MmPoint], undrawn: &[[MmPoint; 3]]) -> bool {
     let [Some(from), Some(to)] = [arc.first().copied(), arc.last().copied()] else { return false };
     let middle = arc[arc.len() / 2];
     let side = |at: MmPoint| (to - from).cross(at - from);
     let near = |a: MmPoint, b: MmPoint| (a - b).length() <= PIECES_APART;
-    let is_rest = |chain: &ChainRange| {
-        let own = &edges.edgels[chain.edgels.clone()];
-        let (Some(first), Some(last)) = (own.first(), own.last()) else { return false };
-        let [a, b, at] = [first.at, last.at, own[own.len() / 2].at].map(|at| transform.to_mm(at));
-        let meets = near(a, from) && near(b, to) || near(a, to) && near(b, from);
-        meets && side(at) * side(middle) < 0.0 && index.nearest(at, DRAWN, |_| true).is_none()
+    let is_rest = |[a, at, b]: &[MmPoint; 3]| {
+        let meets = near(*a, from) && near(*b, to) || near(*a, to) && near(*b, from);
+        meets && side(*at) * side(middle) < 0.0
     };
-    edges.chains.iter().filter(|chain| !chain.closed).any(is_rest)
+    undrawn.iter().any(is_rest)
+}
+
+/// The first, the middle and the last place of each open contour in whose middle no line is drawn.
+fn undrawn(edges: &Edges, transform: &PageTransform, index: &Nearby) -> Vec<[MmPoint; 3]> {
+    let places = |chain: &ChainRange| {
+        let own = &edges.edgels[chain.edgels.clone()];
+        let at = |edgel: usize| own.get(edgel).map(|edgel| transform.to_mm(edgel.at));
+        Some([at(0)?, at(own.len() / 2)?, at(own.len().checked_sub(1)?)?])
+    };
+    let open = edges.chains.iter().filter(|chain| !chain.closed).filter_map(places);
+    open.filter(|[_, middle, _]| index.nearest(*middle, DRAWN, |_| true).is_none()).collect()
 }
 
 /// A gridline has at least so many pieces, or a long one: ticks at two axes are two.
@@ -258,7 +267,8 @@ pub(super) fn told_not_in_overview(marks: &LostMarks) -> Option<Note> {
     Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told))
 }
 
-/// Marks by their kinds, such as "2 short ticks, 1 arc of an angle and 1 piece of a small ring"; none where there are none.
+/// Marks by their kinds, such as "2 short ticks, 1 arc of an angle and 1 piece of a small ring"; none where there are
+/// none.
 fn listed(marks: &LostMarks) -> Option<String> {
     let count = |count: usize, one: &str, more: &str| match count {
         0 => None,
