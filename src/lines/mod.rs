@@ -117,7 +117,7 @@ pub fn draw_with(
     // A page of few shapes has no points; each is a shape that is left out.
     let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
     beyond.shapes += candidates.points.len() - points.len();
-    let LineCandidates { scales, left_out, heads, .. } = &candidates;
+    let LineCandidates { scales, left_out, heads, .. } = &*candidates;
     let (scales, left_out, heads) = (scales.clone(), left_out.clone(), heads.clone());
     let mut marks = LineMarks { points: Vec::new(), scales, left_out, heads };
     let (points, heads) = if params.on_dots() {

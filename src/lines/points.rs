@@ -9,23 +9,24 @@
 //!   hollow:  ----( )----  a ring at which the line ends
 //! ```
 //!
-//! Filled ones beside lines that are many and alike, as the points of a scatter plot, are small discs ([`scattered`]).
+//! Filled ones beside lines that are many and alike, as the points of a scatter plot, are small discs ([`cloud`]).
 
+mod cloud;
 mod drawn;
 mod room;
 
 use std::f32::consts::TAU;
 use std::slice;
 
+use self::cloud::scattered;
 use super::lead_on::{extend_to, heading};
 use super::marks::{PointMark, SERIES};
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex};
-use crate::geom::nearby::Index;
 use crate::geom::polygon::roundness;
 use crate::geom::polyline::Polyline;
 use crate::geom::{circle, nearest_on_segment};
-use crate::units::{Mm, MmPoint, MmRect, MmVector};
+use crate::units::{MmPoint, MmVector};
 
 pub(super) use drawn::{DrawnPoints, draw};
 pub(super) use room::make_room;
@@ -143,7 +144,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     }
     alone.extend(take_leaves(pointed_at, &mut points, &mut taken, polylines, params));
     name_series(&mut points);
-    let mut beside = scattered(&mut points, &alone, params);
+    let mut beside = scattered(&mut points, &alone, polylines, params);
     alone.retain(|(number, _)| !beside.iter().any(|(disc, _)| disc == number));
     beside.extend(like_those_alone(&mut points, &alone, params));
     beside.extend(by_themselves(&by_itself, params));
@@ -246,77 +247,6 @@ fn name_series(points: &mut [Point]) {
 /// Whether two points look alike.
 fn is_like(point: &Point, other: &Point) -> bool {
     point.mark().is_like(&other.mark())
-}
-
-/// Filled points beside lines that are many and alike, such as those of a scatter plot: they are discs, each at its own
-/// place, and so are those like them that happen to lie on lines, which are no points of these. Gives those beside
-/// lines, with their numbers. In pixels they are circles of some size, as noise has many that are alike, and have no
-/// other outline inside, as a broad ring has. Where lines become dots there are none.
-fn scattered(points: &mut [Point], alone: &[(usize, Point)], params: &Params) -> Vec<(usize, Point)> {
-    if params.on_dots() {
-        return Vec::new();
-    }
-    let are_discs = which_are_discs(alone, params);
-    // the outline of a disc beside its stroke is no other disc
-    let mut found = PointIndex::over(alone, params);
-    let mut apart: Vec<Point> = Vec::new();
-    for (&(number, point), _) in alone.iter().zip(&are_discs).filter(|(_, is_disc)| **is_disc) {
-        if !found.is_any_same(number, &point) {
-            found.put(number, point);
-            apart.push(point);
-        }
-    }
-    // no more are looked at than are needed
-    let is_of_cloud = |point: &Point| apart.iter().filter(|other| is_like(point, other)).take(SERIES).count() == SERIES;
-    for point in points.iter_mut().filter(|point| is_of_cloud(point)) {
-        (point.is_disc, point.series) = (true, None);
-    }
-    let disc = |(number, point): &(usize, Point)| (*number, Point { is_alone: true, is_disc: true, ..*point });
-    let is_one = |point: &Point, is_disc: bool| (point.is_exact || is_disc) && is_of_cloud(point);
-    let ones = alone.iter().zip(are_discs).filter(|((_, point), is_disc)| is_one(point, *is_disc));
-    ones.map(|(one, _)| disc(one)).collect()
-}
-
-/// Which of these points beside lines are discs. A bitmap of a halftone has ten thousand, so what is cheap is asked
-/// first, and what is near is found by its place.
-fn which_are_discs(alone: &[(usize, Point)], params: &Params) -> Vec<bool> {
-    let mut all = PointIndex::over(alone, params);
-    alone.iter().for_each(|(number, point)| all.put(*number, *point));
-    let is_disc = |(number, point): &(usize, Point)| {
-        let share = if point.is_exact { 1.0 / MAGNIFIED } else { LEAST_IN_PIXELS };
-        let is_large = point.is_filled && point.radius >= share * disc_radius(params);
-        is_large && (point.is_exact || point.is_sure && !all.is_any_same(*number, point))
-    };
-    alone.iter().map(is_disc).collect()
-}
-
-/// Points with the numbers of their lines, found again by place.
-struct PointIndex {
-    by_place: Index<(usize, Point), Mm>,
-    /// The radius of the largest that it may hold, mm.
-    largest: f32,
-}
-
-impl PointIndex {
-    /// An empty one over the places of these, none of which is larger than the largest of them.
-    fn over(points: &[(usize, Point)], params: &Params) -> Self {
-        let largest = points.iter().map(|(_, point)| point.radius).fold(0.0, f32::max);
-        let area = MmRect::from_points(points.iter().map(|(_, point)| point.at));
-        Self { by_place: Index::new(area, params.max_spacing()), largest }
-    }
-
-    fn put(&mut self, number: usize, point: Point) {
-        self.by_place.put_at(point.at, (number, point));
-    }
-
-    /// Whether another one of these is the same as a point ([`is_drawn_twice`]).
-    fn is_any_same(&self, number: usize, point: &Point) -> bool {
-        let mut is_there = false;
-        self.by_place.around(point.at, point.at, self.largest, |(other, of)| {
-            is_there = is_there || *other != number && is_drawn_twice(of, slice::from_ref(point));
-        });
-        is_there
-    }
 }
 
 /// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines

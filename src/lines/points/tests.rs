@@ -269,6 +269,18 @@ fn of_many_discs_in_pixels_those_with_another_outline_in_them_are_none() {
 }
 
 #[test]
+fn a_disc_in_pixels_beside_a_line_is_none_and_where_many_are_there_is_no_cloud() {
+    let taken = |middles: &[(f32, f32)]| {
+        let rings = middles.iter().map(|&at| line(&arc(at, 1.3, (0.0, 1.0)), true, 60.0, FoundIn::Pixels));
+        let mut lines: Vec<_> = rings.chain([axis(5.0, 95.0)]).collect();
+        take(&mut lines, &PARAMS).len()
+    };
+    let apart = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0), (60.0, 70.0)];
+    assert_eq!(taken(&[&apart[..], &[(80.0, 53.0)]].concat()), 4, "the axis is 1.7 mm beside the last");
+    assert_eq!(taken(&[&apart[..], &[(80.0, 53.0), (70.0, 47.0)]].concat()), 0, "two of six");
+}
+
+#[test]
 fn a_disc_is_moved_a_little_onto_a_line_or_off_it_and_one_too_near_to_another_is_told_with_its_place() {
     let far = [(20.0, 20.0), (30.0, 30.0), (40.0, 25.0)];
     let with = |other: &[(f32, f32)]| {
