@@ -4,8 +4,8 @@
 use std::fmt;
 
 use super::finding::Finding;
-use super::rules::{LEFT_OUT, LINES_AMONG_ROWS};
-use crate::page::Page;
+use super::rules::LINES_AMONG_ROWS;
+use crate::page::{LeftOut, Page};
 use crate::touch::{JUDGED_FROM, Report};
 use crate::units::MmPoint;
 use crate::wording::Wording;
@@ -83,14 +83,13 @@ impl Verdict {
                 })
             }
         };
-        let left_out = findings.iter().filter(|finding| finding.rule == LEFT_OUT);
-        let left_out = left_out.filter_map(|finding| finding.measured).map(|percent| 0.01 * percent);
         Self {
             errors,
             warnings: findings.len() - errors,
             faulty: faulty(page, findings),
             lines_among_rows: findings.iter().any(|finding| finding.rule == LINES_AMONG_ROWS),
-            left_out: left_out.reduce(f32::max).filter(|share| *share >= MUCH),
+            // not from what is found: of a photograph little is no finding, and said all the same
+            left_out: Some(LeftOut::of(page).share()).filter(|share| *share >= MUCH),
             textures,
         }
     }
@@ -174,3 +173,6 @@ impl fmt::Display for Verdict {
         f.write_str(&self.told(Wording::english()))
     }
 }
+
+#[cfg(test)]
+mod tests;
