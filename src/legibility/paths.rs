@@ -3,7 +3,7 @@
 use super::limits::LAST_DIGIT;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
-use crate::geom::spaced_row::has_every_second;
+use crate::geom::spaced_row::{has_every_second, longest_step};
 use crate::geom::walk::arc_between;
 use crate::page::{Line, Pen, Run};
 use crate::units::{MmPoint, MmRect};
@@ -100,7 +100,7 @@ impl Paths {
     }
 
     fn add_row(&mut self, run: &Run, (line, kind): (usize, PathKind), step: f32) {
-        let step = if has_every_second(&run.points, step) { 2.0 * step } else { step };
+        let step = if has_every_second(&run.points, step) { longest_step(step) } else { step };
         let rows = run.points.chunk_by(|a, b| (*b - *a).length() <= step);
         for (number, points) in rows.enumerate() {
             if number > 0 {

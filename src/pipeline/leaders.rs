@@ -150,7 +150,7 @@ pub(super) fn of_dots(page: &Page) -> impl Iterator<Item = [MmPoint; 2]> + '_ {
         Medium::Print(_) => None,
         Medium::Dots(medium) => Some(HOLE * medium.pitch),
     };
-    let rows = page.figure.lines.iter().filter_map(Line::row).filter(|row| row.points.len() > 2);
+    let rows = page.figure.lines.iter().filter_map(Line::row);
     let spaced = rows.filter(move |row| step.is_some_and(|step| has_every_second(&row.points, step)));
     spaced.filter_map(|row| Some([*row.points.first()?, *row.points.last()?]))
 }

@@ -7,11 +7,14 @@ use tactograph::{Drawing, PageOptions, Profile, RenderOptions};
 /// Profiles of dots, and how far dots are apart.
 const PROFILES: [(&str, f32); 2] = [("index-basic-d", 2.0), ("braillerap", 2.5)];
 
-/// Whether each step of a row of dots but the first is longer than those of a line, and none is longer than by the dot
-/// that is missing.
+/// Whether the steps of a row of dots are longer than those of a line, but for one of three, as at its beginning and
+/// behind a hole, and none is longer than by the dot that is missing.
 fn is_every_second(run: &Run, pitch: f32) -> bool {
     let steps: Vec<f32> = run.points.windows(2).map(|pair| (pair[1] - pair[0]).length()).collect();
-    steps.iter().skip(1).all(|step| *step > 1.5 * pitch) && steps.iter().all(|step| *step < 3.0 * pitch)
+    let short = |steps: &[f32]| steps.iter().filter(|step| **step <= 1.5 * pitch).count();
+    short(&steps) + 2 <= steps.len()
+        && steps.windows(3).all(|three| short(three) <= 1)
+        && steps.iter().all(|step| *step < 3.0 * pitch)
 }
 
 /// A cell, most of whose own leader lines have no room as a whole: labels have others.

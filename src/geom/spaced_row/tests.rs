@@ -24,6 +24,8 @@ fn a_short_one_stays_as_it_is() {
 #[test]
 fn there_are_dots_on_both_sides_of_a_hole() {
     assert_eq!(left(&[10, 12, 14, 18, 20, 22], 2.0), [10, 14, 18, 22]);
+    assert_eq!(left(&[10, 12, 14, 18, 20, 22, 24], 2.0), [10, 14, 18, 20, 24], "and so with one dot more behind it");
+    assert_eq!(left(&[10, 12, 14, 16, 20, 22, 24], 2.0), [10, 12, 16, 20, 24], "or before it");
 }
 
 #[test]
@@ -33,6 +35,10 @@ fn what_is_left_of_a_row_is_told_from_a_line() {
         has_every_second(&row, 3.0)
     };
     assert!(is_of_leader(&[10, 14, 18]) && is_of_leader(&[10, 12, 16, 20]));
+    assert!(is_of_leader(&[10, 14, 18, 20, 24]), "behind a hole");
     assert!(!is_of_leader(&[10, 12, 14, 16]), "a line");
     assert!(!is_of_leader(&[10, 14, 22]), "a hole");
+    assert!(!is_of_leader(&[]) && !is_of_leader(&[10]) && !is_of_leader(&[10, 14]), "no row");
+    assert!(!is_of_leader(&[10, 12, 16]), "a line with a hole");
+    assert!(!is_of_leader(&[10, 12, 16, 18, 22, 24]), "dashes");
 }

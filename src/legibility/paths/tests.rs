@@ -15,4 +15,7 @@ fn a_row_is_broken_at_a_hole_and_one_of_every_second_dot_is_whole() {
     assert_eq!(pieces(&[0, 2, 4, 6]), 1);
     assert_eq!(pieces(&[0, 1, 3, 5, 7]), 1, "a leader line from a label on");
     assert_eq!(pieces(&[0, 2, 4, 8]), 4, "a hole in it");
+    assert_eq!(pieces(&[0, 2]), 2, "two dots");
+    assert_eq!(pieces(&[0, 1, 3]), 2, "a hole in a short line");
+    assert_eq!(pieces(&[0, 1, 3, 4, 6, 7]), 3, "dashes");
 }
