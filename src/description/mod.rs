@@ -65,9 +65,9 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     // one for the back of the sheet is felt the other way round
     let felt = if page.is_mirrored() { &page.clone().mirrored() } else { page };
     let mut sentences: Vec<_> = before(page, wording).map(|text| ("sheet", text)).into_iter().collect();
-    sentences.push(("sheet", sheet(felt, wording)));
     // a disc that is printed narrower is no disc by its width
     let risen = felt.risen();
+    sentences.push(("sheet", sheet(&risen, wording)));
     let lines = &risen.figure.lines;
     let told = shapes::told(lines, felt.figure.place, MOST_LINES, wording);
     let shorter = shapes::count(lines) - told.len();
@@ -77,7 +77,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     }
     let points = shapes::points(lines, felt.figure.place, wording);
     sentences.extend(points.into_iter().map(|text| ("shape", text)));
-    sentences.extend(marks_on_lines(felt, wording).map(|text| ("lines", text)));
+    sentences.extend(marks_on_lines(&risen, wording).map(|text| ("lines", text)));
     sentences.extend(areas(felt, wording).into_iter().map(|text| ("area", text)));
     sentences.extend(texts(felt, wording).into_iter().map(|text| ("text", text)));
     if let Some(overview) = &risen.overview {
@@ -92,7 +92,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     sentences
 }
 
-/// The heads of arrows, and the ticks and points on lines of dots.
+/// The heads of arrows, and the ticks and points on lines of dots, of a page as it is felt.
 fn marks_on_lines<'a>(page: &'a Page, wording: &'a Wording) -> impl Iterator<Item = String> + 'a {
     let lines = &page.figure.lines;
     let points = || lines.iter().flat_map(Line::row_points);
@@ -138,6 +138,7 @@ fn before(page: &Page, wording: &Wording) -> Option<String> {
     }
 }
 
+/// The sheet and how much is on it, of a page as it is felt.
 fn sheet(page: &Page, wording: &Wording) -> String {
     let [width, height] = page.sheet.map(|side| side.round());
     let orientation = if width > height { "across" } else { "upright" };
@@ -148,7 +149,7 @@ fn sheet(page: &Page, wording: &Wording) -> String {
         ("height", height.into()),
         ("across", across),
         ("down", down),
-        ("lines", shapes::count(&page.risen().figure.lines).into()),
+        ("lines", shapes::count(&page.figure.lines).into()),
         ("areas", page.figure.textures.len().into()),
     ];
     wording.say("sheet", &values)
@@ -225,3 +226,6 @@ fn left_out(page: &Page, wording: &Wording) -> Option<String> {
         None => wording.say("left-out", &values),
     })
 }
+
+#[cfg(test)]
+mod tests;
