@@ -168,7 +168,7 @@ impl PagesOfPicture {
         session: Option<&Session>,
     ) -> Result<Self, Error> {
         let is_spread = args.fitting.is_for_several_sheets(options.profile());
-        let mut making = Making::of_picture(options.profile(), is_spread);
+        let mut making = Making::of_picture(options.profile(), is_spread).of_width(args.fitting.has_width());
         let drawn = if is_spread {
             let drawn = convert_to_sheets(bytes, args.fitting.sheets, options);
             drawn.map(|mut drawn| (std::mem::take(&mut drawn.notes), drawn.into_pages()))

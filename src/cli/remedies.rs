@@ -9,18 +9,21 @@ pub(super) struct Larger {
     without_overview: bool,
     /// Whether it is on one sheet.
     is_on_one_sheet: bool,
-    /// The profile of the next larger paper.
+    /// Whether it is as wide as was asked for, on whatever paper and however many sheets.
+    is_of_width_asked: bool,
+    /// The profile of the next larger paper; none of a profile of one's own, whose settings that would not have.
     profile: Option<&'static str>,
 }
 
 /// Profiles of paper, and those of the next larger one.
-const LARGER: [(&str, &str); 3] =
+const NEXT_LARGER: [(&str, &str); 3] =
     [("swell-a4", "swell-a3"), ("swell-letter", "swell-11x17"), ("swell-11x11.5", "swell-11x17")];
 
 impl Larger {
     fn than(profile: &Profile, is_spread: bool) -> Self {
-        let next = LARGER.into_iter().find(|(name, _)| profile.name == *name);
-        Self { without_overview: false, is_on_one_sheet: !is_spread, profile: next.map(|(_, larger)| larger) }
+        let next = NEXT_LARGER.into_iter().find(|(name, _)| profile.name == *name);
+        let profile = next.map(|(_, larger)| larger);
+        Self { without_overview: false, is_on_one_sheet: !is_spread, is_of_width_asked: false, profile }
     }
 
     /// The options for it, in parentheses, first what helps most; none where there are none.
@@ -29,7 +32,7 @@ impl Larger {
         let sheets = self.is_on_one_sheet.then(|| SHEETS.to_owned());
         let profile = self.profile.map(|name| format!("--profile {name}"));
         let all: Vec<String> = [overview, sheets, profile].into_iter().flatten().collect();
-        (!all.is_empty()).then(|| format!("({})", all.join(", ")))
+        (!all.is_empty() && !self.is_of_width_asked).then(|| format!("({})", all.join(", ")))
     }
 }
 
@@ -71,6 +74,23 @@ impl Making {
         }
     }
 
+    /// The same where the width of the figure is asked for, or is not.
+    pub(super) fn of_width(self, is_asked: bool) -> Self {
+        match self {
+            Self::Print(larger) => Self::Print(Larger { is_of_width_asked: is_asked, ..larger }),
+            Self::Embossing(larger) => Self::Embossing(Larger { is_of_width_asked: is_asked, ..larger }),
+            other => other,
+        }
+    }
+
+    /// The options that make its figure larger, in parentheses; none where there are none.
+    fn larger(self) -> Option<String> {
+        match self {
+            Self::Print(larger) | Self::Embossing(larger) => larger.options(),
+            Self::Pins | Self::PageAnew | Self::Other => None,
+        }
+    }
+
     /// Whether it is made of a picture, of which a part can be taken.
     fn is_of_picture(self) -> bool {
         matches!(self, Self::Print(_) | Self::Embossing(_) | Self::Pins)
@@ -106,7 +126,10 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
-        Note::TooDense { .. } if making.has_sheets() => format!("{note} ({SHEETS}, --crop)"),
+        Note::TooDense { .. } if making.has_sheets() => match making.larger() {
+            Some(_) => format!("{note} ({SHEETS}, --crop)"),
+            None => format!("{note} (--crop)"),
+        },
         Note::NoRoomForOverview if making.has_sheets() => format!("{note} ({SHEETS})"),
         Note::FewContours(_) => format!("{note} (--subject X,Y)"),
         Note::LinesNotInOverview { .. } => match making {
@@ -130,18 +153,13 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::LinesLeftOut { is_larger_turned: true, .. } if making != Making::Other => {
             format!("{note} (--set page.orientation=landscape)")
         }
-        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making {
-            Making::Print(larger) | Making::Embossing(larger) => match larger.options() {
-                Some(options) => format!("{note}; a larger figure has more {options}"),
-                None => note.to_string(),
-            },
-            Making::Pins | Making::PageAnew | Making::Other => note.to_string(),
+        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making.larger() {
+            Some(options) => format!("{note}; a larger figure has more {options}"),
+            None => note.to_string(),
         },
-        Note::NotOnPage(About::Lines, reason, _) if wants_room(*reason) => match making {
-            Making::Print(larger) if larger.without_overview => {
-                format!("{note} {}", larger.options().unwrap_or_default())
-            }
-            _ => note.to_string(),
+        Note::NotOnPage(About::Lines, reason, _) if wants_room(*reason) => match making.larger() {
+            Some(options) => format!("{note} {options}"),
+            None => note.to_string(),
         },
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")

@@ -110,6 +110,11 @@ impl Fitting {
         self.sheets.is_some() || profile.dots.device.is_none() && is_wider
     }
 
+    /// Whether they say how wide the figure is.
+    pub(in crate::cli) fn has_width(&self) -> bool {
+        self.width_mm.is_some()
+    }
+
     /// What they change in the profile.
     pub(in crate::cli) fn changes(&self) -> Vec<Change> {
         let given = [

@@ -25,7 +25,14 @@ fn only_options_that_there_are_and_that_help_are_named() {
         told.ends_with("make the figure larger (--no-overview, --sheets 2x2, --profile swell-a3)"),
         "what helps most first: {told}"
     );
-    assert_eq!(of_note(&heads, print.beside_overview(false)), heads.to_string(), "there is none to do without");
+    for (making, options) in [(print, "(--sheets 2x2, --profile swell-a3)"), (embossing, "(--sheets 2x2)")] {
+        let told = of_note(&heads, making.beside_overview(false));
+        assert!(told.ends_with(&format!("make the figure larger {options}")), "no overview to do without: {told}");
+    }
+    for making in [Making::Pins, Making::PageAnew, print.of_width(true), embossing.of_width(true)] {
+        assert_eq!(of_note(&heads, making), heads.to_string());
+    }
+    assert_eq!(no_room(print.of_width(true)), no_room(print), "the overview has a sheet of its own there");
     assert_eq!(embossing.beside_overview(true), embossing, "it has a sheet of its own");
     let labels = |is_larger| {
         let (texts, why) = (vec!["Rhine".to_owned()], "there is no room");
@@ -48,13 +55,16 @@ fn only_options_that_there_are_and_that_help_are_named() {
 /// there is not.
 #[test]
 fn only_what_makes_this_figure_larger_is_named() {
-    let told = |name: &str, is_larger_without: bool, is_spread: bool| {
+    let told_of = |name: &str, is_larger_without: bool, is_spread: bool, has_width: bool| {
         let profile = Profile::named(name).expect("it is built in");
         let note =
             Note::LabelsLeftOut { texts: vec!["rain".to_owned()], reason: Reason::NoRoomForLabel, why: "no room" };
-        let told = of_note(&note, Making::of_picture(&profile, is_spread).beside_overview(is_larger_without));
+        let making = Making::of_picture(&profile, is_spread).of_width(has_width).beside_overview(is_larger_without);
+        let told = of_note(&note, making);
         told.strip_prefix(&note.to_string()).expect("the note first").to_owned()
     };
+    let told =
+        |name: &str, is_larger_without: bool, is_spread: bool| told_of(name, is_larger_without, is_spread, false);
     let more = |options: &str| format!("; a larger figure has more ({options})");
     assert_eq!(told("swell-a4", true, false), more("--no-overview, --sheets 2x2, --profile swell-a3"));
     assert_eq!(told("swell-letter", false, false), more("--sheets 2x2, --profile swell-11x17"));
@@ -62,4 +72,7 @@ fn only_what_makes_this_figure_larger_is_named() {
     assert_eq!(told("index-basic-d", true, false), more("--sheets 2x2"));
     assert_eq!(told("index-basic-d", true, true), "");
     assert_eq!(told("monarch", true, false), "");
+    for name in ["swell-a4", "index-basic-d"] {
+        assert_eq!(told_of(name, false, false, true), "", "as wide as asked on larger paper, too");
+    }
 }
