@@ -179,7 +179,7 @@ fn kept_of_grid(lines: &[Line], grid: &[usize], pressed: &[Line], area: MmRect, 
     };
     let (numbers, weak): (Vec<usize>, Vec<Line>) = weak_ones(lines).into_iter().unzip();
     let is_sign = |line: &Line| line.is_block_of_dots() || line.is_ring_of_dots();
-    let pieces = weak_ones(pressed).into_iter().flat_map(|(_, line)| between_holes(&line));
+    let pieces = weak_ones(pressed).into_iter().flat_map(|(_, line)| pieces_of(&line));
     let rows: Vec<Line> = pieces.filter(|line| !is_sign(line)).collect();
     let (_, shares) = kept_lines::matched(&weak, area, &rows, area);
     let all = numbers.into_iter().zip(weak.iter().zip(shares));
@@ -187,16 +187,16 @@ fn kept_of_grid(lines: &[Line], grid: &[usize], pressed: &[Line], area: MmRect, 
     of_grid.map(|(_, (line, share))| share.min(1.0) * line.length()).sum()
 }
 
-/// A line of dots as its pieces between holes, where points interrupt its row.
-fn between_holes(line: &Line) -> Vec<Line> {
+/// A line of dots as its pieces, where points interrupt its row.
+fn pieces_of(line: &Line) -> Vec<Line> {
     let Some(row) = line.row() else { return vec![line.clone()] };
     let step = row.points.windows(2).map(|pair| (pair[1] - pair[0]).length()).fold(f32::INFINITY, f32::min);
-    let pieces = row.points.chunk_by(|a, b| (*b - *a).length() <= HOLE * step);
+    let pieces = row.points.chunk_by(|a, b| (*b - *a).length() <= WIDER_THAN_CROSSED * step);
     let piece = |points: &[MmPoint]| Run { points: points.to_vec(), ..row.clone() };
     pieces.map(|points| Line { strength: line.strength, runs: vec![piece(points)] }).collect()
 }
-/// A step so many times the least of a row is a hole in it: where it crosses another line one dot is missing.
-const HOLE: f32 = 2.1;
+/// A step that is more than so many times the least of a row parts it: where it crosses another line one dot is missing.
+const WIDER_THAN_CROSSED: f32 = 2.1;
 
 /// A level or upright line is no farther from being so, mm.
 const STRAIGHT: f32 = 0.3;
