@@ -19,7 +19,8 @@ pub(super) const FURTHEST_OUTLINE: f32 = 90.0;
 const CORNER: f32 = 0.354;
 /// Directions in which a point is looked at from.
 const RAYS: u32 = 32;
-/// The same where outlines are looked for: at 40 mm they are met every 2 mm.
+/// The same where outlines are looked for: at 40 mm they are met every 2 mm, and less often beyond, where only the
+/// longest labels reach.
 const FINE_RAYS: u32 = 128;
 /// A place is in the open if it is seen in so many of them, an eighth of the circle: a door of 16 mm is narrower from
 /// 20 mm on. Chosen by us.
