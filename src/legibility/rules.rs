@@ -360,3 +360,6 @@ pub const RULES: &[Rule] = &[
     OVERVIEW,
     OVERVIEW_LACKS,
 ];
+
+#[cfg(test)]
+mod tests;
