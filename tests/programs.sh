@@ -25,7 +25,7 @@ first_missing() { # first_missing TOOL...: the first that is not there, or nothi
 }
 
 need() { # need TOOL... -- PACKAGE...: installs the packages if one of the tools is missing
-  local tools=() missing
+  local tools=() missing why
   while [ "$1" != -- ]; do
     tools+=("$1")
     shift
@@ -38,7 +38,10 @@ need() { # need TOOL... -- PACKAGE...: installs the packages if one of the tools
     exit 2
   fi
   # from the lists that are there, and what has been downloaded by them; from new ones where that fails
-  apt_get install "$@" 2>/dev/null || { apt-get update -qq && apt_get install "$@"; }
+  { why=$(apt_get install "$@" 2>&1 >&3); } 3>&1 || {
+    printf 'from new lists of packages, as those that are there do not do:\n%s\n' "$why" >&2
+    apt-get update -qq && apt_get install "$@"
+  }
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then
