@@ -1,9 +1,10 @@
 //! README and docs: every command works as it stands there, every page is found, and every link leads somewhere.
 //!
-//! A command is a line `tactograph ...` (or `cargo run --release -- ...`) in an indented or fenced block. Each is run
-//! in a place where the sample pictures lie under their own names, in the order of its page. Commands in a fenced block
-//! of `text` are not run (they need hardware, take minutes or are patterns), nor are those in lists, which stand in a
-//! block as well; their options must exist all the same.
+//! A command is a line `tactograph ...` (or `cargo run --release -- ...`) in an indented or fenced block, or stands at
+//! the beginning of a line of a list. Each is run in a place where the sample pictures lie under their own names, in
+//! the order of its page. Commands in a fenced block of `text` are not run (they need hardware, take minutes or are
+//! patterns), nor are those of lists whose picture is not there or that need another program; their options must exist
+//! all the same.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +16,20 @@ struct Shown {
     line: usize,
     words: Vec<String>,
     only_parsed: bool,
+    is_listed: bool,
 }
+
+impl Shown {
+    /// Whether it is run: of a list, if there is the picture that it names first and it needs no other program.
+    fn is_run(&self, place: &Place) -> bool {
+        let is_there = || self.words.get(1).is_none_or(|file| place.path(file).exists());
+        let needs_program = || self.words.iter().any(|word| OF_OTHER_PROGRAMS.contains(&word.as_str()));
+        !self.only_parsed && (!self.is_listed || is_there() && !needs_program())
+    }
+}
+
+/// What needs Tesseract or liblouis.
+const OF_OTHER_PROGRAMS: [&str; 2] = ["--ocr", "braille.grade=2"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -47,11 +61,11 @@ fn words_of(command: &str) -> Vec<String> {
     words.map(str::to_owned).collect()
 }
 
-/// The commands in a page's blocks.
+/// The commands in a page's blocks and lists.
 fn commands(text: &str) -> Vec<Shown> {
     let (mut shown, mut fenced, mut only_parsed) = (Vec::new(), false, false);
     for (i, line) in text.lines().enumerate() {
-        // "* `tactograph ...`: what it does", of which there is a block further down
+        // "* `tactograph ...`: what it does"
         let listed = line.strip_prefix("* `").and_then(|rest| rest.split_once("`: ")).map(|(command, _)| command);
         let in_block = fenced || line.starts_with("    ") || listed.is_some();
         if let Some(language) = line.strip_prefix("```") {
@@ -62,7 +76,7 @@ fn commands(text: &str) -> Vec<Shown> {
         let command = command.strip_prefix("cargo run --release -- ").or_else(|| command.strip_prefix("tactograph "));
         if let Some(command) = command.filter(|_| in_block) {
             let words = words_of(command);
-            shown.push(Shown { line: i + 1, words, only_parsed: only_parsed || listed.is_some() });
+            shown.push(Shown { line: i + 1, words, only_parsed, is_listed: listed.is_some() });
         }
     }
     shown
@@ -96,12 +110,14 @@ fn prepared() -> Place {
 
 #[test]
 fn every_command_works_as_it_is_shown() {
-    let (place, mut faults, mut count) = (prepared(), String::new(), 0);
+    let (place, mut faults, mut count, mut listed) = (prepared(), String::new(), 0, 0);
     for page in pages() {
-        for Shown { line, words, only_parsed } in commands(&text_of(&page)) {
-            let words: Vec<_> = words.iter().map(String::as_str).collect();
+        for shown in commands(&text_of(&page)) {
+            let (line, is_run) = (shown.line, shown.is_run(&place));
+            let words: Vec<_> = shown.words.iter().map(String::as_str).collect();
             count += 1;
-            if only_parsed {
+            listed += usize::from(is_run && shown.is_listed);
+            if !is_run {
                 let help = place.run(&[words[0], "--help"]).out;
                 let unknown = words.iter().filter(|word| word.starts_with("--") && !help.contains(**word));
                 unknown.for_each(|word| faults += &format!("{}, line {line}: no option {word}\n", page.display()));
@@ -114,7 +130,7 @@ fn every_command_works_as_it_is_shown() {
         }
     }
     assert!(faults.is_empty(), "{faults}");
-    assert!(count >= 12, "only {count} commands were found");
+    assert!(count >= 12 && listed >= 25, "only {count} commands were found, and {listed} of lists run");
 }
 
 /// Measuring programs are not run here, but they are there.
