@@ -8,11 +8,10 @@ const DIGITS_OF_ISBN: usize = 13;
 /// is longer is a list of numbers, and is not looked at any further.
 const MOST_DIGITS: usize = 15;
 const MOST_CHARACTERS: usize = 2 * MOST_DIGITS - 1;
-/// Words before a number that say that it is one of a telephone.
+/// English words directly before a number that say that it is one of a telephone.
 const MARKERS: [&str; 5] = ["tel", "telephone", "phone", "mobile", "fax"];
-/// The last words before a number in which one of those is looked for, as in "phone no. 555 123 4567", and in how many
-/// characters.
-const LAST_WORDS: usize = 2;
+/// Words that may stand between the two, as in "phone no. 555 123 4567"; all are looked for in so many characters.
+const BETWEEN: [&str; 2] = ["no", "number"];
 const CHARACTERS_BEFORE: usize = 24;
 
 /// Whether the space at `i` parts groups of a telephone number, as in 020 7946 0018: one that begins with a zero before
@@ -47,12 +46,13 @@ pub(super) fn is_in_number(text: &[char], i: usize) -> bool {
     is_of_number(i) && has_long && is_as_long && begins()
 }
 
-/// Whether one of the last words of a text calls what follows the number of a telephone.
+/// Whether the last word of a text calls what follows the number of a telephone.
 fn is_called_one(before: &[char]) -> bool {
     let near: String = before[before.len().saturating_sub(CHARACTERS_BEFORE)..].iter().collect();
     let near = near.to_lowercase();
-    let words = near.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty());
-    words.rev().take(LAST_WORDS).any(|word| MARKERS.contains(&word))
+    let mut words = near.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty()).rev().peekable();
+    words.next_if(|word| BETWEEN.contains(word));
+    words.next().is_some_and(|word| MARKERS.contains(&word))
 }
 
 /// The digits of a code in brackets at the end of a text, as before the rest of (212) 555 0199; none without one.
