@@ -160,7 +160,7 @@ pub(super) fn of_dots(page: &Page) -> impl Iterator<Item = [MmPoint; 2]> + '_ {
 pub(super) fn spaced(mut lines: Vec<Line>, leaders: &[[MmPoint; 2]], layout: &Layout) -> Vec<Line> {
     let Medium::Dots(medium) = &layout.medium else { return lines };
     for line in &mut lines {
-        let Some([_, tip]) = leaders.iter().find(|leader| is_along(line, leader)) else { continue };
+        let Some([_, tip]) = along(line, leaders, medium.pitch) else { continue };
         let [run] = &mut line.runs[..] else { continue };
         let far = |at: Option<&MmPoint>| at.map_or(0.0, |at| (*tip - *at).length());
         let leads_back = far(run.points.first()) < far(run.points.last());
@@ -175,14 +175,22 @@ pub(super) fn spaced(mut lines: Vec<Line>, leaders: &[[MmPoint; 2]], layout: &La
     lines
 }
 
-/// Whether a line is a row of dots along a leader line, or a part of it beside what it crosses.
-fn is_along(line: &Line, [from, tip]: &[MmPoint; 2]) -> bool {
-    let Some((first, last)) = line.row().and_then(|row| row.points.first().zip(row.points.last())) else {
-        return false;
-    };
+/// The nearest of the leader lines along which a line lies: its ends are no farther off than others that stand for one,
+/// or on a coarse grid than a step of `pitch` mm. A piece of an outline beside a leader line is farther off.
+fn along<'a>(line: &Line, leaders: &'a [[MmPoint; 2]], pitch: f32) -> Option<&'a [MmPoint; 2]> {
+    let off = |leader: &[MmPoint; 2]| off_leader(line, leader).unwrap_or(f32::INFINITY);
+    let nearest = leaders.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+    (off(nearest) <= OFF_LEADER.max(pitch)).then_some(nearest)
+}
+
+/// How far the ends of a line lie off a leader line, mm, if it is a row of dots beside that and of its direction.
+fn off_leader(line: &Line, [from, tip]: &[MmPoint; 2]) -> Option<f32> {
+    let (first, last) = line.row().and_then(|row| row.points.first().zip(row.points.last()))?;
     let way = |from: MmPoint, to: MmPoint| (to - from).try_normalize().unwrap_or_default();
-    way(*from, *tip).dot(way(*first, *last)).abs() >= ALONG
-        && line.runs.iter().flat_map(|run| &run.points).all(|at| nearest_on_segment(*at, *from, *tip).0 <= DRAWN)
+    let off = |at: &MmPoint| nearest_on_segment(*at, *from, *tip).0;
+    let is_along = way(*from, *tip).dot(way(*first, *last)).abs() >= ALONG;
+    let is_near = || line.runs.iter().flat_map(|run| &run.points).all(|at| off(at) <= DRAWN);
+    (is_along && is_near()).then(|| off(first).max(off(last)))
 }
 
 /// What is told of leader lines that lead to nothing on the page.

@@ -1,7 +1,7 @@
 //! Tests of `leaders`.
 
 use super::*;
-use crate::lines::Run;
+use crate::lines::{Height, Run};
 
 /// Whether a leader line from 0 to 40 mm is whole of which these pieces are drawn.
 fn whole(pieces: &[(f32, f32)], y: f32) -> bool {
@@ -42,6 +42,21 @@ fn those_left_out_are_told_by_their_texts() {
     let note = told_lost(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
     assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");
     assert_eq!(told_lost(&[text("vacuole", false)]), None);
+}
+
+#[test]
+fn a_row_is_one_of_the_nearest_leader_line_and_of_none_beside_it() {
+    let at = |x: f32, y: f32| MmPoint::new(x, y);
+    let leaders = [52.0, 50.0].map(|y| [at(0.0, y), at(40.0, y)]);
+    let tip = |from: MmPoint, to: MmPoint| {
+        let dots = (0..=8).map(|k| from.lerp(to, k as f32 / 8.0)).collect();
+        let line = Line { strength: 1.0, runs: vec![Run::dots(1.6, dots, Height::High)] };
+        along(&line, &leaders, 2.0).map(|[_, tip]| tip.y)
+    };
+    assert_eq!(tip(at(10.0, 50.5), at(26.0, 50.5)), Some(50.0), "the second is nearer");
+    assert_eq!(tip(at(10.0, 51.5), at(26.0, 51.5)), Some(52.0));
+    assert_eq!(tip(at(10.0, 47.5), at(26.0, 47.5)), None, "an outline beside it");
+    assert_eq!(tip(at(10.0, 50.0), at(10.0, 34.0)), None, "it leads elsewhere");
 }
 
 #[test]
