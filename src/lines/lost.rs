@@ -110,7 +110,7 @@ pub(super) fn gaps<'a>(
 }
 
 /// Which of these lines are closed on the page, if also moved aside in part, as the tip of a triangle below a beam: a
-/// closed line of `drawn` lies nearer to each than to all others for most of its length, and is not much shorter.
+/// closed line of `drawn` lies nearer to each than to all others, for half at least of the longer one of the two.
 fn closed_on_page<'a>(
     lines: &[&Polyline<Vertex>],
     drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
@@ -122,19 +122,20 @@ fn closed_on_page<'a>(
     for ring in drawn.filter(|line| line.closed) {
         let mut beside: BTreeMap<usize, f32> = BTreeMap::new();
         for (a, b) in ring.segments() {
+            // long sides have vertices between their corners
             if let Some((_, _, segment)) = near.nearest(a.at.lerp(b.at, 0.5), params.farthest_moved(), |_| true) {
                 *beside.entry(segment.line as usize).or_default() += (b.at - a.at).length();
             }
         }
         if let Some((line, length)) = beside.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)) {
-            are_closed[line] |= length >= HALF * ring.length().max(lines[line].length());
+            are_closed[line] |= length >= SAME_RING * ring.length().max(lines[line].length());
         }
     }
     are_closed
 }
 
 /// A closed line is another one on the page if it is so for at least this share of the longer of the two.
-const HALF: f32 = 0.5;
+const SAME_RING: f32 = 0.5;
 
 /// A line stands for a closed one if it is so near, mm: nearly all are moved by less, and those side by side are
 /// further apart.
