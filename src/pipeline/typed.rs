@@ -42,7 +42,9 @@ pub(super) fn write(
     let medium = parts.medium.clone();
     let cells = CellGrid::of(&medium, plan.profile().braille.cell);
     let width = |text: &TypedText| cells.extent(text.string.chars().count(), 1).x;
-    let texts: Vec<TypedText> = texts.iter().map(|text| text.from_its_begin(width(text))).collect();
+    // a word in print is not as wide as its braille: it names the place of its anchor
+    let placed = |text: &TypedText| if text.is_braille { text.from_its_begin(width(text)) } else { text.clone() };
+    let texts: Vec<TypedText> = texts.iter().map(placed).collect();
     let label = |text: &TypedText| {
         let [x, y] = Position::in_figure(text.at, place);
         Label { x, y, text: text.string.clone() }
@@ -80,20 +82,28 @@ pub(super) fn write(
     let written = braille.len();
     let in_braille = exact.len().min(written);
     let written = written - in_braille;
+    let led = braille.iter().filter(|text| text.leader.is_some()).count();
     parts.braille.extend(braille);
     let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) =
         notes.into_iter().partition(|note| matches!(note, Note::Abbreviated(_)));
-    let told = told(written, in_braille).into_iter().chain(typed_outside(&outside));
+    let told = told(written, led, in_braille).into_iter().chain(typed_outside(&outside));
     let notes = told.chain(elsewhere).chain(notes).collect();
     Typed { notes, abbreviated: abbreviated.pop() }
 }
 
-/// Tells how many texts are written, beside where they were typed and in their very places.
-fn told(written: usize, in_place: usize) -> Vec<Note> {
+/// Tells how many texts are written, beside where they were typed and in their very places, and how many have a leader
+/// line to where they were typed.
+fn told(written: usize, led: usize, in_place: usize) -> Vec<Note> {
+    let with_leader = match led {
+        0 => String::new(),
+        1 if written == 1 => ", with a leader line to it".to_owned(),
+        1 => ", 1 of them with a leader line to where it was typed".to_owned(),
+        _ => format!(", {led} of them with leader lines to where they were typed"),
+    };
     let beside = match written {
         0 => None,
-        1 => Some("1 text that was typed is written in braille beside its place".to_owned()),
-        _ => Some(format!("{written} texts that were typed are written in braille beside their places")),
+        1 => Some(format!("1 text that was typed is written in braille beside its place{with_leader}")),
+        _ => Some(format!("{written} texts that were typed are written in braille beside their places{with_leader}")),
     };
     let in_place = match in_place {
         0 => None,

@@ -95,6 +95,21 @@ fn braille_stands_at_its_anchor() {
     assert!((start.min.x - middle.min.x - (middle.min.x - end.min.x)).abs() < 0.1 && start.width() > 40.0);
 }
 
+/// Braille is wider than print: a word typed around its middle names the box that is there, and not one where its
+/// braille would begin.
+#[test]
+fn a_typed_word_names_the_box_in_which_it_stands() {
+    let boxes = "<path d='M50,80h40v12h-40z'/><path d='M110,80h40v12h-40z'/>";
+    let word = "<g id='labels-text'><text x='130' y='87' style='text-anchor:middle'>Caterpillar</text></g>";
+    let made = crate::render(page(boxes, word), &RenderOptions::new()).expect("it is a page");
+    let label = &made.page.braille[0];
+    let points = &label.leader.as_ref().expect("no box has room for it").points;
+    let tip = points[points.len() - 1];
+    assert!((110.0..150.0).contains(&tip.x) && (80.0..92.0).contains(&tip.y), "{points:?}");
+    let told = told(&made.notes);
+    assert!(told.contains("written in braille beside its place, with a leader line to it"), "{told}");
+}
+
 const SHAPE: &str = "<path d='M80,240h6v4l-2,2h-4z' stroke='none' fill='#000'/>";
 
 #[test]
