@@ -241,6 +241,20 @@ pub(super) fn is_at_kept_leader(label: &Wanted, place: MmRect) -> bool {
     label.kept_leader.is_none_or(|from| distance_to_box(from, place) <= FROM_KEPT_LEADER)
 }
 
+/// Whether a label in a place, without a leader line, says to what the leader line leads that the drawing has and the
+/// page lacks. At a line it stands right beside the tip, where it has no room for a leader line of its own, and in no
+/// shape, of which it would be the name. A tip in the blank names the area around it.
+pub(super) fn is_at_lost_tip(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> bool {
+    let &Surroundings { room, anchor, .. } = around;
+    let is_at_line = || room.line_beside(MmRect::new(anchor, anchor), AT_LOST_TIP, AT_LOST_TIP).is_some();
+    let is_right_at = || distance_to_box(anchor, place) < SHORTEST_LEADER + around.leader_off();
+    label.lost_leader.is_none() || !is_at_line() || is_right_at() && around.is_open(place)
+}
+
+/// A line so near to such a tip, mm, is what it leads to, or beside that: less than the check of a page takes for the
+/// end of a leader line, as lines of dots lie off theirs.
+const AT_LOST_TIP: f32 = 5.0;
+
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
 /// unless a leader line crosses it, and for the nearest anchor.
 fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
@@ -258,7 +272,7 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
             is_near && around.is_before_own(place) || !is_point && is_beside_outline(nearest, place, around)
         }
     };
-    if is_beside {
+    if is_beside && is_at_lost_tip(label, place, around) {
         return Some(Attachment::Beside);
     }
     // in the blank a leader line would lead to the place where print stood, such as a heading, and name that

@@ -1,6 +1,6 @@
 //! What labels in rows and columns are placed in, and whether a place in it is free.
 
-use super::candidates::{Candidate, is_at_kept_leader};
+use super::candidates::{Candidate, is_at_kept_leader, is_at_lost_tip};
 use super::forms::Forms;
 use super::placed::{Params, PlacedAs, Unplaced, Wanted};
 use super::room::Room;
@@ -36,7 +36,8 @@ pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>
             context.room.is_free_segment(from, to, around.end.max(AT_END)) && around.leads_to_own(place, [from, to])
         }
         None => {
-            let is_found = is_at_kept_leader(&context.wanted[label], place);
+            let wanted = &context.wanted[label];
+            let is_found = is_at_kept_leader(wanted, place) && is_at_lost_tip(wanted, place, around);
             is_found && !context.room.is_parted(nearest, anchor, around.end.max(AT_END)) && around.is_own(place)
         }
     };

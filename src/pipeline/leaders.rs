@@ -240,8 +240,8 @@ fn told_lost(texts: &[Text]) -> Option<Note> {
         1 => ("the leader line", "it has"),
         _ => ("the leader lines", "they have"),
     };
-    let why = "no room as a whole beside other lines, or would end nearer to something else; the label stands at what \
-               it names instead, or has a leader line of its own";
+    let why = "no room as a whole beside other lines, or would end nearer to something else; the label stands right at \
+               what it names instead, has a leader line of its own, or is told as left out";
     Some(Note::NotOnPage(
         About::Leaders,
         Reason::NoRoomForLeader,

@@ -335,3 +335,17 @@ fn places_with_leader_lines_are_left_where_many_are_near_by() {
     let led = kept.iter().filter(|candidate| candidate.leader().is_some()).count();
     assert_eq!((kept.len(), led), (68, 20), "8 mm apart");
 }
+
+/// In an eye without its retina, whose leader line had no room, "Retina" is no name of what is inside.
+#[test]
+fn a_label_that_lost_its_leader_line_stands_in_no_shape_without_another() {
+    let shape = room(&[(60.0, 60.0), (140.0, 60.0), (140.0, 140.0), (60.0, 140.0)], true);
+    let is_led = |tip: f32, x: f32| {
+        let label = Wanted { lost_leader: Some(MmPoint::new(170.0, 60.0)), ..at(tip, 100.0) };
+        placed(&[label], box_at(x, 97.0), &shape, &params()).map(|found| found.leader().is_some())
+    };
+    assert_eq!(is_led(138.0, 110.0), Some(true), "8 mm from its tip, which is at the outline");
+    assert_eq!(is_led(138.0, 113.0), None, "too near for a leader line");
+    assert_eq!(is_led(138.0, 143.0), Some(false), "as near outside of the shape");
+    assert_eq!(is_led(100.0, 110.0), Some(false), "its tip names what is inside");
+}
