@@ -127,7 +127,7 @@ fn of_line(
 fn is_in_something(at: MmPoint, page: &Page) -> bool {
     let glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
     let to_glyph = glyphs.map(|glyph| (glyph.at - at).length()).fold(f32::MAX, f32::min);
-    to_glyph <= LEADER_END || is_shut_in(at, page)
+    to_glyph <= LEADER_END || is_shut_in(at, &page.figure.lines, page.figure.place)
 }
 
 /// The end of the line of a label that is farther from its cells.
@@ -138,11 +138,10 @@ fn tip(text: &BrailleText) -> Option<MmPoint> {
     [*points.first()?, *points.last()?].into_iter().max_by(|a, b| far(a).total_cmp(&far(b)))
 }
 
-/// Whether lines of the figure lie around a point on all sides, as it may name the area in which it stands.
-fn is_shut_in(at: MmPoint, page: &Page) -> bool {
-    let place = page.figure.place;
+/// Whether lines of a figure in this box lie around a point on all sides, as it may name the area in which it stands.
+pub(crate) fn is_shut_in(at: MmPoint, lines: &[Line], place: MmRect) -> bool {
     let reach = place.width() + place.height();
-    let runs = || page.figure.lines.iter().flat_map(|line| &line.runs);
+    let runs = || lines.iter().flat_map(|line| &line.runs);
     let meets = |(from, to): (MmPoint, MmPoint)| {
         let along = |run: &Run| run.polyline().segments().any(|(a, b)| crossing((from, to), (*a, *b)).is_some());
         runs().any(along)

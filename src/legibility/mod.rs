@@ -39,7 +39,9 @@ pub use gaps::{Near, too_near};
 pub use ink::{canvas_of, to_canvas};
 pub(crate) use joins::{APART, APPROACH, BEND_LEAST, CLUSTER_APPROACH, SMALL_RING};
 pub use layer::marked;
-pub(crate) use leaders::{LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
+pub(crate) use leaders::{
+    LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER, is_shut_in,
+};
 use limits::CELL;
 pub(crate) use limits::LEADER_END;
 pub use limits::{MediumLimits, RuleLimits};

@@ -9,7 +9,7 @@ use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::spaced_row::{HOLE, every_second, has_every_second};
 use crate::geom::{ALONG, crossing, nearest_on_segment};
-use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER};
+use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER, is_shut_in};
 use crate::lines::{self, Line, Pen};
 use crate::page::layout::Layout;
 use crate::page::{Medium, Page};
@@ -58,6 +58,8 @@ struct Leader {
     text: usize,
     /// From the text to what it names.
     path: Vec<MmPoint>,
+    /// Whether a line is at its tip in the drawing.
+    ends_at_line: bool,
 }
 
 /// Takes the leader lines out of the contours of a drawing that `draw` does not draw as a whole. Their texts, which
@@ -85,7 +87,8 @@ pub(super) fn whole_or_none(
         let index = index_of_pieces(&lines, layout.figure);
         let leads = |leader: &Leader| is_whole(&leader.path, &index, gap) && !leads_to_other(&leader.path, &index);
         let (whole, torn): (Vec<Leader>, Vec<Leader>) = leaders.into_iter().partition(leads);
-        to_nothing = whole.iter().filter(|of| !leads_on_page(&of.path, &index)).map(|of| of.text).collect();
+        let leads_to_nothing = |of: &&Leader| !leads_on_page(of, &lines, &index, layout.figure);
+        to_nothing = whole.iter().filter(leads_to_nothing).map(|of| of.text).collect();
         texts.iter_mut().for_each(|text| text.kept_leader = None);
         whole.iter().for_each(|of| texts[of.text].kept_leader = of.path.first().copied());
         if torn.is_empty() {
@@ -105,27 +108,39 @@ pub(super) fn whole_or_none(
     told_lost(texts).into_iter().chain(told_to_nothing(&names)).collect()
 }
 
-/// Whether a leader line leads to another line that is drawn, or crosses one shortly before its tip.
-fn leads_on_page(path: &[MmPoint], drawn: &Nearby) -> bool {
-    let (from, tip) = (path[0], path[path.len() - 1]);
-    let Some((_, _, own)) = drawn.nearest(from.lerp(tip, 0.5), DRAWN, |_| true) else { return true };
-    let last = tip.lerp(from, (LAST / (tip - from).length()).min(1.0));
-    let steps = ((tip - last).length() / STEP).ceil().max(1.0) as u32;
-    let places = (0..=steps).map(|step| last.lerp(tip, step as f32 / steps as f32));
-    places.into_iter().any(|at| drawn.nearest(at, ON_PAGE, |segment| segment.line != own.line).is_some())
+/// Whether a leader line, from where it ends on the page, leads to another line that is drawn, or crosses one shortly
+/// before that. One that leads to no line in the drawing may end in an area that these lines shut in.
+fn leads_on_page(leader: &Leader, lines: &[Line], drawn: &Nearby, figure: MmRect) -> bool {
+    let (from, tip) = (leader.path[0], leader.path[leader.path.len() - 1]);
+    let is_own = |segment: &Segment| is_piece(segment, from, tip);
+    let at_end = |beside: MmPoint| drawn.nearest(beside, OFF_LEADER, is_own);
+    let Some((_, end, _)) = drawn_end(from, tip, drawn).and_then(at_end) else { return true };
+    let last = end.lerp(from, (LAST / (end - from).length().max(STEP)).min(1.0));
+    let steps = ((end - last).length() / STEP).ceil().max(1.0) as u32;
+    let mut places = (0..=steps).map(|step| last.lerp(end, step as f32 / steps as f32));
+    places.any(|at| drawn.nearest(at, ON_PAGE, |segment| !is_own(segment)).is_some())
+        || !leader.ends_at_line && is_shut_in(end, lines, figure)
+}
+
+/// Whether a segment is a piece of a leader line with these ends: all pieces are, as others may cut it where they cross
+/// it.
+fn is_piece(segment: &Segment, from: MmPoint, tip: MmPoint) -> bool {
+    [segment.a, segment.b].iter().all(|at| nearest_on_segment(*at, from, tip).0 <= OFF_LEADER)
+}
+
+/// About where a leader line with these ends stops on the page; none if no piece of it is drawn.
+fn drawn_end(from: MmPoint, tip: MmPoint, drawn: &Nearby) -> Option<MmPoint> {
+    let steps = ((tip - from).length() / STEP).ceil().max(1.0) as u32;
+    let mut back = (0..=steps).map(|step| tip.lerp(from, step as f32 / steps as f32));
+    back.find(|at| drawn.nearest(*at, OFF_LEADER, |segment| is_piece(segment, from, tip)).is_some())
 }
 
 /// Whether a leader line ends short of its tip on the page, and nearer to another line than to the one at its tip: a
 /// finger that goes on from its end comes to that one.
 fn leads_to_other(path: &[MmPoint], drawn: &Nearby) -> bool {
     let (from, tip) = (path[0], path[path.len() - 1]);
-    // all its pieces, as others may cut it where they cross it
-    let is_own =
-        |segment: &Segment| [segment.a, segment.b].iter().all(|at| nearest_on_segment(*at, from, tip).0 <= OFF_LEADER);
-    let nearest = |at: MmPoint| drawn.nearest(at, LAST, |segment| !is_own(segment));
-    let steps = ((tip - from).length() / STEP).ceil().max(1.0) as u32;
-    let mut back = (0..=steps).map(|step| tip.lerp(from, step as f32 / steps as f32));
-    let Some(end) = back.find(|at| drawn.nearest(*at, OFF_LEADER, is_own).is_some()) else { return false };
+    let nearest = |at: MmPoint| drawn.nearest(at, LAST, |segment| !is_piece(segment, from, tip));
+    let Some(end) = drawn_end(from, tip, drawn) else { return false };
     let is_short = (tip - end).length() > AT_TIP;
     let lines = nearest(end).zip(nearest(tip)).map(|((_, _, at_end), (_, _, at_tip))| (at_end.line, at_tip.line));
     is_short && lines.is_some_and(|(at_end, at_tip)| at_end != at_tip)
@@ -302,7 +317,8 @@ fn find(
             && is_free_end(path[0], place, number as u32, &index)
             && leads_to_something(&path, number as u32, &index)
             && ticks_on(number, &chains, edges) < TICKS;
-        leads.then_some(Leader { chain: number, text, path })
+        let ends_at_line = index.nearest(tip, AT_TIP, |segment| segment.line != number as u32).is_some();
+        leads.then_some(Leader { chain: number, text, path, ends_at_line })
     };
     (0..chains.len()).filter_map(is_leader).collect()
 }

@@ -75,3 +75,25 @@ fn a_leader_line_that_ends_at_another_thing_leads_there() {
     assert!(leads(33.0), "it ends 4 mm from one and 8 mm from the other");
     assert!(!leads(38.0), "short of its tip by the blank before a line");
 }
+
+/// One that lost its end at a line is told, as the check tells it; in the area that it names it may end in the blank.
+#[test]
+fn a_leader_line_leads_to_something_from_where_it_ends_on_the_page() {
+    let line = |points: &[(f32, f32)], closed: bool| {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength: 1.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] }
+    };
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let leads = |end: f32, ends_at_line: bool| {
+        let own = line(&[(0.0, 50.0), (20.0, 50.0), (end, 50.0)], false);
+        let lines = [own, line(&[(39.0, 30.0), (95.0, 30.0), (95.0, 70.0), (39.0, 70.0)], true)];
+        let tip = if ends_at_line { 38.0 } else { 65.0 };
+        let path = vec![MmPoint::new(0.0, 50.0), MmPoint::new(tip, 50.0)];
+        let leader = Leader { chain: 0, text: 0, path, ends_at_line };
+        leads_on_page(&leader, &lines, &index_of_pieces(&lines, area), area)
+    };
+    assert!(leads(35.0, true), "4 mm before the outline at its tip");
+    assert!(!leads(32.0, true), "7 mm before it");
+    assert!(leads(65.0, false), "in the middle of what it names");
+    assert!(!leads(32.0, false), "outside of it");
+}
