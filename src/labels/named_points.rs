@@ -5,6 +5,7 @@
 use std::collections::BTreeSet;
 
 use super::placed::Wanted;
+use super::scale;
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::page::{Line, Run};
 use crate::units::{MmPoint, MmRect};
@@ -23,6 +24,10 @@ const IN_COLUMN: f32 = 1.5;
 /// Farthest that the second text of a ring lies from it, mm: two lines of large print, as where the names along a time
 /// line stand at two heights.
 const FARTHEST_SECOND: f32 = 20.0;
+/// Words of a row have their middles so near to one another, mm: some have letters that reach higher or lower.
+const IN_ROW: f32 = 1.5;
+/// Fewest texts of a row: two names of a map stand level by chance.
+const FEWEST_OF_ROW: usize = 3;
 /// Fewest rings with two texts: one alone may stand between two texts by chance.
 const FEWEST_WITH_TWO: usize = 2;
 
@@ -87,9 +92,9 @@ pub(super) fn missing(at: MmPoint) -> SmallRing {
     SmallRing { at, reach: 0.5 * SMALLEST }
 }
 
-/// What each label names: the middle of the ring that it stands beside, as an empty box, or else its own anchor. Each
-/// ring has one label, the nearest; those along a time line have a second one on their other side, if it `is_seen` from
-/// there.
+/// What each label names: the middle of the ring that it stands beside, as an empty box, or else its own anchor. A word
+/// of a row beyond a line, such as a month below an axis, is of that row. Each ring has one label, the nearest; those
+/// along a time line have a second one on their other side. Whether nothing lies between is for `is_seen` to say.
 pub(super) fn anchors(
     wanted: &[Wanted],
     rings: &[SmallRing],
@@ -103,7 +108,11 @@ pub(super) fn anchors(
     let mut pairs: Vec<(f32, usize, usize)> = Vec::new();
     for (number, label) in wanted.iter().enumerate() {
         if !label.anchor.is_empty() && label.lost_leader.is_none() {
-            let of_ring = |(ring, at): (usize, &SmallRing)| Some((gap(label, at)?, number, ring));
+            let of_ring = |(ring, at): (usize, &SmallRing)| {
+                let far = gap(label, at)?;
+                let is_of_axis = || is_word_of_row(number, wanted) && !is_seen(label.anchor.center(), at);
+                (!is_of_axis()).then_some((far, number, ring))
+            };
             pairs.extend(rings.iter().enumerate().filter_map(of_ring));
         }
     }
@@ -128,6 +137,13 @@ pub(super) fn anchors(
         seconds.into_iter().for_each(|(number, at)| anchors[number] = MmRect::new(at, at));
     }
     anchors
+}
+
+/// Whether a text is a word that stands level with others.
+fn is_word_of_row(number: usize, wanted: &[Wanted]) -> bool {
+    let middle = wanted[number].anchor.center().y;
+    let is_level = |other: &&Wanted| !other.anchor.is_empty() && (other.anchor.center().y - middle).abs() <= IN_ROW;
+    !scale::is_number(&wanted[number].text) && wanted.iter().filter(is_level).count() >= FEWEST_OF_ROW
 }
 
 /// The text that names a ring too, beside the one in the box `first`: both stand in its column, one above and one below

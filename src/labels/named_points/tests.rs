@@ -70,3 +70,19 @@ fn points_of_a_time_line_have_a_name_and_a_year() {
     assert_eq!(of([names[0].clone(), above(93.0, 33.0)], true), [true, true, false, false], "beside the column of one");
     assert_eq!(of([names[0].clone(), above(90.0, 20.0)], true), [true, true, false, false], "far above one");
 }
+
+/// The first point of a curve may lie so near above the axis that the month below it is as near as a name.
+#[test]
+fn a_month_below_an_axis_names_no_point_of_the_curve_above() {
+    let rings = rings(&[ring(50.0, 50.0, 2.5)]);
+    let of = |names: [&str; 3], is_seen: bool| {
+        let texts: Vec<Wanted> = [45.0, 75.0, 105.0].iter().zip(names).map(|(x, name)| text(name, *x, 55.0)).collect();
+        anchors(&texts, &rings, |_, _| is_seen)[0].is_empty()
+    };
+    let months = ["Jan", "Mar", "May"];
+    assert!(!of(months, false), "beyond the axis");
+    assert!(of(months, true), "nothing lies between");
+    assert!(of(["1", "3", "5"], false), "a number has its place on a line of points");
+    let alone = [text("Quell", 45.0, 55.0), text("Brook", 75.0, 60.0)];
+    assert!(anchors(&alone, &rings, |_, _| false)[0].is_empty(), "a town beside a road");
+}
