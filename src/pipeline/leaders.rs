@@ -27,7 +27,7 @@ const ASIDE: f32 = 0.5;
 const AT_TIP: f32 = 3.0;
 /// What it leads to is drawn so near to it, mm, over so much of its end: lines are moved, and the tip may be within the
 /// outline of what it names.
-const ON_PAGE: f32 = 5.0;
+const ON_PAGE: f32 = LEADER_END;
 const LAST: f32 = 15.0;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
@@ -47,7 +47,7 @@ const DOTS_OF_GAP: f32 = 3.1;
 const ROUNDS: usize = 3;
 
 // What is a leader line here, and leads to something, does so for the check of the page.
-const _: () = assert!(STRAIGHT >= LEADER_STRAIGHT && AT_TIP <= LEADER_END && ON_PAGE <= LEADER_END);
+const _: () = assert!(STRAIGHT >= LEADER_STRAIGHT && AT_TIP <= LEADER_END);
 
 /// A leader line of a drawing.
 #[derive(Debug, Clone, PartialEq)]
