@@ -1,6 +1,8 @@
 //! Which glyphs fill which region.
 
-use super::glyph::{self, Glyph, Texture};
+use std::collections::BTreeMap;
+
+use super::glyph::{self, Glyph, Texture, unit};
 use super::lattice::{self, LatticePoint};
 use super::maps::{RegionMap, line_density};
 use super::params::Params;
@@ -13,9 +15,14 @@ use crate::units::{MmPoint, MmRect};
 /// A connected component of fewer glyphs than this is no texture: single glyphs that stand apart, in a tongue of their
 /// region or between two lines, have no direction and are felt as dirt.
 const LEAST_COMPONENT: usize = 4;
+/// A component of rhombuses has so many rows at least in which two of them lie side by side. In a strip with room for
+/// one rhombus of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own:
+/// level rows, blue, would be felt as upright ones, yellow.
+const LEAST_ROWS: usize = 2;
 
 /// Fills the regions of `classes`, whose cells cover `area` of the sheet, with a clearance from `lines`. Where there is
-/// room for single glyphs only, none are set; a region without room for a few gives no texture.
+/// room for single glyphs only, none are set; a region without room for a few, or for two rows of them, gives no
+/// texture.
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
     let runs = lines.iter().flat_map(|line| &line.runs);
     let widest = runs.map(|run| run.width).fold(0.0, f32::max);
@@ -55,7 +62,7 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) ->
         });
     }
     for texture in &mut textures {
-        remove_small_components(&mut texture.glyphs, params);
+        remove_small_components(&mut texture.glyphs, params.palette.degrees(texture.class), params);
     }
     textures.retain(|texture| !texture.glyphs.is_empty());
     textures.sort_by_key(|texture| texture.class);
@@ -110,12 +117,32 @@ fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach:
 }
 
 /// Removes small components of glyphs. Two glyphs are linked if they are no further apart than rows of the sparsest
-/// texture, which are two rows of the dense one.
-fn remove_small_components(glyphs: &mut Vec<Glyph>, params: &Params) {
+/// texture, which are two rows of the dense one. So does a component without rows in the direction of its texture, if
+/// that has one.
+fn remove_small_components(glyphs: &mut Vec<Glyph>, degrees: Option<f32>, params: &Params) {
     let reach = 1.01 * (2.0 * params.across).max(3.0_f32.sqrt() * params.dot_pitch);
     let centres: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
     let groups = components::of_points(&centres, reach, |between| between.length() <= reach);
-    components::retain(glyphs, &groups, |_, group| group.len() >= LEAST_COMPONENT);
+    components::retain(glyphs, &groups, |glyphs, group| {
+        let is_felt = || degrees.is_none_or(|degrees| has_rows(glyphs, group, degrees, params));
+        group.len() >= LEAST_COMPONENT && is_felt()
+    });
+}
+
+/// Whether there are rows in this direction, degrees, that have two glyphs of the group side by side: [`LEAST_ROWS`].
+fn has_rows(glyphs: &[Glyph], group: &[usize], degrees: f32, params: &Params) -> bool {
+    let Some(first) = group.first().map(|&number| glyphs[number].at) else { return false };
+    let (along, across) = (unit(degrees), unit(degrees + 90.0));
+    let mut rows: BTreeMap<i32, Vec<f32>> = BTreeMap::new();
+    for from in group.iter().map(|&number| glyphs[number].at - first) {
+        let row = (from.dot(across) / params.across).round() as i32;
+        rows.entry(row).or_default().push(from.dot(along));
+    }
+    let has_pair = |row: &mut Vec<f32>| {
+        row.sort_by(f32::total_cmp);
+        row.windows(2).any(|pair| pair[1] - pair[0] <= 1.01 * params.along)
+    };
+    rows.values_mut().map(has_pair).filter(|has_pair| *has_pair).count() >= LEAST_ROWS
 }
 
 #[cfg(test)]

@@ -10,11 +10,57 @@ fn three_glyphs_apart_from_the_rest_go() {
     let few = [(40.0, 20.0), (40.0, 24.0), (42.0, 22.0)].into_iter();
     let all: Vec<Glyph> = field.chain(few).map(glyph).collect();
     let left = |mut glyphs: Vec<Glyph>| {
-        remove_small_components(&mut glyphs, &Params::TEST);
+        remove_small_components(&mut glyphs, None, &Params::TEST);
         glyphs
     };
     let edge = 31.0 + 2.0 * Params::TEST.across;
     assert!(edge < 40.0, "the field ends at 31, out of reach of the three");
     assert_eq!(left(all.clone()), all[..8]);
     assert_eq!(left(all[..3].to_vec()), []);
+}
+
+/// Rows of rhombuses as the lattice has them, level: so many of them, with so many rhombuses each.
+fn level_rows(rows: usize, each: usize) -> Vec<Glyph> {
+    let Params { along, across, length, thickness, .. } = Params::TEST;
+    let glyph = |(row, number): (usize, usize)| {
+        let stagger = if row % 2 == 0 { 0.0 } else { 0.5 };
+        let at = MmPoint::new((number as f32 + stagger) * along, row as f32 * across);
+        Glyph { at, shape: Shape::Rhombus { length, thickness, degrees: 0.0 } }
+    };
+    (0..rows).flat_map(|row| (0..each).map(move |number| (row, number))).map(glyph).collect()
+}
+
+#[test]
+fn rhombuses_one_above_the_other_are_no_level_rows() {
+    let left = |mut glyphs: Vec<Glyph>, degrees: f32| {
+        remove_small_components(&mut glyphs, Some(degrees), &Params::TEST);
+        glyphs.len()
+    };
+    // one a row, in a strip with no room for two
+    assert_eq!(left(level_rows(8, 1), 0.0), 0);
+    assert_eq!(left(level_rows(1, 8), 0.0), 0, "a row alone");
+    assert_eq!(left(level_rows(2, 2), 0.0), 4);
+    assert_eq!(left(level_rows(8, 2), 0.0), 16);
+    // one row of two, and the rest one each
+    let mut tapered = level_rows(8, 1);
+    tapered.push(level_rows(1, 2)[1]);
+    assert_eq!(left(tapered.clone(), 0.0), 0);
+    tapered.push(level_rows(2, 2)[3]);
+    assert_eq!(left(tapered, 0.0), 10);
+}
+
+#[test]
+fn rows_are_those_in_the_direction_of_the_texture() {
+    let Params { along, across, length, thickness, .. } = Params::TEST;
+    let upright = |columns: usize| -> Vec<Glyph> {
+        let at = |(column, number): (usize, usize)| MmPoint::new(column as f32 * across, number as f32 * along);
+        let shape = Shape::Rhombus { length, thickness, degrees: 90.0 };
+        let places = (0..columns).flat_map(|column| (0..6).map(move |number| (column, number)));
+        places.map(at).map(|at| Glyph { at, shape }).collect()
+    };
+    for (columns, stays) in [(1, 0), (2, 12)] {
+        let mut glyphs = upright(columns);
+        remove_small_components(&mut glyphs, Some(90.0), &Params::TEST);
+        assert_eq!(glyphs.len(), stays, "{columns} upright rows");
+    }
 }
