@@ -218,10 +218,28 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f32>().sqrt()
 }
 
-/// What is told of a legend whose words become labels: of which of them no texture tells on the page, and which share
-/// one; and of all of them where there is no key.
-pub(super) fn told(entries: &[LegendEntry], figure: &Figure, has_key: bool) -> Vec<Note> {
-    let occurs = |class: Class| figure.textures.iter().any(|texture| texture.class == class);
+/// The legend of a page with the textures of this figure. Colours without any there, as labels stand in their areas or
+/// these are too narrow, are marked: the key names them as blank. On a page that is drawn anew such an area may be
+/// gone.
+pub(super) fn with_blank(entries: &[LegendEntry], figure: &Figure, plan: &Plan) -> Vec<LegendEntry> {
+    let has_textures = plan.profile().figure.textures;
+    let marked = |entry: &LegendEntry| {
+        let is_there = entry.has_meaning() && entry.place.is_some();
+        let is_blank = has_textures && is_there && !occurs(entry.class, figure);
+        LegendEntry { has_blank: entry.has_blank || is_blank, ..entry.clone() }
+    };
+    entries.iter().map(marked).collect()
+}
+
+/// Whether there is a texture of a colour in a figure.
+pub(super) fn occurs(class: Class, figure: &Figure) -> bool {
+    figure.textures.iter().any(|texture| texture.class == class)
+}
+
+/// What is told of a legend whose words become labels, and of its key if there is one: of which of them no texture
+/// tells on the page, and which share one; and of all of them where there is no key.
+pub(super) fn told(entries: &[LegendEntry], figure: &Figure, key: Option<&ToldInKey>) -> Vec<Note> {
+    let occurs = |class: Class| occurs(class, figure);
     let texts = |is: &dyn Fn(&LegendEntry) -> bool| -> Vec<&str> {
         let told = entries.iter().filter(|entry| entry.has_meaning() && is(entry));
         told.map(|entry| entry.text.as_str()).collect()
@@ -232,14 +250,20 @@ pub(super) fn told(entries: &[LegendEntry], figure: &Figure, has_key: bool) -> V
             Note::NotOnPage(About::Areas, reason, format!("{told}; write each word with a label at its own area"))
         })
     };
-    if !has_key {
+    let Some(key) = key else {
         return note(&texts(&|_| true), Reason::LegendWithoutKey, "there is no key that tells it")
             .into_iter()
             .collect();
-    }
+    };
     let shares = |entry: &LegendEntry| entries.iter().filter(|other| other.class == entry.class).count() > 1;
     let lost = texts(&|entry| !occurs(entry.class) && !entry.has_blank);
-    let lost = note(&lost, Reason::LegendWithoutTexture, "no texture of such a colour is on the page");
+    let are_blank = lost.iter().all(|text| key.blank.iter().any(|(_, blank)| blank == text));
+    let why = if are_blank {
+        "no texture of such a colour is on the page, and all that the key says is that these areas are blank"
+    } else {
+        "no texture of such a colour is on the page"
+    };
+    let lost = note(&lost, Reason::LegendWithoutTexture, why);
     let shared = texts(&|entry| occurs(entry.class) && shares(entry));
     let shared = note(&shared, Reason::LegendSharesTexture, "these colours have one texture");
     lost.into_iter().chain(shared).collect()

@@ -293,11 +293,15 @@ impl<'a> WrittenWords<'a> {
         layout: &Layout,
         request: &Request<'_>,
     ) -> Result<Key, Error> {
-        let mut key = match self.entries_of_key(words, braille, figure, sheets_before, layout) {
+        let legend = legend::with_blank(words.legend, figure, request.plan);
+        let of_key = Words { legend: &legend, ..*words };
+        let mut key = match self.entries_of_key(&of_key, braille, figure, sheets_before, layout) {
             Some(entries) => key::of_entries(&entries, layout, figure.source, request)?,
             None => Key::default(),
         };
-        key.notes.extend(legend::told(words.legend, figure, !key.sheets.is_empty()));
+        let told = (!key.sheets.is_empty()).then_some(&key.told);
+        let of_legend = legend::told(words.legend, figure, told);
+        key.notes.extend(of_legend);
         if words.key == KeySheets::Always && key.sheets.is_empty() {
             let (reason, why) = match &self.translator {
                 _ if !request.plan.profile().braille.on => OFF,
@@ -319,7 +323,7 @@ impl<'a> WrittenWords<'a> {
         layout: &Layout,
     ) -> Option<Entries<'e>> {
         let abbreviations = key::abbreviations(braille);
-        let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
+        let occurs = |class: &Class| legend::occurs(*class, figure);
         let has_heading = layout.heading.is_some_and(|heading| heading.lines > 0);
         // on a page that was read it stands already
         let is_above = has_heading || braille.iter().any(|text| text.role == TextRole::Title);

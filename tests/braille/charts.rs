@@ -184,6 +184,30 @@ fn bars_of_a_series_are_alike_and_the_key_tells_of_blank_ones() {
     }
 }
 
+/// A colour of the legend that has no texture in the figure is blank there, and the key says what that means.
+#[test]
+fn the_key_names_other_areas_of_the_legend_as_blank() {
+    let entry = |y: u32, colour: &str, word: &str| {
+        format!(
+            "<rect x='600' y='{y}' width='22' height='22' fill='{colour}'/><text x='632' y='{}'>{word}</text>",
+            y + 18
+        )
+    };
+    // a road with no room for signs
+    let areas = "<circle cx='200' cy='250' r='150' fill='#d62728'/>\
+        <path d='M420 100H432L560 420H548Z' fill='#1f77b4'/>";
+    let legend = entry(60, "#d62728", "Park") + &entry(100, "#1f77b4", "Road");
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = drawn(&svg(SIZE, &format!("{areas}{legend}")), profile);
+        let told = notes(&drawing);
+        let classes: Vec<Class> = drawing.page.figure.textures.iter().map(|texture| texture.class).collect();
+        assert!(classes.contains(&Class::Red) && !classes.contains(&Class::Blue), "{profile}: {classes:?} {told}");
+        let key: Vec<&str> = drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
+        assert!(key.contains(&"red: Park") && key.contains(&"blank: Road"), "{profile}: {key:?} {told}");
+        assert!(told.contains("what the colours of the legend mean (\"Road\"), as no texture"), "{profile}: {told}");
+    }
+}
+
 /// A chart without a legend, of bars that are too narrow for a texture on an embosser of large dots.
 fn without_legend() -> String {
     let bars: String = [(115, 126), (207, 288), (299, 198), (391, 72), (483, 230)]
