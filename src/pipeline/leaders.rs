@@ -62,6 +62,13 @@ struct Leader {
     ends_at_line: bool,
 }
 
+impl Leader {
+    /// Where it begins, and its tip.
+    fn ends(&self) -> Option<(MmPoint, MmPoint)> {
+        self.path.first().copied().zip(self.path.last().copied())
+    }
+}
+
 /// Takes the leader lines out of the contours of a drawing that `draw` does not draw as a whole. Their texts, which
 /// stand up to `beside` mm beside them, are led to what they name by labels.
 pub(super) fn whole_or_none(
@@ -90,7 +97,7 @@ pub(super) fn whole_or_none(
         let leads_to_nothing = |of: &&Leader| !leads_on_page(of, &lines, &index, layout.figure);
         to_nothing = whole.iter().filter(leads_to_nothing).map(|of| of.text).collect();
         texts.iter_mut().for_each(|text| text.kept_leader = None);
-        whole.iter().for_each(|of| texts[of.text].kept_leader = of.path.first().copied());
+        whole.iter().for_each(|of| texts[of.text].kept_leader = of.ends());
         if torn.is_empty() {
             break;
         }
@@ -98,7 +105,7 @@ pub(super) fn whole_or_none(
             let text = &mut texts[leader.text];
             // one that names two things still leads to the other
             if !whole.iter().any(|other| other.text == leader.text) && text.lost_leader.is_none() {
-                text.lost_leader = leader.path.first().copied().zip(leader.path.last().copied());
+                text.lost_leader = leader.ends();
             }
         }
         let mut number = 0..;

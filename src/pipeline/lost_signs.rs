@@ -21,6 +21,10 @@ const SIGN: f32 = 25.0;
 /// `lines::Params::farthest_moved`), and two contours around one stroke are drawn as one line.
 pub(super) const MOVED: f32 = 3.0;
 
+/// The leader line of a text ends so near to the middle of a ring that it names, mm: within one of twice that width, or
+/// at its outline.
+const AT_TIP: f32 = 6.0;
+
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
 pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
@@ -126,10 +130,12 @@ pub(super) fn extent(line: &Line) -> MmRect {
     MmRect::from_points(line.runs.iter().flat_map(|run| &run.points))
 }
 
-/// What is told of small rings that are not on a page, or not whole, by the labels and texts beside them, and of
-/// arrowheads by themselves.
+/// What is told of small rings that are not on a page, or not whole, by the texts whose leader lines end there and the
+/// labels and texts beside them, and of arrowheads by themselves.
 pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure: &Figure) -> Vec<Note> {
-    let texts = texts.iter().filter(|text| text.is_read()).map(|text| (text.string.as_str(), text.place));
+    let read = || texts.iter().filter(|text| text.is_read());
+    let tips: Vec<(&str, MmPoint)> = read().filter_map(|text| Some((text.string.as_str(), text.tip()?))).collect();
+    let texts = read().map(|text| (text.string.as_str(), text.place));
     let on = |label: &Label| label.on(figure.place, figure.source);
     let labels = words.labels.iter().filter_map(|label| on(label).map(|at| (label.text.as_str(), MmRect::new(at, at))));
     let all: Vec<(&str, MmRect)> = labels.chain(texts).collect();
@@ -149,7 +155,7 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
         Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, format!("{heads} ({}): {why}", places(&heads_lost)))
     });
     let points = told_of_points(&of(SignKind::Point));
-    told_of_shapes(&others, &all, are_labels).into_iter().chain(points).chain(arrows).collect()
+    told_of_shapes(&others, (&all, &tips), are_labels).into_iter().chain(points).chain(arrows).collect()
 }
 
 /// What is told of points of a cloud that have no room.
@@ -177,23 +183,36 @@ fn places(signs: &[LostSign]) -> String {
     format!("at {} mm{more}", places.join("; "))
 }
 
-fn told_of_shapes(lost: &[LostSign], all: &[(&str, MmRect)], are_labels: bool) -> Option<Note> {
+/// What is told of rings by `all` texts and labels beside them, and by the `tips` of leader lines that end there.
+fn told_of_shapes(
+    lost: &[LostSign],
+    (all, tips): (&[(&str, MmRect)], &[(&str, MmPoint)]),
+    are_labels: bool,
+) -> Option<Note> {
     let first = lost.first()?.at;
-    let name = |at: MmPoint| {
+    let led = |at: MmPoint| {
+        let far = |tip: &MmPoint| (*tip - at).length();
+        let nearest = tips.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
+        nearest.filter(|(_, tip)| far(tip) < AT_TIP).map(|(text, _)| *text)
+    };
+    let beside = |at: MmPoint| {
         let far = |place: &MmRect| distance_to_box(at, *place);
         let nearest = all.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
         nearest.filter(|(_, place)| far(place) < NEAR).map(|(text, _)| *text)
     };
-    let mut names: Vec<&str> = lost.iter().filter_map(|sign| name(sign.at)).collect();
-    names.dedup();
+    let mut of: Vec<&str> = lost.iter().filter_map(|sign| led(sign.at)).collect();
+    let without = lost.iter().filter(|sign| led(sign.at).is_none());
+    let mut beside: Vec<&str> = without.filter_map(|sign| beside(sign.at)).collect();
+    of.dedup();
+    beside.dedup();
     let (shapes, them, which, at) = match lost.len() {
         1 => ("1 small closed shape".to_owned(), "it", "that", "at"),
         count => (format!("{count} small closed shapes"), "them", "those", "the first at"),
     };
-    let at = format!("{at} {:.0}, {:.0} mm", first.x, first.y);
-    let beside = if names.is_empty() { at } else { format!("{which} beside {}; {at}", named(&names)) };
+    let by = |how: &str, names: &[&str]| (!names.is_empty()).then(|| format!("{which} {how} {}; ", named(names)));
+    let names: String = [by("of", &of), by("beside", &beside)].into_iter().flatten().collect();
     let labelled = if are_labels && !names.is_empty() { ", so a label may name what is not felt" } else { "" };
-    let what = format!("{shapes} ({beside}), in part or as a whole");
+    let what = format!("{shapes} ({names}{at} {:.0}, {:.0} mm), in part or as a whole", first.x, first.y);
     let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger");
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{what}: {why}")))
 }

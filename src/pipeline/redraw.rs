@@ -276,7 +276,7 @@ fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (
     for ((text, label), own) in texts.iter_mut().zip(labels_of(page)).zip(own) {
         text.lost_leader = own.map(|[from, tip]| (there(from), there(tip))).or(text.lost_leader);
         // braille is not larger in a larger figure: it keeps its distance from the line that leads to it
-        if let (Some(from), Some(place)) = (text.kept_leader, label.dots.bounds()) {
+        if let (Some((from, _)), Some(place)) = (text.kept_leader, label.dots.bounds()) {
             text.place = place.translate(from - before.to_mm(transform.to_px(from)));
         }
     }

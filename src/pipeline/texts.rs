@@ -25,8 +25,8 @@ pub struct Text {
     /// Of a text whose leader line in the drawing is not on the page, where that begins and its tip at what it names.
     /// It may have another one that is.
     pub(super) lost_leader: Option<(MmPoint, MmPoint)>,
-    /// Of a text whose leader line in the drawing is on the page, where that begins.
-    pub(super) kept_leader: Option<MmPoint>,
+    /// Of a text whose leader line in the drawing is on the page, where that begins and its tip.
+    pub(super) kept_leader: Option<(MmPoint, MmPoint)>,
     /// Whether it is a word of a legend, which the key has instead.
     pub(super) in_key: bool,
 }
@@ -35,6 +35,11 @@ impl Text {
     /// Whether it is seen in the picture, and known what it says.
     pub(super) fn is_read(&self) -> bool {
         !self.hidden && !self.string.is_empty()
+    }
+
+    /// The tip of its leader line in the drawing, whether that is on the page or not.
+    pub(super) fn tip(&self) -> Option<MmPoint> {
+        self.lost_leader.or(self.kept_leader).map(|(_, tip)| tip)
     }
 
     /// Where it stands: its box, or of a slanted text, such as a long word below a bar of a chart, its upper end, which

@@ -242,7 +242,7 @@ impl<'a> WrittenWords<'a> {
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
-        let leaders = texts.iter().filter_map(|text| text.kept_leader).collect();
+        let leaders = texts.iter().filter_map(|text| text.kept_leader.map(|(from, _)| from)).collect();
         let written = words.written.to_vec();
         let has_coloured_ground = words.coloured_ground;
         let params = Params { points, leaders, blocked, written, has_coloured_ground, ..params(layout, tiles, plan) };
@@ -404,7 +404,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
         text: text.string.clone(),
         anchor: text.anchor_among(&figure.lines),
         lost_leader: text.lost_leader.map(|(from, _)| from),
-        kept_leader: text.kept_leader,
+        kept_leader: text.kept_leader.map(|(from, _)| from),
         is_nameless: false,
     }));
     for &nameless in words.nameless {

@@ -24,3 +24,25 @@ fn arrowheads_and_points_are_told_by_themselves() {
     assert!(told[1].contains("2 points (at 60, 0; 62, 0 mm): they are too near to other points"), "{}", told[1]);
     assert!(told[2].contains("2 arrowheads at ends of lines (at 50, 0; 80, 0 mm)"), "{}", told[2]);
 }
+
+#[test]
+fn a_lost_shape_is_told_by_the_text_whose_leader_line_ends_there() {
+    let sign = |x: f32| LostSign { at: MmPoint::new(x, 50.0), kind: SignKind::Ring };
+    let place = |x: f32| MmRect::new(MmPoint::new(x, 50.0), MmPoint::new(x + 20.0, 56.0));
+    let all = [("anther", place(100.0)), ("petal", place(55.0))];
+    let told = |signs: &[LostSign], tips: &[(&str, MmPoint)]| {
+        told_of_shapes(signs, (&all, tips), true).map(|note| note.to_string()).unwrap_or_default()
+    };
+    let tip = [("anther", MmPoint::new(53.0, 48.0))];
+    // "petal" stands nearer, and the line of "anther" ends there
+    let one = told(&[sign(50.0)], &tip);
+    assert!(one.contains("1 small closed shape (that of \"anther\"; at 50, 50 mm)"), "{one}");
+    assert!(one.contains("so a label may name what is not felt"), "{one}");
+    let beside = told(&[sign(50.0)], &[("anther", MmPoint::new(57.0, 48.0))]);
+    assert!(beside.contains("(that beside \"petal\"; at 50, 50 mm)"), "{beside}");
+    let both = told(&[sign(50.0), sign(98.0), sign(150.0)], &tip);
+    let names = "3 small closed shapes (those of \"anther\"; those beside \"anther\"; the first at 50, 50 mm)";
+    assert!(both.contains(names), "{both}");
+    let none = told(&[sign(150.0)], &tip);
+    assert!(none.contains("1 small closed shape (at 150, 50 mm)") && !none.contains("not felt"), "{none}");
+}
