@@ -33,6 +33,7 @@ mod named;
 mod open_rings;
 mod outlines;
 mod overview;
+mod paper_edge;
 mod print_words;
 mod progress;
 mod read;

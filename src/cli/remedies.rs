@@ -126,6 +126,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
+        Note::NotOnPage(_, Reason::PaperEdge, _) => format!("{note} (--crop, --keep-ground)"),
         Note::TooDense { .. } if making.has_sheets() => match making.larger() {
             Some(_) => format!("{note} ({SHEETS}, --crop)"),
             None => format!("{note} (--crop)"),

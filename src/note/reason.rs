@@ -171,6 +171,8 @@ reasons! {
     BarTorn => "bar-torn",
     /// A bar beside an axis is drawn as standing at it.
     BarAtAxis => "bar-at-axis",
+    /// The edges of the paper of a scan are no lines.
+    PaperEdge => "paper-edge",
     /// Fingers feel no colours of lines.
     ColoursOfLines => "colours-of-lines",
     /// Rows of textures lie close beside most of the lines of a page of dots.

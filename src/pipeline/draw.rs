@@ -21,6 +21,7 @@ use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{
     DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
 };
+use super::paper_edge;
 use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
 use super::read::{Content, Read, ReadPicture, read_lines};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
@@ -127,6 +128,7 @@ pub(super) fn find(
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
     notes.extend(told);
+    notes.extend(paper_edge::taken_out(&mut edges, given, &picture.notes));
     let of_other = given.told_other_picture(source);
     let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
