@@ -7,7 +7,8 @@ use super::texts::Text;
 use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
-use crate::geom::polygon::{distance_to_box, holds_box};
+use crate::geom::polygon::{area, distance_to_box, holds_box, roundness};
+use crate::geom::polyline;
 use crate::labels::NEAR;
 use crate::lines::{Line, Lines, LostSign, SignKind, is_triangle};
 use crate::page::Figure;
@@ -44,9 +45,12 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
     // points of a cloud are known already: each is drawn at its place or not at all
     let is_point = |sign: &LostSign| sign.kind == SignKind::Point;
     let mut lost: Vec<LostSign> = drawn_lines.lost.signs.iter().copied().filter(is_point).collect();
-    for chain in edges.chains.iter().filter(|chain| chain.closed) {
+    for chain in &edges.chains {
         let points: Vec<MmPoint> =
             edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
+        if !chain.closed && !(chain.kind.exact && is_nearly_closed(&points)) {
+            continue;
+        }
         let ring = MmRect::from_points(&points);
         let near = |at: MmPoint| (at - ring.center()).length() < MOVED;
         let alike = |other: &MmRect| {
@@ -62,13 +66,33 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
         // the line that an arrowhead ends is no centreline of it
         let is_arrowhead = is_tip(&points, lines);
         let is_head = heads.iter().any(|head| head.extent.inflate(HEAD, HEAD).contains(ring.center()));
-        let is_drawn =
-            || is_head || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
+        let is_own_line = |line: &Line| !chain.closed && alike(&extent(line));
+        let is_drawn = || {
+            is_head
+                || drawn.iter().any(alike)
+                || lines.iter().any(is_own_line)
+                || is_narrow && !is_arrowhead && lines.iter().any(is_centreline)
+        };
         if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
             lost.push(LostSign { at: ring.center(), kind: kind_of(is_arrowhead) });
         }
     }
     lost
+}
+
+/// The ends of a ring of which another line covers a piece, as the river or the road through a town, are no farther
+/// apart than this share of its longest side: those of a letter C, which is open, are about half of it.
+const COVERED: f32 = 0.4;
+/// What lies within such a ring is at least so round: a square has 0.79, a triangle 0.60, a line that turns back beside
+/// itself less.
+const ROUND: f32 = 0.5;
+
+/// Whether an open path is a ring of which a piece is covered.
+fn is_nearly_closed(points: &[MmPoint]) -> bool {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
+    let size = MmRect::from_points(points).size();
+    let length = polyline::length(points) + (*last - *first).length();
+    (*last - *first).length() <= COVERED * size.width.max(size.height) && roundness(area(points), length) >= ROUND
 }
 
 /// The boxes around the filled points on a line.

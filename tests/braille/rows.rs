@@ -109,6 +109,23 @@ fn a_town_that_is_not_on_the_page_is_told_by_its_name() {
     assert!(lost.contains("\"Aston\"") && !lost.contains("\"Ely\""), "{lost}");
 }
 
+/// The road over a town covers two pieces of its outline, which is a small closed shape all the same.
+#[test]
+fn a_town_under_a_road_that_is_not_on_the_page_is_told_by_its_name() {
+    let map = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 700 800' font-family='sans-serif' font-size='18'>\
+        <rect width='700' height='800' fill='#fff'/>\
+        <path d='M250 100C270 260 220 310 260 380S230 500 270 560 280 680 300 720' fill='none' stroke='#27c' \
+        stroke-width='5'/><circle cx='275' cy='480' r='8' fill='#c00'/><circle cx='520' cy='230' r='8' fill='#c00'/>\
+        <path d='M150 450L275 480L490 540' stroke='#444' stroke-width='3' stroke-dasharray='10 5' fill='none'/>\
+        <text x='300' y='470'>Aston</text><text x='535' y='235'>Ely</text></svg>";
+    for profile in ["swell-a4", "viewplus-columbia"] {
+        let told: Vec<String> = drawn(map, profile).notes.iter().map(ToString::to_string).collect();
+        let lost = told.iter().find(|note| note.contains("small closed shape"));
+        let lost = lost.unwrap_or_else(|| panic!("{profile}: Aston's mark is lost, {told:#?}"));
+        assert!(lost.contains("\"Aston\"") && !lost.contains("\"Ely\""), "{profile}: {lost}");
+    }
+}
+
 /// A grid with axes through its middle, which have numbers at every line, and a curve.
 fn grid(lines: usize) -> String {
     let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='620' height='620' font-family='sans-serif' \

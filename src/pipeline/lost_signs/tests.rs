@@ -46,3 +46,17 @@ fn a_lost_shape_is_told_by_the_text_whose_leader_line_ends_there() {
     let none = told(&[sign(150.0)], &tip);
     assert!(none.contains("1 small closed shape (at 150, 50 mm)") && !none.contains("not felt"), "{none}");
 }
+
+#[test]
+fn a_ring_of_which_a_line_covers_a_piece_is_a_ring() {
+    let arc = |turns: f32| -> Vec<MmPoint> {
+        let at = |k: u32| (turns * std::f32::consts::TAU * k as f32 / 40.0).sin_cos();
+        (0..=40).map(at).map(|(y, x)| MmPoint::new(20.0 + 2.0 * x, 20.0 + 2.0 * y)).collect()
+    };
+    assert!(is_nearly_closed(&arc(1.0)), "its ends lie in one place");
+    assert!(is_nearly_closed(&arc(0.9)), "a town on a river");
+    assert!(!is_nearly_closed(&arc(0.75)), "a letter C");
+    let hairpin = [(0.0, 0.0), (9.0, 0.0), (9.0, 0.4), (0.0, 0.4)].map(MmPoint::from);
+    assert!(!is_nearly_closed(&hairpin), "a line that turns back");
+    assert!(!is_nearly_closed(&[]));
+}
