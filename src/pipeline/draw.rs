@@ -194,7 +194,7 @@ pub(super) fn draw(
         facts.coloured_ground = of_colours.coloured_ground;
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
-    notes.extend(told_of_overview(&overview).chain(told_without_overview(&overview, &edges, &drawn.lines, &layout)));
+    notes.extend(told_of_overview(&overview, &drawn.lost.marks));
     notes.extend(told_of_shapes(&edges, &drawn.lines, &overview, &layout, plan));
     notes.extend(told_of_person((given, &decisions), &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
@@ -224,7 +224,8 @@ fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, 
     left_out.chain(lost_marks::told(&drawn.lost, plan)).chain(dashed).collect()
 }
 
-/// What the maker is told of areas of the figure, and of lines between its shapes, that the overview lacks.
+/// What the maker is told of areas of the figure, and of lines between its shapes, that the overview lacks, and of one
+/// with nothing in it.
 fn told_of_shapes(
     edges: &Edges,
     lines: &[Line],
@@ -233,7 +234,8 @@ fn told_of_shapes(
     plan: &Plan,
 ) -> impl Iterator<Item = Note> {
     let areas = areas_of_overview::told(edges, lines, overview, layout, plan);
-    areas.into_iter().chain(links_of_overview::told(edges, lines, overview, layout, plan))
+    let all = told_without_overview(overview, edges, lines, layout).into_iter().chain(areas);
+    all.chain(links_of_overview::told(edges, lines, overview, layout, plan))
 }
 
 /// What the maker is told of lines that a person drew: of what runs beside those that are added or is open there, of

@@ -257,11 +257,13 @@ fn ordinal(number: usize) -> String {
     format!("{number}{ending}")
 }
 
-/// What the maker is told of marks of angles that the overview has not, where a reader may think that the angle has
-/// none. Ticks say little in an overview, and of a ring the figure may have no more.
-pub(super) fn told_not_in_overview(marks: &LostMarks) -> Option<Note> {
-    let LostMarks { arcs, corners, .. } = *marks;
-    let told = listed(&LostMarks { ticks: 0, pieces: 0, ..*marks })?;
+/// What the maker is told of marks of angles that the figure has and the overview has not, where a reader may think
+/// that the angle has none. Ticks say little in an overview, and of a ring the figure may have no more.
+pub(super) fn told_not_in_overview(in_overview: &LostMarks, in_figure: &LostMarks) -> Option<Note> {
+    // what is too short in the figure is so in the overview too
+    let arcs = in_overview.arcs.saturating_sub(in_figure.arcs);
+    let corners = in_overview.corners.saturating_sub(in_figure.corners);
+    let told = listed(&LostMarks { arcs, corners, ..LostMarks::default() })?;
     let (are, they_are) = if arcs + corners == 1 { ("is", "it is") } else { ("are", "they are") };
     let told = format!("{told} {are} in the figure only, as {they_are} too short for fingers in the overview");
     Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told))

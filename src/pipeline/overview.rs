@@ -14,7 +14,7 @@ use super::request::{OverviewSize, scale_of_photograph};
 use super::told_bars::BarStyle;
 use super::too_near::{self, Rules};
 use crate::edges::Edges;
-use crate::lines::{self, Line, Lost, PagePart};
+use crate::lines::{self, Line, Lost, LostMarks, PagePart};
 use crate::listing::first_few;
 use crate::page::Medium;
 use crate::page::layout::Layout;
@@ -261,8 +261,8 @@ fn is_enough(lost: &Lost) -> bool {
     lost.rings == 0 && lost.share() < MAY_LACK
 }
 
-/// What the maker is told of what an overview lacks.
-pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item = Note> {
+/// What the maker is told of what an overview lacks; `of_figure` has the marks that the figure lacks.
+pub(super) fn told_of_overview(overview: &DrawnOverview, of_figure: &LostMarks) -> impl Iterator<Item = Note> {
     let (lost, is_drawn) = (&overview.lost, overview.marks.is_some());
     let shapes = match overview.rings {
         Rings::Whole => (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings)),
@@ -273,7 +273,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item =
         true => Note::LinesNotInOverview { percent, place: lost.place_name() },
         false => Note::NoRoomForOverview,
     });
-    let marks = if is_drawn { lost_marks::told_not_in_overview(&lost.marks) } else { None };
+    let marks = if is_drawn { lost_marks::told_not_in_overview(&lost.marks, of_figure) } else { None };
     let grid = if is_drawn { told_gridlines(lost.gridlines) } else { None };
     // those that become dots with a gap, or hardly any
     let why = "there is no room for dots beside other lines";

@@ -102,7 +102,7 @@ pub(super) fn marks(
         keep_widths(&mut drawn.lines, &stand_for, old, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend(told_of_overview(&overview).chain(dots_left_out(page, own)));
+    notes.extend(told_of_overview(&overview, &drawn.lost.marks).chain(dots_left_out(page, own)));
     // what an overview of the page lacks is told where the page is read
     let of_figure = std::iter::once(&hand_lines).filter(|_| of_overview.is_none());
     notes.extend(told_by_hand(of_figure, &drawn.lines, &overview, &layout));

@@ -62,14 +62,15 @@ fn what_is_lost_is_counted() {
                       shorter than 8 mm";
     assert!(told.starts_with(wanted), "{told}");
     assert_eq!(super::told(&Lost::default(), &plan), []);
-    let in_overview = told_not_in_overview(&marks).expect("a note").to_string();
+    let of_overview = |marks: &LostMarks| told_not_in_overview(marks, &LostMarks::default());
+    let in_overview = of_overview(&marks).expect("a note").to_string();
     let wanted = "1 mark of a right angle is in the figure only, as it is too short for fingers in the overview";
     assert_eq!(in_overview, wanted);
-    assert_eq!(told_not_in_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
+    assert_eq!(of_overview(&LostMarks { ticks: 60, ..LostMarks::default() }), None, "ticks are not told");
     let pieces = LostMarks { pieces: 2, ..marks };
     let all = listed(&pieces).expect("there are some");
     assert_eq!(all, "60 short ticks, 1 mark of a right angle and 2 pieces of small rings");
-    assert_eq!(told_not_in_overview(&LostMarks { pieces: 2, ..LostMarks::default() }), None, "nor are pieces of rings");
+    assert_eq!(of_overview(&LostMarks { pieces: 2, ..LostMarks::default() }), None, "nor are pieces of rings");
     let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
     let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
     assert!(
@@ -77,4 +78,12 @@ fn what_is_lost_is_counted() {
             && told(48, 5).contains("every 5th")
     );
     assert!(told(60, 1).contains("all 60 ticks") && told(2, 1).contains("beside other lines"));
+}
+
+#[test]
+fn what_the_figure_lacks_too_is_not_said_to_be_in_the_figure_only() {
+    let lost = |arcs: usize, corners: usize| LostMarks { arcs, corners, ..LostMarks::default() };
+    assert_eq!(told_not_in_overview(&lost(2, 1), &lost(2, 1)), None);
+    let told = told_not_in_overview(&lost(2, 1), &lost(1, 1)).expect("a note").to_string();
+    assert!(told.starts_with("1 arc of an angle is in the figure only, as it is too short"), "{told}");
 }

@@ -72,13 +72,13 @@ fn an_overview_that_lacks_a_ring_is_larger_and_has_it() {
     let (drawn, own, _) = overview(&drawing(8.0), &[], OverviewSize::Own);
     assert!(width(&drawn) > 1.1 * own, "{} mm, laid out {own} mm", width(&drawn));
     assert_eq!(drawn.lost.rings, 0);
-    assert_eq!(told_of_overview(&drawn).count(), 0);
+    assert_eq!(told_of_overview(&drawn, &LostMarks::default()).count(), 0);
 }
 
 #[test]
 fn a_ring_that_has_no_room_in_any_overview_is_told() {
     let (drawn, ..) = overview(&drawing(4.0), &[], OverviewSize::Own);
-    let told: Vec<Note> = told_of_overview(&drawn).collect();
+    let told: Vec<Note> = told_of_overview(&drawn, &LostMarks::default()).collect();
     assert!(told.contains(&Note::ShapesNotInOverview(1)), "{told:?}");
 }
 
@@ -102,7 +102,7 @@ fn where_whole_rings_would_leave_nearly_nothing_they_are_drawn_in_part() {
     let (_, lines) = drawn.marks.as_ref().expect("it has lines");
     assert_eq!(drawn.rings, Rings::InParts);
     assert!(drawn.lost.share() < 0.8 && lines.len() > 1, "{} lines, lost {}", lines.len(), drawn.lost.share());
-    let told: Vec<String> = told_of_overview(&drawn).map(|note| note.to_string()).collect();
+    let told: Vec<String> = told_of_overview(&drawn, &LostMarks::default()).map(|note| note.to_string()).collect();
     assert!(told.iter().any(|told| told.starts_with("1 closed shape is open or missing in the overview")), "{told:?}");
 }
 
