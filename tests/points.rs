@@ -457,3 +457,16 @@ fn points_beside_all_lines_are_rings_of_dots() {
         assert_eq!(checked.errors(), 0, "{device}: {:#?}", checked.findings);
     }
 }
+
+/// Eight rays around a disc, farther from it than ticks: each has too little room, and a sun without them is a point.
+#[test]
+fn the_rays_of_a_sun_that_are_too_short_are_told() {
+    let rays = "M330 210V195M330 290V305M290 250H275M370 250H385M302 222L292 212M358 278L368 288M302 278L292 288\
+                M358 222L368 212";
+    let page = page_of(&format!(
+        "<path d='M60 40H640V440H60Z' fill='none' stroke='#000' stroke-width='3'/><circle cx='330' cy='250' r='20' \
+         fill='#fdd017' stroke='#b80' stroke-width='2'/><path d='{rays}' stroke='#b80' stroke-width='3'/>"
+    ));
+    let is_told = told(&page).iter().any(|note| note.contains("left out of the page: 8 other short lines (the first"));
+    assert!(is_told, "{:#?}", told(&page));
+}

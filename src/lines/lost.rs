@@ -165,6 +165,8 @@ pub struct LostMarks {
     pub corners: usize,
     /// Pieces of small rings, such as the hub of a clock's hands.
     pub pieces: usize,
+    /// Other strokes, such as the rays of a sun.
+    pub strokes: usize,
     /// Length of all, mm.
     pub length: f32,
     /// Where the first of them is.

@@ -1,12 +1,12 @@
-//! Ticks and marks of angles that are too short for a line and not on the page. A reader who expects them is misled,
-//! and only a larger figure has them, so they are told by what they are.
+//! Ticks, marks of angles and other strokes that are too short for a line and not on the page. A reader who expects
+//! them is misled, and only a larger figure has them, so they are told by what they are.
 
 use std::cell::LazyCell;
 use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::areas::index_of_lines;
-use super::lost_signs::{beads, extent, is_small_ring};
-use crate::edges::{ChainRange, Edges};
+use super::lost_signs::{beads, extent, is_nearly_closed, is_small_ring};
+use crate::edges::{ChainKind, ChainRange, Edges};
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -56,6 +56,7 @@ enum MarkKind {
     Tick,
     Arc,
     Corner,
+    Stroke,
 }
 
 /// An end of a mark on a line: how far it is from that, mm, and the direction of the line there.
@@ -105,13 +106,15 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         }
         let ends = [first, last].map(|end| line_at(end, ENDS_ON));
         let crossed = line_at(points[points.len() / 2], DRAWN);
-        let Some(kind) = kind(&points, length, (ends, crossed)) else { continue };
+        let other = || is_other(&points, chain.kind, (ends, crossed)).then_some(MarkKind::Stroke);
+        let Some(kind) = kind(&points, length, (ends, crossed)).or_else(other) else { continue };
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
             MarkKind::Tick => marks.ticks += 1,
             MarkKind::Arc | MarkKind::Corner if has_rest(&points, &pieces) => marks.pieces += 1,
             MarkKind::Arc => marks.arcs += 1,
             MarkKind::Corner => marks.corners += 1,
+            MarkKind::Stroke => marks.strokes += 1,
         }
         marks.length += length;
         marks.first.get_or_insert(first.lerp(last, 0.5));
@@ -213,6 +216,15 @@ fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], 
     is_around_vertex(points, [one, other]).then_some(MarkKind::Arc)
 }
 
+/// Whether a path that is none of these marks is a short stroke of a vector drawing, such as a ray of the sun: it has a
+/// free end, or crosses the line in its middle as an open arrowhead. What lies between two lines may be a piece of a
+/// longer one, and in a bitmap a crumb.
+fn is_other(points: &[MmPoint], of: ChainKind, (ends, crossed): ([Option<OnLine>; 2], Option<OnLine>)) -> bool {
+    let is_stroke = of.exact && of.stroke.is_some() && !of.faint;
+    let is_pointed = || crossed.is_some() && ends.iter().flatten().all(|(distance, _)| *distance > DRAWN);
+    is_stroke && (ends.iter().any(Option::is_none) || is_pointed()) && !is_nearly_closed(points)
+}
+
 /// Whether an arc lies around the place where the lines of these directions meet on which it ends, as that of an angle
 /// does: a petal of a flower does not.
 fn is_around_vertex(points: &[MmPoint], [one, other]: [MmVector; 2]) -> bool {
@@ -233,7 +245,10 @@ fn told_of_scale(scale: &LostScale) -> Note {
     let LostScale { ticks, lost, every, first } = *scale;
     let at = format!("the first at {:.0}, {:.0} mm", first.x, first.y);
     let told = match (every, ticks - lost) {
-        (1, 0) => format!("all {ticks} ticks of a scale ({at}): there is no room for fingers between them"),
+        (1, 0) => format!(
+            "all {ticks} ticks of a scale, or other marks across one line ({at}): there is no room for fingers between \
+             them"
+        ),
         (1, _) => {
             format!("{lost} of the {ticks} ticks of a scale ({at}): there is no room for them beside other lines")
         }
@@ -282,6 +297,7 @@ fn listed(marks: &LostMarks) -> Option<String> {
         count(marks.arcs, "arc of an angle", "arcs of angles"),
         count(marks.corners, "mark of a right angle", "marks of right angles"),
         count(marks.pieces, "piece of a small ring", "pieces of small rings"),
+        count(marks.strokes, "other short line", "other short lines"),
     ];
     let all: Vec<String> = all.into_iter().flatten().collect();
     (!all.is_empty()).then(|| list(&all, "and"))

@@ -88,7 +88,7 @@ const COVERED: f32 = 0.4;
 const ROUND: f32 = 0.5;
 
 /// Whether an open path is a ring of which a piece is covered.
-fn is_nearly_closed(points: &[MmPoint]) -> bool {
+pub(super) fn is_nearly_closed(points: &[MmPoint]) -> bool {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
     let size = MmRect::from_points(points).size();
     let length = polyline::length(points) + (*last - *first).length();

@@ -87,3 +87,21 @@ fn what_the_figure_lacks_too_is_not_said_to_be_in_the_figure_only() {
     let told = told_not_in_overview(&lost(2, 1), &lost(1, 1)).expect("a note").to_string();
     assert!(told.starts_with("1 arc of an angle is in the figure only, as it is too short"), "{told}");
 }
+
+#[test]
+fn short_strokes_beside_all_lines_are_marks_too() {
+    let stroke = ChainKind { of_drawing: true, exact: true, stroke: Some(3.0), ..ChainKind::default() };
+    let ray = [MmPoint::zero(), MmPoint::new(2.0, 0.0), MmPoint::new(4.0, 0.0)];
+    let level = MmVector::new(1.0, 0.0);
+    let free = ([None, None], None);
+    assert!(is_other(&ray, stroke, free), "a ray of the sun");
+    assert!(!is_other(&ray, ChainKind { exact: false, ..stroke }, free), "a crumb in a bitmap");
+    assert!(!is_other(&ray, ChainKind { stroke: None, ..stroke }, free), "a piece of the outline of an area");
+    let on_lines = [Some((0.2, level)), Some((0.2, level))];
+    assert!(!is_other(&ray, stroke, (on_lines, None)), "a piece of a longer line");
+    let chevron = [MmPoint::zero(), MmPoint::new(3.0, 2.0), MmPoint::new(0.0, 4.0)];
+    let beside = [Some((2.0, level)), Some((2.0, level))];
+    assert!(is_other(&chevron, stroke, (beside, Some((0.0, level)))), "a mark of parallel lines");
+    let all = listed(&LostMarks { ticks: 3, strokes: 5, ..LostMarks::default() });
+    assert_eq!(all.as_deref(), Some("3 short ticks and 5 other short lines"));
+}
