@@ -102,8 +102,8 @@ pub(super) fn simplified(shapes: usize, lines: usize, most: usize) -> String {
     let all: Vec<String> = all.map(|(count, noun)| counted(count, noun)).collect();
     if all.is_empty() {
         return format!(
-            "nothing is left out for few shapes (lines.shapes = {most}), as no more have room; ask for fewer to have \
-             less"
+            "nothing is left out for few shapes (lines.shapes = {most}), as no more have room; where shapes meet, the \
+             outline of one is several lines; ask for fewer to have less"
         );
     }
     format!("left out, as few shapes are asked for (lines.shapes = {most}): {}", all.join(" and "))
