@@ -178,3 +178,19 @@ fn two_circles_that_cross_have_an_overview_also_as_a_bitmap() {
         assert!(share > 0.8, "{share}");
     }
 }
+
+#[test]
+fn a_window_in_a_wall_is_told() {
+    let plan = |colour: &str| {
+        format!(
+            "<g stroke-width='10'><path d='M50 50H850V550H50Z' fill='none' stroke='#000'/>\
+             <path d='M120 50H260' stroke='{colour}'/></g>"
+        )
+    };
+    let is_told = |colour: &str| {
+        let notes = page_of(&plan(colour)).notes;
+        notes.iter().any(|note| note.to_string().starts_with("1 stroke lies on a line of another colour (around "))
+    };
+    assert!(is_told("#39f"));
+    assert!(!is_told("#000"), "drawn twice");
+}

@@ -67,12 +67,14 @@ pub struct Edges {
     pub regions: Option<Tree>,
     /// How many of the lines are dashed in the picture; here they have no gaps.
     pub dashed: usize,
+    /// The middles of strokes of a vector drawing that lie as a whole on others, and are no chains of their own.
+    pub overlaid: Vec<PxPoint>,
 }
 
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, dashed: 0 }
+        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, dashed: 0, overlaid: Vec::new() }
     }
 
     /// Appends an edge that was found in the pixels.

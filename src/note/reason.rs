@@ -161,6 +161,8 @@ reasons! {
     ShortOrNear => "short-or-near",
     /// The grid of squared paper is left out: pieces of it would be felt as lines.
     SquaredGrid => "squared-grid",
+    /// A stroke of another colour lies on a line and is one with it.
+    OnOtherLine => "on-other-line",
     /// The gridlines of a chart are left out, so that its bars have room.
     ChartGrid => "chart-grid",
     /// Bars of a chart touch, or have a common outline, for want of room.

@@ -13,7 +13,7 @@ use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, PageTransform};
 use crate::{About, Note, Reason};
 
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
@@ -148,6 +148,21 @@ pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
     let told = "drawn without gaps where dashes and gaps are too short for fingers; where the difference matters, say \
                 so in the title or a label";
     Some(Note::TakenAs(About::Lines, Reason::Dashed, format!("{lines} {told}")))
+}
+
+/// What the maker is told of strokes that lie on other ones of another colour, as windows of a plan in its walls.
+pub(super) fn told_overlaid(edges: &Edges, layout: &Layout) -> Option<Note> {
+    let at = PageTransform::new(edges.size, layout.figure).to_mm(*edges.overlaid.first()?);
+    let (strokes, first, them) = match edges.overlaid.len() {
+        1 => ("1 stroke lies on a line of another colour".to_owned(), "", "it"),
+        count => (format!("{count} strokes lie on lines of other colours"), "the first ", "them"),
+    };
+    let told = format!(
+        "{strokes} ({first}around {:.0}, {:.0} mm), as a window in a wall, and fingers cannot tell the two apart; say \
+         in a label what is there, or draw {them} beside the line or with an outline",
+        at.x, at.y
+    );
+    Some(Note::TakenAs(About::Lines, Reason::OnOtherLine, told))
 }
 
 /// What the maker is told of lines that run beside those that a person drew and added, for half of their length or

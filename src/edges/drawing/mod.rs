@@ -34,7 +34,9 @@ pub fn find_in_vector(raster: &Raster, drawing: &VectorDrawing, params: &Params)
         edges.dashed += usize::from(proposal.dashed && !of_proposal.is_empty());
         confirmed.push(of_proposal);
     }
-    for Confirmed { line, stroke, faint, .. } in unite::merged_coincident(confirmed, size) {
+    let (contours, overlaid) = unite::merged_coincident(confirmed, size);
+    edges.overlaid = overlaid;
+    for Confirmed { line, stroke, faint, .. } in contours {
         edges.push_as(
             ChainKind { exact: true, of_drawing: true, stroke, faint, added: false },
             line.vertices.into_iter(),

@@ -18,29 +18,56 @@ const SHORTEST: f32 = 2.0;
 /// Side of the cells of the index, px.
 const CELL: f32 = 8.0;
 
+/// A stroke on another one is told from it by its contrast if the two differ by this share of that of the other: a blue
+/// window in a black wall has 1.27 times its contrast. Chosen by us.
+const OTHER_CONTRAST: f32 = 0.15;
+
 /// A bend of this many degrees between segments is a corner.
 const CORNER: f32 = 25.0;
 
 /// The contours without those parts that coincide with one before them. Strokes come before outlines and these before
 /// faint strokes, as a line of a grid on the top of a bar; then those with the longest side between two corners: so a
 /// side that goes on beyond the other's corners is whole, and the other ends on it. What comes is of one proposal after
-/// the other.
-pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> Vec<Confirmed> {
+/// the other. Also gives the middles of strokes that lie as a whole on others from which the eye tells them.
+pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> (Vec<Confirmed>, Vec<PxPoint>) {
     let mut confirmed = with_faint_strokes(confirmed);
     let rank = |contour: &Confirmed| contour.stroke.map_or(1, |_| 2 * u8::from(contour.faint));
     // in whole pixels: rounding decides nothing
     confirmed.sort_by_cached_key(|contour| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);
-    let mut kept = Vec::with_capacity(confirmed.len());
+    let (mut kept, mut overlaid) = (Vec::with_capacity(confirmed.len()), Vec::new());
     for contour in confirmed {
         let parts = uncovered(&contour, &covered);
+        if parts.is_empty() && is_seen_on_others(&contour, &covered) {
+            let vertices = &contour.line.vertices;
+            overlaid.extend(vertices.get(vertices.len() / 2).map(|vertex| vertex.at));
+        }
         for part in &parts {
             let reach = SAME + 0.5 * part.stroke.unwrap_or(0.0);
             covered.add(&part.line, reach);
         }
         kept.extend(parts);
     }
-    kept
+    (kept, overlaid)
+}
+
+/// Whether the eye tells a stroke from those on which it lies, as a window of a plan from its wall.
+fn is_seen_on_others(contour: &Confirmed, covered: &Covered) -> bool {
+    let of_cover = |(a, b): (&Edgel, &Edgel)| covered.strength_at(a.at.lerp(b.at, 0.5));
+    let cover = median(contour.line.segments().filter_map(of_cover).collect());
+    let own = strength(&contour.line);
+    contour.stroke.is_some() && !contour.faint && cover > 0.0 && (own - cover).abs() > OTHER_CONTRAST * cover
+}
+
+/// The strength of most of a contour.
+fn strength(line: &Polyline<Edgel>) -> f32 {
+    median(line.vertices.iter().map(|vertex| vertex.strength).collect())
+}
+
+/// The middle one of some values, 0 of none.
+fn median(mut values: Vec<f32>) -> f32 {
+    values.sort_by(f32::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// All contours, those of faint strokes marked. How a stroke is painted is told from all of it that is seen: a line of
@@ -107,6 +134,8 @@ struct PathPiece {
     a: PxPoint,
     b: PxPoint,
     reach: f32,
+    /// That of most of its contour.
+    strength: f32,
 }
 
 /// The contours that are kept so far, found by place.
@@ -133,8 +162,9 @@ impl Covered {
     }
 
     fn add(&mut self, line: &Polyline<Edgel>, reach: f32) {
+        let strength = strength(line);
         for (a, b) in line.segments() {
-            let piece = PathPiece { a: a.at, b: b.at, reach };
+            let piece = PathPiece { a: a.at, b: b.at, reach, strength };
             for cell in self.cells_around(a.at.min(b.at), a.at.max(b.at), reach) {
                 self.cells[cell].push(piece);
             }
@@ -173,6 +203,13 @@ impl Covered {
         let pieces = self.at(at).map(|piece| (nearest_on_segment(at, piece.a, piece.b), piece.reach));
         let near = pieces.filter(|((distance, _), reach)| distance <= reach);
         near.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, at), _)| at)
+    }
+
+    /// The strength of the contour that lies at a point.
+    fn strength_at(&self, at: PxPoint) -> Option<f32> {
+        let pieces = self.at(at).map(|piece| (nearest_on_segment(at, piece.a, piece.b).0, piece.strength));
+        let here = pieces.filter(|(distance, _)| *distance <= SAME);
+        here.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, strength)| strength)
     }
 
     /// Whether a contour reaches as far as a point.

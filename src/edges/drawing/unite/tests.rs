@@ -26,3 +26,22 @@ fn only_what_runs_along_a_contour_lies_on_it() {
     assert_eq!(under((40.0, 52.0), (60.0, 52.0), true), None, "the middle of a stroke is another");
     assert!(covered.is_near(PxPoint::new(50.0, 53.0)) && !covered.is_near(PxPoint::new(50.0, 55.0)));
 }
+
+#[test]
+fn a_window_is_told_from_its_wall_and_a_line_drawn_twice_is_not() {
+    let of = |corners: &[(f32, f32)], strengths: &[f32]| {
+        let mut drawn = line(corners, false);
+        drawn.vertices.iter_mut().zip(strengths).for_each(|(vertex, strength)| vertex.strength = *strength);
+        vec![Confirmed { line: drawn, stroke: Some(10.0), on_borders: 0, faint: false }]
+    };
+    // the wall has the contrast of the window where that lies on it
+    let wall =
+        of(&[(10.0, 50.0), (30.0, 50.0), (50.0, 50.0), (70.0, 50.0), (90.0, 50.0)], &[99.0, 99.0, 99.0, 126.0, 126.0]);
+    let merged = |strength: f32| {
+        let window = of(&[(70.0, 50.0), (80.0, 50.0), (90.0, 50.0)], &[strength; 3]);
+        merged_coincident(vec![window, wall.clone()], Size::new(100, 100))
+    };
+    let (kept, overlaid) = merged(126.0);
+    assert_eq!((kept.len(), overlaid), (1, vec![PxPoint::new(80.0, 50.0)]));
+    assert!(merged(99.0).1.is_empty(), "the same colour");
+}
