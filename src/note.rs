@@ -10,8 +10,8 @@ use crate::listing::{counted, first_few};
 pub use reason::Reason;
 
 use phrases::{
-    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, outline_of_subject,
-    shade, short, sides, simplified, turned, what_if_not_meant,
+    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, or_if_none,
+    outline_of_subject, shade, short, sides, simplified, turned, what_if_not_meant,
 };
 
 /// What on a page a remark is about, for programs: its sentence may change.
@@ -91,10 +91,11 @@ pub enum Note {
     TextsLeftOut(Vec<String>),
     /// Text in the pixels of the picture is left out; what it says is not known.
     #[error(
-        "{} left out, {}in the {place}, as fingers cannot read letters; keep the text to draw {}",
+        "{} left out, {}in the {place}, as fingers cannot read letters; keep the text to draw {}{}",
         counted(*.texts, "text"),
         if *.texts == 1 { "" } else { "the largest " },
-        it_or_them(*.texts)
+        it_or_them(*.texts),
+        or_if_none(*.texts)
     )]
     LetteringLeftOut {
         /// How many lines of text there are.

@@ -263,3 +263,14 @@ fn no_text_is_looked_for_in_a_picture_of_lines() {
     let lines = &drawing.page.figure.lines;
     assert_eq!(lines.iter().filter(|line| line.runs.iter().all(|run| run.closed)).count(), 4, "{lines:?}");
 }
+
+/// The arm of a person may be taken for a text: then there is one, or there are two.
+#[test]
+fn of_few_texts_is_said_that_they_may_be_none() {
+    let told = |texts: usize| Note::LetteringLeftOut { texts, place: "middle" }.to_string();
+    let wanted =
+        "1 text left out, in the middle, as fingers cannot read letters; keep the text to draw it, or if it is none";
+    assert_eq!(told(1), wanted);
+    assert!(told(2).ends_with("draw them, or if one of them is none"), "{}", told(2));
+    assert!(told(3).ends_with("draw them"), "{}", told(3));
+}

@@ -44,6 +44,16 @@ pub(super) fn sides(of: &[(&str, u32)]) -> String {
     list(&each, "and")
 }
 
+/// That what was taken for so few texts may be none, such as the arm of a person, as the rest of a sentence: what is no
+/// text seldom has many parts like it.
+pub(super) fn or_if_none(texts: usize) -> &'static str {
+    match texts {
+        1 => ", or if it is none",
+        2 => ", or if one of them is none",
+        _ => "",
+    }
+}
+
 pub(super) fn it_or_them(count: usize) -> &'static str {
     if count == 1 { "it" } else { "them" }
 }
