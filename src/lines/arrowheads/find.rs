@@ -121,7 +121,11 @@ impl<'a> Contours<'a> {
     fn whole(&self, shaft: &LineEnd) -> Vec<(f32, FoundHead)> {
         let mut found: Vec<(f32, FoundHead)> = Vec::new();
         self.tips.around(shaft.at, shaft.at, NEAR_HEAD, |&(line, tip)| {
-            if line != shaft.line && fits(&tip, shaft) && self.is_free(&tip, line) {
+            if line != shaft.line
+                && fits(&tip, shaft)
+                && self.is_free(&tip, line)
+                && self.is_whole(&tip, [line, shaft.line])
+            {
                 let along = tip.axis().normalize().dot(shaft.heading);
                 found.push((along, FoundHead { tip, shaft: *shaft, lines: vec![line] }));
             }
@@ -159,6 +163,19 @@ impl<'a> Contours<'a> {
     fn is_free(&self, tip: &HeadTip, line: usize) -> bool {
         let is_outline = self.polylines[line].closed;
         is_outline || tip.wings.iter().all(|wing| self.is_free_end(*wing, line))
+    }
+
+    /// Whether another line runs along the side that the contour of a head lacks, if there is one; none of these two.
+    fn is_whole(&self, tip: &HeadTip, own: [usize; 2]) -> bool {
+        let Some([first, last]) = tip.lacks else { return true };
+        let length = (last - first).length();
+        let is_at = |line: &Polyline<Vertex>, at: MmPoint| {
+            line.segments().any(|(a, b)| nearest_on_segment(at, a.at, b.at).0 <= NEAR_HEAD)
+        };
+        let runs_along = |line: &Polyline<Vertex>| {
+            line.length() >= length && [0.0, 0.5, 1.0].iter().all(|share| is_at(line, first.lerp(last, *share)))
+        };
+        self.polylines.iter().enumerate().any(|(number, line)| !own.contains(&number) && runs_along(line))
     }
 
     fn is_free_end(&self, wing: MmPoint, line: usize) -> bool {

@@ -20,6 +20,8 @@ const LEAST_INSIDE: f32 = 0.75;
 const NOTCHED: f32 = 0.35;
 /// An open contour is a triangle if it is at least this share of the way around: a shaft may interrupt its base.
 const AROUND: f32 = 0.75;
+/// The same of one that lacks a side, as another line runs there: the two others of a slim head.
+const WITHOUT_SIDE: f32 = 0.58;
 /// The two sides of a head differ by at most this share.
 const ALIKE: f32 = 0.65;
 /// Half the width of a head, as a share of its length.
@@ -40,12 +42,14 @@ pub(super) fn end(line: &Polyline<Vertex>, which: Tip) -> Option<MmPoint> {
 pub(super) struct HeadTip {
     pub(super) apex: MmPoint,
     pub(super) wings: [MmPoint; 2],
+    /// The side that its contour lacks, from one of its ends to the other: another line has to run there.
+    pub(super) lacks: Option<[MmPoint; 2]>,
 }
 
 impl HeadTip {
     /// A tip whose two sides are alike.
     pub(super) fn of(apex: MmPoint, wings: [MmPoint; 2]) -> Option<Self> {
-        let tip = Self { apex, wings };
+        let tip = Self { apex, wings, lacks: None };
         let [one, other] = wings.map(|wing| (wing - apex).length());
         let (half, length) = (0.5 * (wings[1] - wings[0]).length(), tip.axis().length());
         let is_head = one.min(other) >= ALIKE * one.max(other) && WIDTHS.contains(&(half / length.max(f32::EPSILON)));
@@ -78,18 +82,38 @@ pub(super) fn tips(contour: &Polyline<Vertex>) -> Vec<HeadTip> {
     }
     let around = hull(&points);
     let length = PolylineRef { vertices: &around, closed: true }.length();
-    let is_outline = contour.closed || contour.length() >= AROUND * length && area(&points) >= NOTCHED * area(&around);
-    if is_outline {
-        let Some([a, b, c]) = corners_of_hull(&around, OFF_HULL * size) else { return Vec::new() };
-        let fills = area(&points) >= NOTCHED * area(&around);
-        let tips = [(a, [b, c]), (b, [c, a]), (c, [a, b])].into_iter().filter(|_| fills);
-        return tips.filter_map(|(apex, wings)| HeadTip::of(apex, wings)).collect();
+    let fills = area(&points) >= NOTCHED * area(&around);
+    if contour.closed || contour.length() >= AROUND * length && fills {
+        return if fills { tips_of_outline(&points, contour.closed, size) } else { Vec::new() };
     }
     let corners = simplify(PolylineRef { vertices: &points, closed: false }, OFF_SIDES * size);
-    match corners[..] {
+    let mut tips: Vec<HeadTip> = match corners[..] {
         [a, b, c] => HeadTip::of(points[b], [points[a], points[c]]).into_iter().collect(),
         _ => Vec::new(),
+    };
+    // a side of a head that lies along the box at which it points is one with the line of that
+    if fills && contour.length() >= WITHOUT_SIDE * length {
+        let lacks = points.first().zip(points.last()).map(|(first, last)| [*first, *last]);
+        tips.extend(tips_of_outline(&points, false, size).into_iter().map(|tip| HeadTip { lacks, ..tip }));
     }
+    tips
+}
+
+/// The corners of a contour around a triangle that may be tips of a head.
+fn tips_of_outline(points: &[MmPoint], closed: bool, size: f32) -> Vec<HeadTip> {
+    let tolerance = OFF_HULL * size;
+    let count = points.len();
+    let whole = corners_of_hull(&hull(points), tolerance);
+    let corners = if closed || count < 5 {
+        whole
+    } else {
+        // an end was moved aside, onto the line that covers what is lacking
+        let without_ends = [1..count, 0..count - 1, 1..count - 1];
+        whole.or_else(|| without_ends.into_iter().find_map(|part| corners_of_hull(&hull(&points[part]), tolerance)))
+    };
+    let Some([a, b, c]) = corners else { return Vec::new() };
+    let tips = [(a, [b, c]), (b, [c, a]), (c, [a, b])].into_iter();
+    tips.filter_map(|(apex, wings)| HeadTip::of(apex, wings)).collect()
 }
 
 /// Whether a contour may be one of the two strokes of a head.

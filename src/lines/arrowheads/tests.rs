@@ -252,3 +252,25 @@ fn a_shaft_that_was_joined_with_another_line_keeps_its_head() {
     let drawn = draw(&mut marks, &[&joined], &[], area(), &PARAMS);
     assert!(drawn.heads.len() == 1 && marks[0].is_drawn);
 }
+
+#[test]
+fn a_head_a_side_of_which_is_one_with_the_box_that_it_points_at_is_found() {
+    let shaft = contour(&[(16.5, 74.6), (60.0, 50.0)], false);
+    let head = contour(&[(60.0, 50.0), (58.22, 52.96), (56.55, 50.0)], false);
+    let pointed_at = contour(&[(20.0, 20.0), (100.0, 20.0), (100.0, 50.0), (20.0, 50.0)], true);
+    let (heads, left) = taken(vec![shaft.clone(), head.clone(), pointed_at]);
+    assert!(matches!(heads[..], [head] if head.toward.x > 0.8 && head.toward.y < -0.4), "{heads:?}");
+    assert_eq!(left.len(), 2);
+    assert!(taken(vec![shaft, head]).0.is_empty(), "an angle at the end of a line");
+}
+
+#[test]
+fn a_head_an_end_of_which_was_moved_onto_a_box_is_found() {
+    let mut head = contour(&[(61.66, 50.42), (63.79, 50.97), (61.5, 53.61), (60.0, 50.0)], false);
+    let moved = Vertex { at: MmPoint::new(61.42, 50.0), ..head.vertices[0] };
+    head.vertices.insert(0, moved);
+    let pointed_at = contour(&[(20.0, 20.0), (100.0, 20.0), (100.0, 50.0), (20.0, 50.0)], true);
+    let (heads, left) = taken(vec![contour(&[(90.0, 76.0), (60.0, 50.0)], false), head, pointed_at]);
+    assert!(matches!(heads[..], [head] if head.toward.x < -0.7 && head.toward.y < -0.6), "{heads:?}");
+    assert_eq!(left.len(), 2);
+}
