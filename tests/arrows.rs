@@ -122,3 +122,23 @@ fn a_head_without_room_is_told_with_its_place() {
     assert!(lost || ways(&drawing.page.to_svg()) == ["to the right"], "{told:?}");
     assert!(lost, "there is no room: {told:?}");
 }
+
+#[test]
+fn arrows_that_meet_a_box_at_an_angle_keep_their_heads() {
+    // a side of each head lies along the lower side of the box that both point at
+    let arrow = |from: [f32; 2], to: [f32; 2]| {
+        let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+        let length = f32::hypot(dx, dy);
+        let head = filled(to, [dx / length, dy / length]);
+        format!("<path d='M{} {}L{} {}'/>{head}", from[0], from[1], to[0], to[1])
+    };
+    let boxes = "<rect x='150' y='300' width='180' height='60'/><rect x='560' y='300' width='180' height='60'/>\
+                 <rect x='370' y='140' width='180' height='60'/>";
+    let drawn = format!("{}{}{boxes}", arrow([250.0, 300.0], [420.0, 200.0]), arrow([640.0, 300.0], [490.0, 200.0]));
+    for name in ["swell-a4", "index-basic-d"] {
+        let drawing = page_of(&drawn, name);
+        let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+        assert!(!told.iter().any(|note| note.contains("tick") || note.contains("arrowhead")), "{name}: {told:?}");
+        assert_eq!(ways(&drawing.page.to_svg()).len(), 2, "{name}");
+    }
+}

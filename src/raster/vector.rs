@@ -7,7 +7,7 @@ use crate::units::{PxPoint, Size};
 /// The paths of a drawing, and where something else is painted.
 #[derive(Debug, Clone, Default)]
 pub struct VectorDrawing {
-    /// Paths in the order in which they are painted; outlines of clip paths are among them.
+    /// Paths in the order in which they are painted; outlines of clip paths that may cut something off are among them.
     pub paths: Vec<PaintedPath>,
     /// Where contours may be seen that are on no path: pictures inside the drawing, gradients, patterns, masks and
     /// filters.

@@ -83,7 +83,7 @@ fn add_group<'t>(group: &'t Group, transform: Transform, last: &mut Option<&'t u
         let area = group.abs_layer_bounding_box().to_rect();
         found.pixel_areas.extend(pixel_area(area, transform));
     }
-    if let Some(clip) = group.clip_path() {
+    if let Some(clip) = group.clip_path().filter(|clip| cuts_off(clip, group)) {
         // its edge is seen wherever it cuts something off
         let to_pixels = transform.pre_concat(group.abs_transform()).pre_concat(clip.transform());
         add_clip(clip.root(), to_pixels, found);
@@ -166,6 +166,36 @@ fn has_dashes(stroke: &usvg::Stroke, extent: Rect) -> bool {
 /// A stroke around a filled area that is thinner than this share of a pixel does not show beside it.
 const HAIRLINE: f32 = 0.02;
 
+/// What a clip path holds may reach beyond its sides by this share of its size, by rounding.
+const ROUNDING: f32 = 1e-3;
+
+/// Whether a clip path may cut something off a group: the box of a marker mostly cuts nothing off, and where a line of
+/// the drawing crosses a side of it the pixels show a step.
+fn cuts_off(clip: &usvg::ClipPath, group: &Group) -> bool {
+    let [Node::Path(path)] = clip.root().children() else { return true };
+    if clip.clip_path().is_some() || clip.transform().has_skew() || !path.is_visible() || !is_rectangle(path.data()) {
+        return true;
+    }
+    let Some(sides) = path.data().bounds().transform(clip.transform()) else { return true };
+    let spare = ROUNDING * sides.width().max(sides.height());
+    let holds = |of: Rect| {
+        of.left() >= sides.left() - spare
+            && of.top() >= sides.top() - spare
+            && of.right() <= sides.right() + spare
+            && of.bottom() <= sides.bottom() + spare
+    };
+    !holds(group.stroke_bounding_box()) || !holds(group.layer_bounding_box().to_rect())
+}
+
+/// Whether a path is one rectangle with level and upright sides.
+fn is_rectangle(path: &Path) -> bool {
+    let (points, bounds) = (path.points(), path.bounds());
+    let is_level_or_upright = |pair: &[Point]| ((pair[1].x - pair[0].x) * (pair[1].y - pair[0].y)).abs() <= 0.0;
+    let is_corner =
+        |at: &Point| [bounds.left(), bounds.right()].contains(&at.x) && [bounds.top(), bounds.bottom()].contains(&at.y);
+    (4..=5).contains(&points.len()) && points.windows(2).all(is_level_or_upright) && points.iter().all(is_corner)
+}
+
 fn add_clip(group: &Group, to_pixels: Transform, found: &mut VectorDrawing) {
     for node in group.children() {
         match node {
@@ -187,4 +217,24 @@ fn mean_scale(transform: Transform) -> f32 {
 fn pixel_area(area: Rect, transform: Transform) -> Option<PixelArea> {
     let area = area.transform(transform)?;
     Some(PixelArea { min: PxPoint::new(area.left(), area.top()), max: PxPoint::new(area.right(), area.bottom()) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_box_of_a_marker_is_a_contour_only_where_it_cuts_something_off() {
+        let count = |head: &str| {
+            let svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><marker id='m' viewBox='0 0 10 10' \
+                 refX='10' refY='5' markerWidth='7' markerHeight='7' orient='auto'><path d='{head}'/></marker>\
+                 <path d='M20 80L70 40' fill='none' stroke='#000' marker-end='url(#m)'/></svg>"
+            );
+            let tree = Tree::from_str(&svg, &usvg::Options::default()).expect("a drawing");
+            of_tree(&tree, Transform::identity()).expect("it has few paths").paths.len()
+        };
+        assert_eq!(count("M0 0L10 5L0 10Z"), 2, "the line and its head");
+        assert_eq!(count("M-9 0L10 5L-9 10Z"), 3, "a part of the head is cut off");
+    }
 }
