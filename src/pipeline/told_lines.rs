@@ -94,6 +94,26 @@ fn beside_gone<'t>(gone: &[&LostLine], drawn: &[Line], texts: &'t [Text]) -> Vec
     texts.iter().filter(is_beside).map(|text| text.string.as_str()).collect()
 }
 
+/// A line is named after a text that is no farther from it than this, mm: about a cell of a table, or half a room.
+const NAMES: f32 = 20.0;
+
+/// The text nearest to a line, as in `, near "Kitchen"`; nothing where there is none near it.
+fn near_text(line: &LostLine, texts: &[Text]) -> String {
+    let far = |text: &Text| {
+        let (of, place) = (line.extent, text.place);
+        let across = (place.min.x - of.max.x).max(of.min.x - place.max.x).max(0.0);
+        across.hypot((place.min.y - of.max.y).max(of.min.y - place.max.y).max(0.0))
+    };
+    let near = texts.iter().filter(|text| text.is_read() && far(text) <= NAMES);
+    let nearest = near.min_by(|a, b| far(a).total_cmp(&far(b)));
+    nearest.map_or_else(String::new, |text| format!(", near {}", named(&[text.string.as_str()])))
+}
+
+/// Where on the sheet a line has its middle.
+fn around(at: MmPoint) -> String {
+    format!("around {:.0}, {:.0} mm from the left and the top of the sheet", at.x, at.y)
+}
+
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
 fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
     let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
@@ -105,12 +125,12 @@ fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
     };
     let beside = beside_gone(&gone().collect::<Vec<_>>(), drawn, texts);
     let named = match beside.len() {
-        0 => String::new(),
+        0 => near_text(longest, texts),
         1 => format!("; the text {} beside it names nothing on the page", named(&beside)),
         _ => format!("; the texts {} beside them name nothing on the page", named(&beside)),
     };
     let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
-    let told = format!("{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm){named}: {why}", at.x, at.y);
+    let told = format!("{lines} ({which}{mm:.0} mm long, {}){named}: {why}", around(at));
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told))
 }
 
@@ -123,9 +143,9 @@ fn told_gaps(lost: &Lost) -> Option<Note> {
         count => (format!("pieces of {count} closed outlines"), "the longest ", "they are open"),
     };
     let told = format!(
-        "{pieces} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm), so that {is_open} on the page: there is no room \
-         beside other lines; make the figure larger, or say it in a label",
-        at.x, at.y
+        "{pieces} ({which}{mm:.0} mm long, {}), so that {is_open} on the page: there is no room beside other lines; \
+         make the figure larger, or say it in a label",
+        around(at)
     );
     Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
 }
@@ -181,10 +201,9 @@ pub(super) fn told_beside_added(
         count => (format!("{count} lines"), "run", "the longest "),
     };
     let told = format!(
-        "{lines} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm) {run} beside lines that you drew and added, and \
-         may be what these replace: take the lines of the corrected page in place of those that are found, or erase \
-         that part",
-        at.x, at.y
+        "{lines} ({which}{mm:.0} mm long, {}) {run} beside lines that you drew and added, and may be what these \
+         replace: take the lines of the corrected page in place of those that are found, or erase that part",
+        around(at)
     );
     Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
 }
@@ -274,9 +293,9 @@ pub(super) fn told_cut(
     let (all, reach) = (own.iter().map(Line::length).sum::<f32>(), plan.lines().farthest_moved());
     let (mm, at) = kept_lines::missing(&own, figure, layout.figure, reach, |at| !is_erased(at))?;
     let told = format!(
-        "{mm:.0} mm of the lines that you drew and added (around {:.0}, {:.0} mm): too near to others or to one \
-         another; move them apart, or erase what is found there",
-        at.x, at.y
+        "{mm:.0} mm of the lines that you drew and added ({}): too near to others or to one another; move them apart, \
+         or erase what is found there",
+        around(at)
     );
     (mm >= least_told(&layout.medium, all)).then_some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
 }

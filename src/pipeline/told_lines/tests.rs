@@ -15,9 +15,10 @@ fn closed_outlines_that_are_open_on_the_page_are_told() {
     let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }).map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
     let one = told(vec![gap(20.0, 8.0)]).expect("a chamber");
-    assert!(one.contains("a piece of 1 closed outline (8 mm long, around 24, 40 mm), so that it is open"), "{one}");
+    let place = "around 24, 40 mm from the left and the top of the sheet";
+    assert!(one.contains(&format!("a piece of 1 closed outline (8 mm long, {place}), so that it is open")), "{one}");
     let two = told(vec![gap(20.0, 8.0), gap(50.0, 12.0)]).expect("two");
-    assert!(two.contains("pieces of 2 closed outlines (the longest 12 mm long, around 56, 40 mm)"), "{two}");
+    assert!(two.contains("pieces of 2 closed outlines (the longest 12 mm long, around 56, 40 mm"), "{two}");
 }
 
 #[test]
@@ -35,9 +36,32 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     assert_eq!(told(vec![]), None);
     assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
     let hand = told(vec![line(20.0, 36.0, false)]).expect("a hand of a clock");
-    assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm)"), "{hand}");
+    assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm from the left"), "{hand}");
     let two = told(vec![line(20.0, 12.0, false), line(50.0, 30.0, true)]).expect("two");
-    assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm)"), "{two}");
+    assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm from the left"), "{two}");
+}
+
+#[test]
+fn a_line_that_is_gone_is_told_with_the_text_that_is_nearest_to_it() {
+    let text = |string: &str, y: f32| Text {
+        string: string.to_owned(),
+        place: MmRect::new((20.0, y).into(), (40.0, y + 4.0).into()),
+        angle: 0.0,
+        size: 4.0,
+        hidden: false,
+        lost_leader: None,
+        kept_leader: None,
+        in_key: false,
+    };
+    let door = LostLine {
+        extent: MmRect::new((22.0, 40.0).into(), (46.0, 40.0).into()),
+        length: 24.0,
+        closed: false,
+        is_faint: false,
+    };
+    let beside_door = |texts: &[Text]| near_text(&door, texts);
+    assert_eq!(beside_door(&[text("Garden", 10.0), text("Dining room", 52.0)]), ", near \"Dining room\"");
+    assert_eq!(beside_door(&[text("Garden", 10.0)]), "", "it is 26 mm away");
 }
 
 #[test]
