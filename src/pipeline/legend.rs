@@ -257,7 +257,7 @@ pub(super) fn told(entries: &[LegendEntry], figure: &Figure, key: Option<&ToldIn
     };
     let shares = |entry: &LegendEntry| entries.iter().filter(|other| other.class == entry.class).count() > 1;
     let lost = texts(&|entry| !occurs(entry.class) && !entry.has_blank);
-    let are_blank = lost.iter().all(|text| key.blank.iter().any(|(_, blank)| blank == text));
+    let are_blank = lost.iter().all(|text| key.blank.iter().any(|(_, blank)| blank.as_deref() == Some(*text)));
     let why = if are_blank {
         "no texture of such a colour is on the page, and all that the key says is that these areas are blank"
     } else {

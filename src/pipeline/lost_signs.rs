@@ -48,7 +48,7 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
     for chain in &edges.chains {
         let points: Vec<MmPoint> =
             edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
-        if !chain.closed && !(chain.kind.exact && is_nearly_closed(&points)) {
+        if !(chain.closed || chain.kind.exact && is_nearly_closed(&points)) {
             continue;
         }
         let ring = MmRect::from_points(&points);
@@ -207,10 +207,13 @@ fn places(signs: &[LostSign]) -> String {
     format!("at {} mm{more}", places.join("; "))
 }
 
+/// A text, and where the leader line ends that leads from it.
+type LeaderTip<'t> = (&'t str, MmPoint);
+
 /// What is told of rings by `all` texts and labels beside them, and by the `tips` of leader lines that end there.
 fn told_of_shapes(
     lost: &[LostSign],
-    (all, tips): (&[(&str, MmRect)], &[(&str, MmPoint)]),
+    (all, tips): (&[(&str, MmRect)], &[LeaderTip<'_>]),
     are_labels: bool,
 ) -> Option<Note> {
     let first = lost.first()?.at;
