@@ -116,8 +116,7 @@ pub enum Note {
         /// The light of its darkest part, in percent of that of its lightest.
         darkest: u32,
     },
-    /// The dark or white rim of a scanned photograph is left out: along which sides, each with its width, in percent
-    /// of the picture.
+    /// The dark or white rim of a scanned photograph is left out: its sides, each with its width in percent.
     #[error("the rim of the scan is left out, {}; keep the ground to draw it", sides(.0))]
     RimLeftOut(Vec<(&'static str, u32)>),
     /// Text in the pixels of the picture is not read, though it should have been: why, in the words of the reader.

@@ -1,6 +1,6 @@
-//! Rows of dots of which every second one is left, as leader lines are drawn. A leader line is to be the weakest line of
-//! a figure (BANA guidelines, 3.4.3.5, as quoted by others), and to differ from those that it leads to. In one row of
-//! dots as high as all others only their distance is left to say so:
+//! Rows of dots of which every second one is left, as leader lines are drawn. A leader line is to be the weakest line
+//! of a figure (BANA guidelines, 3.4.3.5, as quoted by others), and to differ from those that it leads to. In one row
+//! of dots as high as all others only their distance is left to say so:
 //!
 //! ```text
 //!   o o o o o o o o   an outline         o o   o   o   o   a leader line, from its label on the left

@@ -79,8 +79,9 @@ pub(crate) const LEADER_END: f32 = 6.0;
 /// lines easiest to tell from a texture of dots from 5 mm on.
 pub(super) const ROWS_BESIDE: f32 = 5.0;
 /// Most of the length of lines that may have such rows on both sides. Chosen by us, by looking at pages for an embosser
-/// with 2 mm from dot to dot: of the samples portrait, astronaut, landscape and map have 0.02 to 0.12, and chelsea, cell,
-/// rocket and coffee, where fingers lose lines among rows, 0.15 to 0.29. Of 17 drawings of others one has more, a map.
+/// with 2 mm from dot to dot: of the samples portrait, astronaut, landscape and map have 0.02 to 0.12, and chelsea,
+/// cell, rocket and coffee, where fingers lose lines among rows, 0.15 to 0.29. Of 17 drawings of others one has more, a
+/// map.
 pub(super) const MOST_BESIDE_ROWS: f32 = 0.14;
 /// How far a dot of braille may lie from its place in the cell, mm: EN ISO 17351 allows 4 % of 2.5 mm.
 pub(super) const BRAILLE_OFF: f32 = 0.1;

@@ -28,8 +28,8 @@ pub(super) fn findings(page: &Page, limits: &RuleLimits) -> Option<FoundBreach> 
 }
 
 /// What share of the length of a figure's lines, 0..=1, has rows of textures nearer than [`ROWS_BESIDE`] on both sides,
-/// if that is too much for lines to be followed. On paper textures are of other marks than lines, and on devices with heights they
-/// are lower.
+/// if that is too much for lines to be followed. On paper textures are of other marks than lines, and on devices with
+/// heights they are lower.
 pub(crate) fn too_many(page: &Page, limits: &RuleLimits) -> Option<f32> {
     let (Medium::Dots(medium), MediumLimits::Dots { .. }) = (&page.medium, limits.medium) else { return None };
     if medium.device.has_heights() {

@@ -13,14 +13,16 @@
 
 mod cloud;
 mod drawn;
+mod point;
 mod room;
 
 use std::f32::consts::TAU;
 use std::slice;
 
 use self::cloud::scattered;
+use self::point::{MAGNIFIED, MIDDLE, SOLID, disc_radius, is_drawn_twice, is_like};
 use super::lead_on::{extend_to, heading};
-use super::marks::{PointMark, SERIES};
+use super::marks::SERIES;
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex};
 use crate::geom::polygon::roundness;
@@ -29,6 +31,7 @@ use crate::geom::{circle, nearest_on_segment};
 use crate::units::{MmPoint, MmVector};
 
 pub(super) use drawn::{DrawnPoints, draw};
+pub(super) use point::Point;
 pub(super) use room::make_room;
 
 /// A filled point is drawn as many times as broad as the broadest line: sizes that differ by 30 percent are told apart
@@ -46,57 +49,18 @@ pub(crate) const LARGEST_HOLLOW: f32 = 2.5;
 const ROUND: f32 = 0.85;
 /// The same of a circle: an ellipse of 5 to 4 has 0.98, one of 3 to 2, as an eye, 0.94.
 const CIRCLE: f32 = 0.98;
-/// A line leads to the middle of a point no farther from it than this share of its radius.
-const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point, or of another line, than this, mm: in a bitmap the two
 /// are found apart.
 const FROM_SIDE: f32 = 1.0;
-/// A disc is drawn at most so many times as large as it is: smaller ones are the dots of a dotted line or of a shade.
-const MAGNIFIED: f32 = 3.0;
-/// A disc of a cloud that is found in pixels is at least this large, as a share of the disc that is drawn for it: noise
-/// has many smaller ones that are alike.
-const LEAST_IN_PIXELS: f32 = 0.6;
 /// A circle, or a part of one, keeps to it within this share of its radius.
 const FROM_CIRCLE: f32 = 0.1;
 /// Least part of a circle that is seen of a point which others hide in part, in turns; and least of one arc of it, as a
 /// line that leads over it may divide them: of shorter ones the circle is not known.
 const LEAST_ARC: f32 = 0.4;
 const LEAST_PIECE: f32 = 0.1;
-/// The middle line of the ring that is drawn as a disc, in half widths: its stroke fills it.
-const SOLID: f32 = 0.9;
 /// A ring that goes round in steps of a grid of dots, and of which others may hide a part, is at least so many times as
 /// long as the shortest line.
 const LEAST_RING: f32 = 1.5;
-
-/// A point on a line.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Point {
-    pub(super) at: MmPoint,
-    /// As it is in the drawing, mm.
-    radius: f32,
-    is_filled: bool,
-    strength: f32,
-    /// The line that it is a point of, with others that are alike.
-    series: Option<usize>,
-    /// Whether it lies beside all lines, and is like others on them.
-    is_alone: bool,
-    /// Whether it is drawn as a disc at its own place, as all of a cloud of points.
-    is_disc: bool,
-    /// Whether its outline is that of a path of a drawing, and not found in pixels.
-    is_exact: bool,
-    /// Whether it is a shape for certain: its outline is that of a path, or in pixels keeps to a circle.
-    is_sure: bool,
-    /// Whether it is as round as a circle, for fingers.
-    is_circle: bool,
-}
-
-impl Point {
-    /// As it is handed on.
-    pub(super) fn mark(&self) -> PointMark {
-        let Self { at, radius, is_filled, strength, series, is_alone, .. } = *self;
-        PointMark { at, radius, is_filled, series, is_alone, strength }
-    }
-}
 
 /// Takes the points on lines out of the contours of a drawing. Lines that end at their sides lead to their middles.
 pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Vec<Point> {
@@ -200,16 +164,6 @@ fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> V
         .collect()
 }
 
-/// Whether a point is the outline of one of these beside its stroke. Paths say where its middle is; in pixels each may
-/// lie within the other.
-fn is_drawn_twice(point: &Point, points: &[Point]) -> bool {
-    let is_same = |other: &Point| {
-        let apart = if point.is_exact && other.is_exact { MIDDLE } else { 1.0 };
-        (other.at - point.at).length() <= apart * other.radius.max(point.radius)
-    };
-    points.iter().any(is_same)
-}
-
 /// Takes those of the shapes that one line points at that are like points on lines, as the leaves of a tree are like
 /// its other nodes. Gives the others.
 fn take_leaves(
@@ -242,11 +196,6 @@ fn name_series(points: &mut [Point]) {
         let is_of = |other: &&Point| other.series == point.series && is_like(point, other);
         point.series = point.series.filter(|_| all.iter().filter(is_of).count() >= SERIES);
     }
-}
-
-/// Whether two points look alike.
-fn is_like(point: &Point, other: &Point) -> bool {
-    point.mark().is_like(&other.mark())
 }
 
 /// Discs that are drawn alike in a picture, such as the towns of a map, are drawn alike on a page: those beside lines
@@ -395,12 +344,6 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<(f32, Point)> {
         is_circle: true,
     };
     is_arc.then_some((length, point))
-}
-
-/// Radius of a disc that stands for a point, mm: it is nearly twice as broad as the broadest line, and so is felt
-/// beside one; as small as that most points of a plot have room. Chosen by us.
-fn disc_radius(params: &Params) -> f32 {
-    0.5 * (1.0 + SOLID) * params.width_max
 }
 
 /// Whether all of a contour is of a path.

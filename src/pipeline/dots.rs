@@ -195,7 +195,8 @@ fn pieces_of(line: &Line) -> Vec<Line> {
     let piece = |points: &[MmPoint]| Run { points: points.to_vec(), ..row.clone() };
     pieces.map(|points| Line { strength: line.strength, runs: vec![piece(points)] }).collect()
 }
-/// A step that is more than so many times the least of a row parts it: where it crosses another line one dot is missing.
+/// A step that is more than so many times the least of a row parts it: where it crosses another line one dot is
+/// missing.
 const WIDER_THAN_CROSSED: f32 = 2.1;
 
 /// A level or upright line is no farther from being so, mm.

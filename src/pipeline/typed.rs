@@ -38,8 +38,7 @@ pub(super) fn write(
     if texts.is_empty() {
         return Typed::default();
     }
-    let place = parts.figure.place;
-    let medium = parts.medium.clone();
+    let (place, medium) = (parts.figure.place, parts.medium.clone());
     let cells = CellGrid::of(&medium, plan.profile().braille.cell);
     let width = |text: &TypedText| cells.extent(text.string.chars().count(), 1).x;
     // a word in print is not as wide as its braille: it names the place of its anchor
@@ -73,8 +72,8 @@ pub(super) fn write(
         ..Words::default()
     };
     let written = WrittenWords::new(&words, plan);
-    let sheet = parts.sheet;
-    let layout = Layout { sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
+    let layout =
+        Layout { sheet: parts.sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
     let OnPage { mut braille, notes, lines } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     *names = lines.into_iter().map(|line| names[line].clone()).collect();
     braille.retain(|text| text.role == TextRole::Label);

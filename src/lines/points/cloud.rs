@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use super::{LEAST_IN_PIXELS, MAGNIFIED, Point, disc_radius, is_drawn_twice, is_like};
+use super::point::{LEAST_IN_PIXELS, MAGNIFIED, Point, disc_radius, is_drawn_twice, is_like};
 use crate::geom::nearby::{Index, Nearby};
 use crate::geom::polyline::Polyline;
 use crate::lines::marks::SERIES;
@@ -58,7 +58,8 @@ fn which_are_discs(alone: &[(usize, Point)], params: &Params) -> Vec<bool> {
     alone.iter().map(is_disc).collect()
 }
 
-/// Of discs in pixels those beside lines, or other rings, are none; nor are any where that is so of more than a quarter.
+/// Of discs in pixels those beside lines, or other rings, are none; nor are any where that is so of more than a
+/// quarter.
 fn leave_out_beside_lines(
     are_discs: &mut [bool],
     alone: &[(usize, Point)],
