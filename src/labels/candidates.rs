@@ -328,26 +328,11 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
         .filter(|from| !room.is_parted(*from, tip, end))
         .filter(|from| side.is_none_or(|side| !room.is_parted_from_text(*from, side, 0.0)))
         .filter_map(|from| leader_from(from, tip, around.leader_off()))
-        .filter_map(|segment| up_to_line(segment, around))
         .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER + around.leader_off());
     segments
         .into_iter()
         .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))
 }
-
-/// A leader line to the line that a text names: from the other side of that it ends at it, and not across it. None if
-/// it would be too short to be felt as a line.
-fn up_to_line([from, to]: [MmPoint; 2], around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
-    let chord = to - from;
-    let begin = around.room.only_line(from, to, around.params.widest_outline);
-    match begin.filter(|begin| !around.is_point() && chord.length() - begin > INTO_LINE) {
-        Some(begin) => (begin >= SHORTEST_LEADER - BEFORE_LEADER).then(|| [from, from + chord.normalize() * begin]),
-        None => Some([from, to]),
-    }
-}
-
-/// A leader line that ends at a line reaches no further into it, mm: less than the breadth of any line.
-const INTO_LINE: f32 = 1.0;
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands
 /// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it. In an area of

@@ -349,15 +349,3 @@ fn a_label_that_lost_its_leader_line_stands_in_no_shape_without_another() {
     assert_eq!(is_led(138.0, 143.0), Some(false), "as near outside of the shape");
     assert_eq!(is_led(100.0, 110.0), Some(false), "its tip names what is inside");
 }
-
-/// A short stroke across a wire beside a battery would be felt as a plate.
-#[test]
-fn a_leader_line_from_the_other_side_of_a_line_ends_at_it() {
-    let wire = room(&[(40.0, 110.0), (160.0, 110.0), (160.0, 180.0), (40.0, 180.0)], true);
-    let label = [named(MmRect::new(MmPoint::new(95.0, 102.0), MmPoint::new(105.0, 106.0)))];
-    let params = Params { may_cross: false, ..params() };
-    let leader = |y: f32| placed(&label, box_at(90.0, y), &wire, &params).map(|found| found.leader());
-    let [from, to] = leader(118.0).flatten().expect("it has a leader line");
-    assert!((from.y - 115.0).abs() < 0.1 && (110.4..111.4).contains(&to.y), "{from:?} {to:?}");
-    assert_eq!(leader(115.0), None, "too short to be felt");
-}
