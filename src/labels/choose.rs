@@ -1,8 +1,8 @@
 //! Which of its places each label takes, so that as many as possible have one.
 //!
 //! Greedy, in several orders; then a search that moves labels out of the way of one that
-//! has none, and others out of theirs; then each to its best place that is free, or to a better one for which others
-//! take their next best. On small cases it is held against all possibilities.
+//! has none, and others out of theirs; then each to its best place that is free. On small cases it is held against
+//! all possibilities.
 
 /// A label in one of its places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,24 +62,8 @@ fn in_one_order(costs: &[Vec<f32>], conflict: &dyn Fn(Choice, Choice) -> bool, o
             break;
         }
     }
-    for _ in 0..ROUNDS {
-        let mut changed = false;
-        for &label in order {
-            changed |= search.trade(label);
-        }
-        for &label in order {
-            changed |= search.take_best(label);
-        }
-        if !changed {
-            break;
-        }
-    }
     search.chosen
 }
-
-/// How much cheaper places of a few labels have to be together for these to be traded, mm: half of a leader line (see
-/// `cost`). For less no label is moved from the place that is its best.
-const WORTH_A_TRADE: f32 = 5.0;
 
 /// How many labels in a row make way for one another.
 const DEPTH: usize = 3;
@@ -111,35 +95,6 @@ impl Search<'_> {
         let best = (0..end).find(|&candidate| self.blockers_of(Choice { label, candidate }).is_empty());
         self.chosen[label] = best.or(before);
         self.chosen[label] != before
-    }
-
-    /// Puts a label to a cheaper place from which one or two others move to their next best, if that is worth it.
-    fn trade(&mut self, label: usize) -> bool {
-        for candidate in 0..self.chosen[label].unwrap_or(0) {
-            if self.tries == 0 {
-                return false;
-            }
-            self.tries -= 1;
-            let blockers = self.blockers_of(Choice { label, candidate });
-            if blockers.len() > 2 {
-                continue;
-            }
-            let (before, cost_before) = (self.chosen.clone(), self.cost_of(label, &blockers));
-            blockers.iter().for_each(|&other| self.chosen[other] = None);
-            self.chosen[label] = Some(candidate);
-            let all_placed = blockers.iter().all(|&other| self.take_best(other));
-            if all_placed && self.cost_of(label, &blockers) + WORTH_A_TRADE < cost_before {
-                return true;
-            }
-            self.chosen = before;
-        }
-        false
-    }
-
-    /// What the places of a label and of some others cost.
-    fn cost_of(&self, label: usize, others: &[usize]) -> f32 {
-        let labels = others.iter().chain(std::iter::once(&label));
-        labels.filter_map(|&label| Some(self.costs[label][self.chosen[label]?])).sum()
     }
 
     /// Finds a place for a label that has none by moving one or two others, and for these by moving others again, but

@@ -52,15 +52,3 @@ fn nearly_as_many_are_placed_as_can_be() {
     }
     assert!(placed * 100 >= possible * 99, "{placed} of {possible}");
 }
-
-/// Whichever label is placed first, one of the two pairs would have a place that is much worse than need be.
-#[test]
-fn labels_make_way_for_one_that_would_lie_far_away() {
-    let places = [[0, 1], [0, 2], [10, 12], [10, 11]];
-    let costs: Vec<Vec<f32>> = [[1.0, 20.0], [0.0, 2.0], [0.0, 2.0], [1.0, 20.0]].map(|of| of.to_vec()).to_vec();
-    let conflict = |a: Choice, b: Choice| places[a.label][a.candidate] == places[b.label][b.candidate];
-    assert_eq!(choose(&costs, &conflict), [Some(0), Some(1), Some(1), Some(0)]);
-    // for little nobody moves
-    let costs: Vec<Vec<f32>> = [[1.0, 5.0], [0.0, 2.0], [0.0, 2.0], [1.0, 5.0]].map(|of| of.to_vec()).to_vec();
-    assert_eq!(choose(&costs, &conflict), [Some(0), Some(1), Some(0), Some(1)]);
-}
