@@ -148,7 +148,10 @@ fn what_helps_a_drawing_that_is_too_dense_is_told_with_options() {
     let rules: String = (0..64).map(|i| format!("<rect x='{}' y='20' width='4' height='552'/>", 20 + i * 12)).collect();
     let ruled = format!("<svg xmlns='http://www.w3.org/2000/svg' width='840' height='592'>{rules}</svg>");
     place.put("ruled.svg", ruled.as_bytes());
-    let run = place.run(&["convert", "ruled.svg", "-o", "page.svg", "--width-mm", "120"]);
-    assert_eq!(run.code, 0, "{}", run.err);
-    assert!(run.err.contains("so that it is larger (--sheets 2x2, --crop)\n"), "{}", run.err);
+    // on several sheets a figure of a width that is asked for is no larger
+    for (width, options) in [(&[][..], "--sheets 2x2, --crop"), (&["--width-mm", "120"], "--crop")] {
+        let run = place.run(&[&["convert", "ruled.svg", "-o", "page.svg", "--force"], width].concat());
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(run.err.contains(&format!("so that it is larger ({options})\n")), "{}", run.err);
+    }
 }
