@@ -15,13 +15,13 @@ use crate::units::{MmPoint, MmRect};
 /// A connected component of fewer glyphs than this is no texture: single glyphs that stand apart, in a tongue of their
 /// region or between two lines, have no direction and are felt as dirt.
 const LEAST_COMPONENT: usize = 4;
-/// A component of rhombuses has so many rows at least in which two of them lie side by side. In a strip with room for
-/// one rhombus of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own:
-/// level rows, blue, would be felt as upright ones, yellow.
-const LEAST_ROWS: usize = 2;
+/// Of a component of rhombuses so large a share lies beside another one of its row. In a strip with room for one rhombus
+/// of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own: level rows,
+/// blue, would be felt as upright ones, yellow.
+const LEAST_IN_ROWS: f32 = 0.5;
 
 /// Fills the regions of `classes`, whose cells cover `area` of the sheet, with a clearance from `lines`. Where there is
-/// room for single glyphs only, none are set; a region without room for a few, or for two rows of them, gives no
+/// room for single glyphs only, none are set; a region without room for a few of them side by side gives no
 /// texture.
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
     let runs = lines.iter().flat_map(|line| &line.runs);
@@ -124,13 +124,13 @@ fn remove_small_components(glyphs: &mut Vec<Glyph>, degrees: Option<f32>, params
     let centres: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
     let groups = components::of_points(&centres, reach, |between| between.length() <= reach);
     components::retain(glyphs, &groups, |glyphs, group| {
-        let is_felt = || degrees.is_none_or(|degrees| has_rows(glyphs, group, degrees, params));
+        let is_felt = || degrees.is_none_or(|degrees| are_in_rows(glyphs, group, degrees, params));
         group.len() >= LEAST_COMPONENT && is_felt()
     });
 }
 
-/// Whether there are rows in this direction, degrees, that have two glyphs of the group side by side: [`LEAST_ROWS`].
-fn has_rows(glyphs: &[Glyph], group: &[usize], degrees: f32, params: &Params) -> bool {
+/// Whether enough glyphs of a group lie side by side in rows of this direction, degrees: [`LEAST_IN_ROWS`].
+fn are_in_rows(glyphs: &[Glyph], group: &[usize], degrees: f32, params: &Params) -> bool {
     let Some(first) = group.first().map(|&number| glyphs[number].at) else { return false };
     let (along, across) = (unit(degrees), unit(degrees + 90.0));
     let mut rows: BTreeMap<i32, Vec<f32>> = BTreeMap::new();
@@ -138,11 +138,13 @@ fn has_rows(glyphs: &[Glyph], group: &[usize], degrees: f32, params: &Params) ->
         let row = (from.dot(across) / params.across).round() as i32;
         rows.entry(row).or_default().push(from.dot(along));
     }
-    let has_pair = |row: &mut Vec<f32>| {
+    let beside_another = |row: &mut Vec<f32>| {
         row.sort_by(f32::total_cmp);
-        row.windows(2).any(|pair| pair[1] - pair[0] <= 1.01 * params.along)
+        let stretches = row.chunk_by(|a, b| b - a <= 1.01 * params.along);
+        stretches.map(<[f32]>::len).filter(|count| *count > 1).sum::<usize>()
     };
-    rows.values_mut().map(has_pair).filter(|has_pair| *has_pair).count() >= LEAST_ROWS
+    let count: usize = rows.values_mut().map(beside_another).sum();
+    count as f32 >= LEAST_IN_ROWS * group.len() as f32
 }
 
 #[cfg(test)]

@@ -38,15 +38,15 @@ fn rhombuses_one_above_the_other_are_no_level_rows() {
     };
     // one a row, in a strip with no room for two
     assert_eq!(left(level_rows(8, 1), 0.0), 0);
-    assert_eq!(left(level_rows(1, 8), 0.0), 0, "a row alone");
+    assert_eq!(left(level_rows(1, 8), 0.0), 8, "a row alone runs as its colour says");
     assert_eq!(left(level_rows(2, 2), 0.0), 4);
     assert_eq!(left(level_rows(8, 2), 0.0), 16);
-    // one row of two, and the rest one each
+    // rows of two, and the rest one each
     let mut tapered = level_rows(8, 1);
-    tapered.push(level_rows(1, 2)[1]);
-    assert_eq!(left(tapered.clone(), 0.0), 0);
-    tapered.push(level_rows(2, 2)[3]);
-    assert_eq!(left(tapered, 0.0), 10);
+    tapered.extend((0..3).map(|row| level_rows(8, 2)[2 * row + 1]));
+    assert_eq!(left(tapered.clone(), 0.0), 11, "6 of 11");
+    tapered.pop();
+    assert_eq!(left(tapered, 0.0), 0, "4 of 10");
 }
 
 #[test]
@@ -58,9 +58,9 @@ fn rows_are_those_in_the_direction_of_the_texture() {
         let places = (0..columns).flat_map(|column| (0..6).map(move |number| (column, number)));
         places.map(at).map(|at| Glyph { at, shape }).collect()
     };
-    for (columns, stays) in [(1, 0), (2, 12)] {
-        let mut glyphs = upright(columns);
-        remove_small_components(&mut glyphs, Some(90.0), &Params::TEST);
-        assert_eq!(glyphs.len(), stays, "{columns} upright rows");
+    for (degrees, stays) in [(90.0, 6), (0.0, 0)] {
+        let mut glyphs = upright(1);
+        remove_small_components(&mut glyphs, Some(degrees), &Params::TEST);
+        assert_eq!(glyphs.len(), stays, "one upright row, of rows at {degrees} degrees");
     }
 }
