@@ -57,8 +57,7 @@ pub(super) fn write(
     let labels: Vec<Label> = beside.into_iter().map(label).collect();
     let exact: Vec<Text> = exact.into_iter().map(|text| in_place(text, &cells)).collect();
     let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
-    let language = parts.language.clone();
-    let own_texts = !exact.is_empty();
+    let (language, own_texts) = (parts.language.clone(), !exact.is_empty());
     let blocked = blocked(parts);
     let written = written_labels(parts);
     let words = Words {

@@ -15,9 +15,9 @@ use crate::units::{MmPoint, MmRect};
 /// A connected component of fewer glyphs than this is no texture: single glyphs that stand apart, in a tongue of their
 /// region or between two lines, have no direction and are felt as dirt.
 const LEAST_COMPONENT: usize = 4;
-/// Of a component of rhombuses so large a share lies beside another one of its row. In a strip with room for one rhombus
-/// of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own: level rows,
-/// blue, would be felt as upright ones, yellow.
+/// Of a component of rhombuses so large a share lies beside another one of its row. In a strip with room for one
+/// rhombus of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own:
+/// level rows, blue, would be felt as upright ones, yellow.
 const LEAST_IN_ROWS: f32 = 0.5;
 
 /// Fills the regions of `classes`, whose cells cover `area` of the sheet, with a clearance from `lines`. Where there is
