@@ -16,7 +16,7 @@ use crate::geom::nearby::Index;
 use crate::page::{Line, Medium, Page};
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
-/// The breach of a page where rows of textures lie close beside most of the lines.
+/// The breach of a page where rows of textures lie close on both sides of too many of the lines.
 pub(super) fn findings(page: &Page, limits: &RuleLimits) -> Option<FoundBreach> {
     let percent = 100.0 * too_many(page, limits)?;
     let what = format!(

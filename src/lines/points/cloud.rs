@@ -67,13 +67,15 @@ fn leave_out_beside_lines(
     params: &Params,
 ) {
     let in_pixels: Vec<usize> = (0..alone.len()).filter(|&i| are_discs[i] && !alone[i].1.is_exact).collect();
+    if in_pixels.is_empty() {
+        return;
+    }
     let mut is_other = vec![true; polylines.len()];
     in_pixels.iter().for_each(|&i| is_other[alone[i].0] = false);
-    let others: Vec<&Polyline<Vertex>> =
-        polylines.iter().zip(is_other).filter(|(_, is_other)| *is_other).map(|(line, _)| line).collect();
+    let others = polylines.iter().zip(is_other).filter(|(_, is_other)| *is_other);
     let area = MmRect::from_points(alone.iter().map(|(_, point)| point.at));
     let mut lines: Nearby = Nearby::new(area, params.max_spacing());
-    others.iter().for_each(|line| lines.insert_line(0, line.view(), 0.0));
+    others.for_each(|(line, _)| lines.insert_line(0, line.view(), 0.0));
     let is_beside = |point: &Point| {
         let reach = point.radius.max(disc_radius(params)) + params.max_spacing();
         lines.nearest(point.at, reach, |_| true).is_some()
