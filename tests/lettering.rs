@@ -218,7 +218,24 @@ fn rows_of_other_things_are_no_text() {
     assert_eq!(lines(&drawing), lines(&kept));
 }
 
-/// The same picture in white on black, and one where text stands upright.
+/// Crescents are shown by a disc over a disc: none of the paths is one.
+#[test]
+fn phases_of_the_moon_are_no_text() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 900 400'><rect width='900' height='400' \
+                   fill='#fff'/><circle cx='450' cy='230' r='120' fill='none' stroke='#000' stroke-width='6'/>"
+        .to_owned();
+    for i in 0..8 {
+        let x = 120 + 90 * i;
+        let over = x + 4 * i - 14;
+        svg +=
+            &format!("<circle cx='{x}' cy='60' r='16' fill='#000'/><circle cx='{over}' cy='60' r='16' fill='#fff'/>");
+    }
+    svg += "</svg>";
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+    let drawing = tactograph::convert(svg.as_bytes(), &options).expect("a page");
+    assert_eq!(drawing.texts, []);
+}
+
 #[test]
 fn ticks_of_a_clock_are_no_text() {
     let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 500 500'><rect width='500' height='500' \
@@ -237,6 +254,7 @@ fn ticks_of_a_clock_are_no_text() {
     assert!(!told.iter().any(|note| note.contains("as fingers cannot read letters")), "{told:?}");
 }
 
+/// The same picture in white on black, and one where text stands upright.
 #[test]
 fn light_letters_and_letters_that_stand_upright_are_text() {
     let canvas = Canvas::labelled_chart();

@@ -51,6 +51,30 @@ fn without_textures_colours_are_not_looked_at() {
     assert!(drawing.page.figure.textures.is_empty());
 }
 
+/// Bars, dots, ticks and large outlines: what is looked for in pixels is letters that paths paint, and none of these can
+/// be one.
+#[test]
+fn in_a_drawing_without_small_outlines_no_letters_are_looked_for() {
+    let skipped_in = |more: &str| {
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='600'><rect width='900' height='600' fill='#fff'/>\
+             <rect x='100' y='200' width='20' height='100' fill='#c22'/><circle cx='200' cy='250' r='9' fill='#22c'/>\
+             <path d='M100 350V365M200 350V365M300 350V365' stroke='#000' stroke-width='3'/>\
+             <circle cx='550' cy='300' r='200' fill='none' stroke='#000' stroke-width='4'/>{more}</svg>"
+        );
+        let mut skipped = Vec::new();
+        page::page_of(svg.as_bytes(), "test", &[], &mut |event| {
+            if let Event::Skip(Stage::Text, why) = event {
+                skipped.push(why);
+            }
+        });
+        skipped
+    };
+    assert_eq!(skipped_in(""), ["no paths are letters"]);
+    let l = "<path d='M700 90h3v9h5v3h-8z'/>";
+    assert_eq!(skipped_in(l), [""; 0], "the bar, the dot and a letter L");
+}
+
 #[test]
 fn without_regions_none_are_looked_for_in_a_photograph() {
     let stages = |settings: &[(&str, &str)]| {

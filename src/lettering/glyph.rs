@@ -22,7 +22,7 @@ pub(super) type PixelPoint = [f32; 2];
 /// Greatest height of a letter, px.
 pub(super) const LARGEST: usize = 72;
 /// Greatest length of a word whose letters touch one another, px.
-const LONGEST: usize = 260;
+pub(super) const LONGEST: usize = 260;
 /// A part with a shorter longer side, px, is no letter.
 const LEAST_SIDE: usize = 4;
 /// A part of fewer pixels is a dot at most.

@@ -28,7 +28,7 @@ use self::look::Look;
 pub use self::straight::{FoundLine, LinePicture};
 use crate::raster::Raster;
 use crate::raster::residue::Polarity;
-use crate::units::{PxPoint, Size};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// Text that was found in a picture.
 #[derive(Debug, Clone, Default)]
@@ -46,6 +46,12 @@ const ROUNDS: usize = 4;
 /// Margin around letters that is erased with them, px, and in heights of letters.
 const MARGIN: usize = 2;
 const MARGIN_OF_HEIGHT: f32 = 0.04;
+
+/// Whether something whose box has these sides, px, may be a letter, or a word whose letters touch one another.
+pub fn may_be_letters(sides: PxVector) -> bool {
+    let [longer, shorter] = [sides.x.max(sides.y), sides.x.min(sides.y)];
+    longer <= (glyph::LONGEST + 1) as f32 && shorter <= (glyph::LARGEST + 1) as f32
+}
 
 impl Lettering {
     /// The text in a picture; of a drawing also where it differs from its ground in colour alone, and short labels.

@@ -5,7 +5,7 @@ use super::progress::{Event, Stage, Watch, run_stage};
 use super::request::{LayoutOf, Request, working_size};
 use super::text_reader::TextReader;
 use crate::edges::PictureKind;
-use crate::lettering::{FoundLine, Lettering};
+use crate::lettering::{self, FoundLine, Lettering};
 use crate::paper::{Capture, Paper};
 use crate::picture::Picture;
 use crate::raster::Raster;
@@ -104,7 +104,11 @@ pub(super) fn read(
     let (known, paper) = run_stage(watch, Stage::Decode, || decoded(given, options))?;
     if options.keep_text {
         watch(Event::Skip(Stage::Text, "letters are drawn"));
-    } else if !known.content.is_uniform() {
+    } else if known.content.is_uniform() {
+        return Ok(known);
+    } else if known.picture.drawing.as_ref().is_some_and(has_no_letters) {
+        watch(Event::Skip(Stage::Text, "no paths are letters"));
+    } else {
         return Ok(run_stage(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
     }
     Ok(known)
@@ -125,7 +129,8 @@ fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Opt
     // a drawing of paths alone was never on paper
     let is_painted = picture.drawing.as_ref().is_some_and(|drawing| drawing.pixel_areas.is_empty());
     let may_be_paper = !is_painted && !options.keep_ground;
-    Ok(match content.is_uniform() || options.keep_text && is_painted {
+    let needs_no_kind = is_painted && (options.keep_text || picture.drawing.as_ref().is_some_and(has_no_letters));
+    Ok(match content.is_uniform() || needs_no_kind {
         true => (Read { picture, content }, None),
         false => on_white_paper(picture, may_be_paper),
     })
@@ -246,30 +251,35 @@ fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOption
     decode::decode_picture(picture, &options).ok().map(|picture| picture.raster)
 }
 
+/// Whether a drawing has paths alone, and none of them can be letters.
+fn has_no_letters(drawing: &VectorDrawing) -> bool {
+    drawing.pixel_areas.is_empty() && !paints_letters(drawing, 1.0 / FINER as f32, |_| true)
+}
+
 /// Whether what was found in the pixels of a drawing may be letters that its paths paint, each by itself: a piece of a
-/// longer outline, such as that of a cloud, is none, and neither are straight strokes alone, such as the ticks of a
-/// clock. `scale` is that of the working picture.
+/// longer outline, such as that of a cloud, is none. `scale` is that of the working picture.
 fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool {
     let DrawnText { min, max, .. } = text(line, String::new(), scale);
     let reach = PxPoint::splat(AROUND_LETTERS * line.height * scale + 1.0).to_vector();
     let (min, max) = (min - reach, max + reach);
     let meets = |area: &PixelArea| area.min.x < max.x && area.max.x > min.x && area.min.y < max.y && area.max.y > min.y;
-    let near = drawing.paths.iter().filter(|painted| {
-        let bounds = painted.path.bounds();
-        meets(&PixelArea {
-            min: PxPoint::new(bounds.left(), bounds.top()),
-            max: PxPoint::new(bounds.right(), bounds.bottom()),
-        })
-    });
     let is_inside =
         |area: &PixelArea| area.min.x >= min.x && area.max.x <= max.x && area.min.y >= min.y && area.max.y <= max.y;
+    drawing.pixel_areas.iter().any(meets) || paints_letters(drawing, scale, is_inside)
+}
+
+/// Whether two parts of paths at least, of those at some place, are as small as letters, and not all of them straight
+/// strokes, such as the ticks of a clock, or bars and dots. The working picture is `scale` times as large
+/// as the one in which letters are looked for.
+fn paints_letters(drawing: &VectorDrawing, scale: f32, is_there: impl Fn(&PixelArea) -> bool) -> bool {
     let (mut letters, mut has_bent) = (0, false);
-    for painted in near {
-        let inside = painted.parts().iter().filter(|area| is_inside(area)).count();
-        letters += inside;
-        has_bent |= inside > 0 && !painted.is_of_straight_strokes();
+    for painted in &drawing.paths {
+        let is_letter = |area: &PixelArea| is_there(area) && lettering::may_be_letters((area.max - area.min) / scale);
+        let count = painted.parts().iter().filter(|area| is_letter(area)).count();
+        letters += count;
+        has_bent |= count > 0 && painted.may_be_letters();
     }
-    drawing.pixel_areas.iter().any(meets) || letters > 1 && has_bent
+    letters > 1 && has_bent
 }
 
 /// How far beyond the box of a text its letters reach, as a share of their height: tails of small letters.

@@ -1,6 +1,6 @@
 //! What a vector drawing is painted with, in pixels of the working picture.
 
-use resvg::tiny_skia::{Path, PathSegment, Stroke};
+use resvg::tiny_skia::{self, Path, PathSegment, Stroke};
 
 use crate::units::{PxPoint, Size};
 
@@ -43,6 +43,30 @@ impl PaintedPath {
         self.stroke.is_some() && is_straight
     }
 
+    /// Whether it may paint letters, of its own or as a piece of them: not if it is nothing but straight strokes, or one
+    /// convex area of one colour, such as a bar or a dot.
+    pub fn may_be_letters(&self) -> bool {
+        let is_of_one_colour = self.stroke.is_none() || self.filled_alike && !self.dashed;
+        !(self.is_of_straight_strokes() || is_of_one_colour && self.is_one_convex_part())
+    }
+
+    /// Whether it has one part, whose control points are the corners of a convex polygon.
+    fn is_one_convex_part(&self) -> bool {
+        let mut corners: Vec<PxPoint> = Vec::new();
+        for segment in self.path.segments() {
+            let points: &[tiny_skia::Point] = match &segment {
+                PathSegment::MoveTo(_) if !corners.is_empty() => return false,
+                PathSegment::MoveTo(at) | PathSegment::LineTo(at) => &[*at],
+                PathSegment::QuadTo(a, at) => &[*a, *at],
+                PathSegment::CubicTo(a, b, at) => &[*a, *b, *at],
+                PathSegment::Close => &[],
+            };
+            corners.extend(points.iter().map(|at| PxPoint::new(at.x, at.y)));
+        }
+        corners.dedup();
+        is_convex(&corners)
+    }
+
     /// The boxes around its parts, each from where its pen is set down to where it is lifted.
     pub fn parts(&self) -> Vec<PixelArea> {
         let mut parts: Vec<PixelArea> = Vec::new();
@@ -69,6 +93,18 @@ impl PaintedPath {
         }
         parts
     }
+}
+
+/// Whether the sides of a closed polygon all turn the same way, once around.
+fn is_convex(corners: &[PxPoint]) -> bool {
+    let next = |i: usize| corners[(i + 1) % corners.len()];
+    let sides: Vec<_> = (0..corners.len()).map(|i| next(i) - corners[i]).filter(|side| side.length() > 0.0).collect();
+    let turns = sides.iter().zip(sides.iter().cycle().skip(1)).map(|(a, b)| a.cross(*b));
+    let (left, right) = turns.fold((0.0_f32, 0.0_f32), |(left, right), turn| (left.min(turn), right.max(turn)));
+    // of one that goes round once, sides point to the right in one stretch
+    let to_right: Vec<bool> = sides.iter().map(|side| side.x > 0.0).collect();
+    let changes = to_right.iter().zip(to_right.iter().cycle().skip(1)).filter(|(a, b)| a != b).count();
+    (left == 0.0 || right == 0.0) && changes <= 2
 }
 
 /// A text of a drawing.
@@ -108,3 +144,6 @@ impl PixelArea {
         self.min.x < size.width as f32 && self.min.y < size.height as f32 && self.max.x > 0.0 && self.max.y > 0.0
     }
 }
+
+#[cfg(test)]
+mod tests;
