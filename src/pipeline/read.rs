@@ -138,7 +138,8 @@ fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Opt
 
 /// What kind of picture it is, and its paper divided out where it may be on paper.
 fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option<Paper>) {
-    let kind = PictureKind::of(&picture.raster, picture.lossy);
+    let kind_of = if picture.drawing.is_none() { PictureKind::of_bitmap } else { PictureKind::of };
+    let kind = kind_of(&picture.raster, picture.lossy);
     if !kind.is_drawing && may_be_paper {
         return (Read { picture: without_rim(picture), content: Content::OfKind(kind) }, None);
     }
@@ -214,7 +215,7 @@ fn without_text(
     // without its letters it may be of another kind, unless it is on paper
     let kind = match paper.and(content.kind()) {
         Some(kind) => Some(kind.again_of(&raster)),
-        None => decoded.drawing.is_none().then(|| PictureKind::of(&raster, decoded.lossy)),
+        None => decoded.drawing.is_none().then(|| PictureKind::of_bitmap(&raster, decoded.lossy)),
     };
     let content = Content::of(&raster, kind);
     Read { picture: decode::Decoded { raster, texts, notes, ..decoded }, content }

@@ -39,13 +39,15 @@ pub(in crate::edges) fn is_drawing(raster: &Raster, noise: f32, lossy: bool) -> 
         return true;
     }
     // what a camera and a compression add goes where pixels are averaged, and the texture of a photograph stays
-    let size = Size::new(raster.size().width / SQUARE, raster.size().height / SQUARE);
-    if noise > NOISY || size.width.min(size.height) < 2 {
-        return false;
-    }
-    let squares = raster.shrunk(size);
+    let Some(squares) = (noise <= NOISY).then(|| shrunk_to_squares(raster)).flatten() else { return false };
     let is_flat = |flatness: Flatness| is_flat(&squares, FLAT_SQUARES, flatness);
     is_flat(in_colour) || lossy && is_flat(Flatness { chroma: LOSSY_CHROMA, share: LOSSY_SHARE, line: LINE })
+}
+
+/// Means of squares of [`SQUARE`] px; none of a picture that is too small for some.
+pub(super) fn shrunk_to_squares(raster: &Raster) -> Option<Raster> {
+    let size = Size::new(raster.size().width / SQUARE, raster.size().height / SQUARE);
+    (size.width.min(size.height) >= 2).then(|| raster.shrunk(size))
 }
 
 /// When a picture counts as flat.

@@ -15,6 +15,7 @@
 
 mod arms;
 mod centre;
+mod cut_out;
 mod flat;
 mod follow;
 mod skeleton;
@@ -23,6 +24,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use self::centre::LONG;
 pub(super) use self::centre::Stroke;
+pub(super) use self::cut_out::is_cut_out;
 pub(super) use self::flat::is_drawing;
 use self::skeleton::{SkeletonNode, SkeletonPath, StrokeMask};
 use super::params::Params;
