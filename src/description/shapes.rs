@@ -2,8 +2,9 @@
 
 use std::f32::consts::FRAC_PI_4;
 
+use crate::geom::form::{Form, OpenForm};
 use crate::geom::ninths::ninth;
-use crate::geom::{nearest_on_segment, polygon, right_of};
+use crate::geom::{nearest_on_segment, polygon};
 use crate::lines::{Arrow, arrows};
 use crate::page::Line;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -13,16 +14,6 @@ use crate::wording::{Value, Wording};
 const ROUND: f32 = 0.88;
 /// A round line has at least this ratio of its narrower to its wider side.
 const AS_WIDE: f32 = 0.84;
-/// An open line is straight if its ends are so far apart, of its length, and it lies nowhere farther off the straight
-/// between them than this share of that, or than a finger finds (`SLACK`). An arc so far off turns by 9 degrees from
-/// end to end, as much as a level line may be off level. The first alone takes an arc that turns by 49 degrees.
-const STRAIGHTNESS: f32 = 0.97;
-const OFF_STRAIGHT: f32 = 0.02;
-/// From so far apart on, of its length, it is told how far the line lies off the straight between its ends; an arc that
-/// turns by 146 degrees. Chosen by us: of a hook that says little.
-const NEARLY_STRAIGHT: f32 = 0.75;
-/// A straight line is level or upright within 10 degrees.
-const LEVEL: f32 = 0.985;
 /// A line is long from this share of the figure's side on.
 const LONG: f32 = 0.6;
 /// Ends nearer than this close a line, mm.
@@ -161,31 +152,23 @@ impl LineShape {
 
     /// The message on an open line, how far it lies off the straight between its ends, mm, and on which side.
     fn form(&self) -> (&'static str, f32, &'static str) {
-        let chord: MmVector = self.path[self.path.len() - 1] - self.path[0];
-        let length = chord.length();
-        let side = right_of(chord) / length.max(f32::MIN_POSITIVE);
-        let off = self.path.iter().map(|at| (*at - self.path[0]).dot(side));
-        let (least, most) = off.fold((0.0_f32, 0.0_f32), |(least, most), off| (least.min(off), most.max(off)));
-        let (limit, far) = (self.slack.max(OFF_STRAIGHT * length), most.max(-least));
-        let farthest = side * (if most >= -least { most } else { least });
-        let is_beside = farthest.x.abs() > farthest.y.abs();
+        let OpenForm { form, off, aside } = OpenForm::of(&self.path, self.length, self.slack);
+        let is_beside = aside.x.abs() > aside.y.abs();
         let way = match is_beside {
-            true if farthest.x < 0.0 => "left",
+            true if aside.x < 0.0 => "left",
             true => "right",
-            false if farthest.y < 0.0 => "up",
+            false if aside.y < 0.0 => "up",
             false => "down",
         };
-        let [dx, dy] = [chord.x, chord.y].map(|along| along.abs() / length.max(f32::MIN_POSITIVE));
-        let form = match far <= limit {
-            true if length < STRAIGHTNESS * self.length => "line-bent",
-            true if dx >= LEVEL => "line-level",
-            true if dy >= LEVEL => "line-upright",
-            true => "line-slanting",
-            false if length < NEARLY_STRAIGHT * self.length => "line-bent",
-            false if most > limit && -least > limit => "line-winding",
-            false => "line-bowed",
+        let message = match form {
+            Form::Level => "line-level",
+            Form::Upright => "line-upright",
+            Form::Slanting => "line-slanting",
+            Form::Bent => "line-bent",
+            Form::Winding => "line-winding",
+            Form::Bowed => "line-bowed",
         };
-        (form, far, way)
+        (message, off, way)
     }
 }
 

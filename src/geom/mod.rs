@@ -3,6 +3,7 @@
 
 pub mod components;
 pub mod distance;
+pub mod form;
 pub mod gridlines;
 pub mod link;
 pub mod nearby;

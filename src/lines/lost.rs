@@ -6,8 +6,9 @@ use super::clearance::LEVEL;
 use super::faint::is_faint;
 use super::params::Params;
 use super::vertex::{Vertex, nearby};
+use crate::geom::form::{Form, OpenForm, from_to};
 use crate::geom::ninths::{NAMES, most_of, ninth};
-use crate::geom::polyline::Polyline;
+use crate::geom::polyline::{self, Polyline};
 use crate::units::{MmPoint, MmRect};
 
 /// What was worth a line and is not drawn: too near to others, or in a drawing too short.
@@ -48,6 +49,20 @@ pub struct LostLine {
     pub closed: bool,
     /// Whether it is thin and pale, as one of a grid.
     pub is_faint: bool,
+    /// What an open line is of which nothing is drawn.
+    pub form: Option<LostForm>,
+}
+
+/// What an open line is that is not drawn: its form, and from where to where it leads, in words or none.
+pub type LostForm = (Form, &'static str);
+
+/// How far a line may lie off the straight between its ends and be told as straight, mm, as where it is described.
+const SLACK: f32 = 1.0;
+
+/// What a line along a path is; none of one that comes back to where it began.
+pub(crate) fn lost_form(path: &[MmPoint]) -> Option<LostForm> {
+    let (first, last) = (path.first()?, path.last()?);
+    (first != last).then(|| (OpenForm::of(path, polyline::length(path), SLACK).form, from_to(path)))
 }
 
 /// A line of which less than this share is drawn is gone.
@@ -69,8 +84,10 @@ pub(super) fn gone<'a>(
     }
     let lines = lines.iter().zip(kept).map(|(line, kept)| (line, line.length(), kept));
     let gone = lines.filter(|(_, length, kept)| *kept < GONE * length).map(|(line, length, _)| {
-        let extent = MmRect::from_points(line.vertices.iter().map(|vertex| vertex.at));
-        LostLine { extent, length, closed: line.closed, is_faint: is_faint(line) }
+        let path: Vec<MmPoint> = line.vertices.iter().map(|vertex| vertex.at).collect();
+        let form = if line.closed { None } else { lost_form(&path) };
+        let extent = MmRect::from_points(&path);
+        LostLine { extent, length, closed: line.closed, is_faint: is_faint(line), form }
     });
     gone.collect()
 }
@@ -101,7 +118,7 @@ pub(super) fn gaps<'a>(
             |run: &[(bool, MmPoint)]| -> f32 { run.windows(2).map(|pair| (pair[1].1 - pair[0].1).length()).sum() };
         let (length, run) = runs.map(|run| (length(run), run)).max_by(|a, b| a.0.total_cmp(&b.0))?;
         let extent = MmRect::from_points(run.iter().map(|(_, at)| *at));
-        let lost = LostLine { extent, length: length + 2.0 * STANDS, closed: true, is_faint: false };
+        let lost = LostLine { extent, length: length + 2.0 * STANDS, closed: true, is_faint: false, form: None };
         let share = drawn.iter().filter(|is_drawn| **is_drawn).count() as f32 / count as f32;
         (lost.length > GAP && share >= GONE && !is_faint(line)).then_some(lost)
     };

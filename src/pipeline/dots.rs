@@ -11,7 +11,7 @@ use crate::dots;
 use crate::dots::ShownScale;
 use crate::edges::Edges;
 use crate::geom::polygon::holds_box;
-use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKind, TickMark};
+use crate::lines::{GONE, Line, Lines, LostLine, LostScale, LostSign, Run, SignKind, TickMark, lost_form};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, Medium, Page, Parts, Texture, frame, which_are_weak};
 use crate::profile::Plan;
@@ -51,12 +51,7 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
         .collect();
     let mut lost = drawn.lost.keeping(kept_of((&drawn.lines, &shares), &lines, area, medium.pitch));
     let gone = drawn.lines.iter().zip(&shares).filter(|(line, share)| **share < GONE && !is_small_ring(line));
-    lost.gone.extend(gone.map(|(line, _)| LostLine {
-        extent: extent(line),
-        length: line.length(),
-        closed: false,
-        is_faint: false,
-    }));
+    lost.gone.extend(gone.map(|(line, _)| gone_line(line)));
     let open = open_rings::gaps(&drawn.lines, &lines, &stand_for, [params.pitch, params.centres()]);
     // of a photograph a small gap says little
     let of_drawing = edges.of_drawing();
@@ -71,6 +66,13 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     // beside those whose ticks are lines, as on a page of few shapes
     lost.scales.extend(drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks));
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
+}
+
+/// A line of which no dots are left.
+fn gone_line(line: &Line) -> LostLine {
+    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let (extent, length, form) = (extent(line), line.length(), lost_form(&path));
+    LostLine { extent, length, closed: false, is_faint: false, form }
 }
 
 /// Whether contours are the paths of a vector drawing, each of one strength: those in pixels are stronger in parts.
@@ -220,7 +222,10 @@ fn lost_of_ring((line, share): (&Line, &f32)) -> Option<LostLine> {
     let is_closed = is_small || line.runs.iter().any(|run| run.closed);
     let least = if is_small { WHOLE } else { WHOLE_RING };
     let length = (1.0 - share) * line.length();
-    (is_closed && *share < least).then(|| LostLine { extent: extent(line), length, closed: true, is_faint: false })
+    (is_closed && *share < least).then(|| {
+        let extent = extent(line);
+        LostLine { extent, length, closed: true, is_faint: false, form: None }
+    })
 }
 
 /// A closed line of which less than this share becomes dots is open: less is lost where lines meet.

@@ -42,7 +42,7 @@ pub(super) fn gaps(
         let longest = open.filter(|(end, _)| !is_at_other(*end));
         let (end, gap) = longest.max_by(|(_, a), (_, b)| a.length().total_cmp(&b.length()))?;
         let extent = MmRect::from_points([end, end + gap]);
-        Some(LostLine { extent, length: gap.length(), closed: true, is_faint: false })
+        Some(LostLine { extent, length: gap.length(), closed: true, is_faint: false, form: None })
     };
     lines.iter().enumerate().map(gap).collect()
 }

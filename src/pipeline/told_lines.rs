@@ -6,6 +6,7 @@ use super::lost_signs::is_small;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::Edges;
+use crate::geom::form::Form;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::{ALONG, nearest_on_segment, polyline};
 use crate::lines::{Beyond, Line, Lines, Lost, LostLine};
@@ -114,14 +115,31 @@ fn around(at: MmPoint) -> String {
     format!("around {:.0}, {:.0} mm from the left and the top of the sheet", at.x, at.y)
 }
 
+/// What an open line is, in the words of a page that has it: `a bent line from lower left to upper right, `; nothing of
+/// others.
+fn kind(line: &LostLine) -> String {
+    let Some((form, from_to)) = line.form else { return String::new() };
+    match form {
+        Form::Level => "a straight level line, ".to_owned(),
+        Form::Upright => "a straight upright line, ".to_owned(),
+        Form::Slanting => format!("a straight slanting line {from_to}, "),
+        Form::Winding => format!("a winding line {from_to}, "),
+        Form::Bowed => format!("a bent line {from_to}, "),
+        Form::Bent if from_to.is_empty() => "a bent line, ".to_owned(),
+        Form::Bent => format!("a bent line {from_to}, "),
+    }
+}
+
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
 fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
     let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
     let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
+    let kind = kind(longest);
     let (lines, which, them) = match gone().count() {
-        1 => ("1 line as a whole".to_owned(), "", "it"),
-        count => (format!("{count} lines as a whole"), "the longest ", "them"),
+        1 => ("1 line as a whole".to_owned(), kind, "it"),
+        count if kind.is_empty() => (format!("{count} lines as a whole"), "the longest ".to_owned(), "them"),
+        count => (format!("{count} lines as a whole"), format!("the longest, {kind}"), "them"),
     };
     let beside = beside_gone(&gone().collect::<Vec<_>>(), drawn, texts);
     let named = match beside.len() {

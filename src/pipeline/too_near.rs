@@ -11,7 +11,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::ninths::ninth;
 use crate::legibility::{MediumLimits, Near, RuleLimits, near_lines, short_lines};
-use crate::lines::{GAP, Line, Lines, LostLine, LostSign, Pen, Run, SignKind, arrows};
+use crate::lines::{GAP, Line, Lines, LostLine, LostSign, Pen, Run, SignKind, arrows, lost_form};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -271,7 +271,7 @@ fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules:
         if line.goes_round() && length > GAP {
             drawn.lost.rings += usize::from(rules.whole_rings);
             let extent = MmRect::from_points(stretch.iter().map(|place| place.at));
-            drawn.lost.gaps.push(LostLine { extent, length, closed: true, is_faint: false });
+            drawn.lost.gaps.push(LostLine { extent, length, closed: true, is_faint: false, form: None });
         }
     }
     let rows: Vec<_> = stretches(&is_out, false).collect();
@@ -352,7 +352,9 @@ fn tell_gone(line: &Line, drawn: &mut Lines, rules: &Rules<'_>) {
     if closed && is_small(extent) && matches!(rules.medium, Medium::Dots(_)) {
         lost.signs.push(LostSign { at: extent.center(), kind: SignKind::Ring });
     }
-    lost.gone.push(LostLine { extent, length, closed, is_faint: false });
+    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let form = if closed { None } else { lost_form(&path) };
+    lost.gone.push(LostLine { extent, length, closed, is_faint: false, form });
 }
 
 #[cfg(test)]

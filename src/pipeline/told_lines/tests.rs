@@ -1,7 +1,7 @@
 //! Tests of `told_lines`.
 
 use super::*;
-use crate::lines::{LostLine, Run};
+use crate::lines::{LostLine, Run, lost_form};
 use crate::units::MmRect;
 
 #[test]
@@ -11,6 +11,7 @@ fn closed_outlines_that_are_open_on_the_page_are_told() {
         length,
         closed: true,
         is_faint: false,
+        form: None,
     };
     let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }).map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
@@ -28,6 +29,7 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
         length,
         closed,
         is_faint: false,
+        form: None,
     };
     let told = |gone: Vec<LostLine>| {
         let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
@@ -39,6 +41,28 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     assert!(hand.contains("1 line as a whole (36 mm long, around 38, 40 mm from the left"), "{hand}");
     let two = told(vec![line(20.0, 12.0, false), line(50.0, 30.0, true)]).expect("two");
     assert!(two.contains("2 lines as a whole (the longest 30 mm long, around 65, 40 mm from the left"), "{two}");
+}
+
+#[test]
+fn a_line_that_is_gone_is_told_with_its_form() {
+    let line = |points: &[(f32, f32)]| {
+        let path: Vec<MmPoint> = points.iter().map(|&at| MmPoint::from(at)).collect();
+        let (extent, length) = (MmRect::from_points(&path), polyline::length(&path));
+        LostLine { extent, length, closed: false, is_faint: false, form: lost_form(&path) }
+    };
+    let told = |gone: Vec<LostLine>| {
+        let lost = Lost { wanted: 1000.0, lost: 100.0, gone, ..Lost::default() };
+        told_gone(&lost, &[], &[]).map_or_else(String::new, |note| note.to_string())
+    };
+    let curve = line(&[(20.0, 80.0), (50.0, 74.0), (80.0, 40.0)]);
+    let one = told(vec![curve]);
+    assert!(one.contains("1 line as a whole (a bent line from lower left to upper right, 76 mm long, around"), "{one}");
+    let two = told(vec![curve, line(&[(20.0, 30.0), (110.0, 31.0)])]);
+    assert!(two.contains("2 lines as a whole (the longest, a straight level line, 90 mm long, around"), "{two}");
+    let hook = told(vec![line(&[(20.0, 30.0), (60.0, 30.0), (60.0, 40.0), (25.0, 40.0)])]);
+    assert!(hook.contains("1 line as a whole (a bent line, 85 mm long, around"), "{hook}");
+    let round = lost_form(&[(20.0, 30.0), (60.0, 30.0), (40.0, 50.0), (20.0, 30.0)].map(MmPoint::from));
+    assert_eq!(round, None, "it comes back to where it began");
 }
 
 #[test]
@@ -58,6 +82,7 @@ fn a_line_that_is_gone_is_told_with_the_text_that_is_nearest_to_it() {
         length: 24.0,
         closed: false,
         is_faint: false,
+        form: None,
     };
     let beside_door = |texts: &[Text]| near_text(&door, texts);
     assert_eq!(beside_door(&[text("Garden", 10.0), text("Dining room", 52.0)]), ", near \"Dining room\"");
