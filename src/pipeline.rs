@@ -52,6 +52,7 @@ mod told_given;
 mod told_labels;
 mod told_lines;
 mod too_near;
+mod torn_lines;
 pub mod trace;
 mod typed;
 mod unwritten;

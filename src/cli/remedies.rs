@@ -182,6 +182,7 @@ fn wants_room(reason: Reason) -> bool {
             | Reason::MarksTooShort
             | Reason::NoRoomForShape
             | Reason::NoRoomForLine
+            | Reason::LineInPieces
     )
 }
 

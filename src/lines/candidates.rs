@@ -10,6 +10,7 @@ use super::outlines::{Outlines, Rank};
 use super::params::{PagePart, Params};
 use super::points::{self, Point};
 use super::standing::StandingEnds;
+use super::tears::torn;
 use super::ticks::{ThinnedScale, alone, crossbars};
 use super::vertex::{Vertex, nearby};
 use super::{arrowheads, centreline, faint, few, join, lead_on, links, saliency, ticks, weight};
@@ -110,7 +111,8 @@ impl LineCandidates {
         // elsewhere lines may be longer than they were
         let may_be_open = is_told && lost.by_place.iter().any(|mm| *mm >= STANDS);
         let gaps = if may_be_open { gaps(&contours, polylines(), area, params) } else { Vec::new() };
-        Lost { gone, gaps, gridlines: self.gridlines, scales: self.lost_scales.clone(), ..lost }
+        let torn = if may_be_open { torn(&contours, polylines(), area, params) } else { Vec::new() };
+        Lost { gone, gaps, torn, gridlines: self.gridlines, scales: self.lost_scales.clone(), ..lost }
     }
 }
 

@@ -34,6 +34,8 @@ pub struct Lost {
     pub gone: Vec<LostLine>,
     /// The gaps in closed lines of a drawing that are open on the page.
     pub gaps: Vec<LostLine>,
+    /// What is missing of open lines of a drawing of which pieces are drawn.
+    pub torn: Vec<LostLine>,
     /// How many lines a grid has that is left out as a whole: a squared one that is torn on dots, and any in overviews.
     pub gridlines: usize,
 }

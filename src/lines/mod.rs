@@ -30,6 +30,7 @@ mod points;
 mod row_marks;
 mod saliency;
 mod standing;
+mod tears;
 mod ticks;
 mod vertex;
 mod weight;
@@ -59,6 +60,7 @@ use outlines::Rank;
 pub(crate) use params::{APPROACH_OF_DRAWINGS, CLUSTER_APPROACH};
 pub use params::{LineMedium, PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
+pub(crate) use tears::{TORN, TearParams, tears};
 pub(crate) use ticks::selections::{MOST_BLOCKED, tick_selections};
 
 use crate::edges::{ChainRange, Edges};

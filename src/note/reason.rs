@@ -145,6 +145,8 @@ reasons! {
     NoRoomForLine => "no-room-for-line",
     /// A closed outline is open, as a piece of it has no room.
     OutlineOpen => "outline-open",
+    /// A line is in pieces, as some of it has no room.
+    LineInPieces => "line-in-pieces",
     /// A small closed shape has no room.
     NoRoomForShape => "no-room-for-shape",
     /// An arrowhead has no room.

@@ -5,6 +5,7 @@ use super::kept_lines;
 use super::lost_signs::{MOVED, extent, is_small_ring, kind};
 use super::open_rings;
 use super::request::Request;
+use super::torn_lines::torn;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
@@ -55,6 +56,9 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     let open = open_rings::gaps(&drawn.lines, &lines, &stand_for, [params.pitch, params.centres()]);
     // of a photograph a small gap says little
     let of_drawing = edges.of_drawing();
+    if of_drawing {
+        lost.torn.extend(torn((&drawn.lines, &shares), (&lines, &stand_for), area, params.pitch, least_strength));
+    }
     let open = open.into_iter().map(|gap| gap.filter(|_| of_drawing));
     let rings = drawn.lines.iter().zip(&shares).zip(open).filter(|(of, _)| *of.1 >= GONE && !is_lost_sign(of));
     lost.gaps.extend(rings.filter_map(|(of, gap)| lost_of_ring(of).or(gap)));

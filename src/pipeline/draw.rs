@@ -31,8 +31,7 @@ use super::texts::{self, Text, placed};
 use super::told_bars::{self, BarStyle};
 use super::told_given::{told_short, told_words};
 use super::told_lines::{
-    left_out, told_beside_added, told_cut, told_dashed, told_left_out, told_opened, told_overlaid, told_simplified,
-    told_whole,
+    left_out, told_beside_added, told_cut, told_dashed, told_of_lost, told_opened, told_overlaid, told_simplified,
 };
 use super::too_near::{self, Rules};
 use super::words::{Words, become_labels};
@@ -220,7 +219,7 @@ pub(super) fn draw(
 
 /// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.
 fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, plan: &Plan) -> Vec<Note> {
-    let left_out = told_left_out(drawn, edges, layout).into_iter().chain(told_whole(drawn, texts));
+    let left_out = told_of_lost(drawn, edges, texts, layout);
     let has_lines = plan.profile().figure.lines;
     let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
     left_out.chain(lost_marks::told(&drawn.lost, plan)).chain(otherwise).collect()

@@ -71,10 +71,26 @@ fn is_larger_turned(layout: &Layout) -> bool {
 /// as it is high.
 const WIDE: f32 = 1.2;
 
-/// What the maker is told of lines of a drawing that are not on the page as a whole.
-pub(super) fn told_whole(drawn: &Lines, texts: &[Text]) -> impl Iterator<Item = Note> {
+/// What the maker is told of contours that are not drawn, and of lines of a drawing that are not whole on the page.
+/// Where what is missing of torn lines is all that is left out but for a little, only these are told.
+pub(super) fn told_of_lost(
+    drawn: &Lines,
+    edges: &Edges,
+    texts: &[Text],
+    layout: &Layout,
+) -> impl Iterator<Item = Note> {
     let lost = &drawn.lost;
-    told_gone(lost, &drawn.lines, texts).into_iter().chain(told_gaps(lost)).chain(told_gridlines(lost))
+    let is_all = is_all_of_torn(lost, least_told(&layout.medium, lost.wanted));
+    let left_out = told_left_out(drawn, edges, layout);
+    let left_out = left_out.filter(|note| !(is_all && matches!(note, Note::LinesLeftOut { .. })));
+    let whole = told_gone(lost, &drawn.lines, texts).into_iter().chain(told_gaps(lost)).chain(told_torn(lost, texts));
+    left_out.into_iter().chain(whole).chain(told_gridlines(lost))
+}
+
+/// Whether what is missing of torn lines is all that is left out, but for less than so much, mm.
+fn is_all_of_torn(lost: &Lost, least: f32) -> bool {
+    let torn: f32 = lost.torn.iter().map(|line| line.length).sum();
+    torn > 0.0 && of_lines(lost) - torn < least
 }
 
 /// A text stands beside a line no farther from it than this, mm.
@@ -166,6 +182,25 @@ fn told_gaps(lost: &Lost) -> Option<Note> {
         around(at)
     );
     Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
+}
+
+/// What the maker is told of open lines of a drawing of which pieces are on the page.
+fn told_torn(lost: &Lost, texts: &[Text]) -> Option<Note> {
+    let longest = lost.torn.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let (at, mm, near) = (longest.extent.center(), longest.length, near_text(longest, texts));
+    let (pieces, which, them, goes_on) = match lost.torn.len() {
+        1 => ("a piece of a line whose other pieces are drawn".to_owned(), "", "it", "the line goes on"),
+        count => {
+            let pieces = format!("{count} pieces of lines whose other pieces are drawn");
+            (pieces, "the longest ", "them", "the lines go on")
+        }
+    };
+    let told = format!(
+        "{pieces} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines; make the figure \
+         larger, or say in a label how {goes_on}",
+        around(at)
+    );
+    Some(Note::NotOnPage(About::Lines, Reason::LineInPieces, told))
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.

@@ -23,6 +23,32 @@ fn closed_outlines_that_are_open_on_the_page_are_told() {
 }
 
 #[test]
+fn pieces_that_are_missing_of_open_lines_are_told_and_not_once_more_by_their_length() {
+    let piece = |x: f32, length: f32| LostLine {
+        extent: MmRect::new((x, 40.0).into(), (x + length, 60.0).into()),
+        length,
+        closed: false,
+        is_faint: false,
+        form: None,
+    };
+    let told = |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[]).map(|note| note.to_string());
+    assert_eq!(told(vec![]), None);
+    let one = told(vec![piece(20.0, 16.0)]).expect("a curve");
+    let place = "around 28, 50 mm from the left and the top of the sheet";
+    assert!(one.contains(&format!("a piece of a line whose other pieces are drawn (16 mm long, {place})")), "{one}");
+    let two = told(vec![piece(20.0, 16.0), piece(60.0, 20.0)]).expect("two");
+    assert!(
+        two.contains("2 pieces of lines whose other pieces are drawn (the longest 20 mm long, around 70, 50"),
+        "{two}"
+    );
+    let is_all =
+        |lost: f32, torn: Vec<LostLine>| is_all_of_torn(&Lost { wanted: 900.0, lost, torn, ..Lost::default() }, 10.0);
+    assert!(is_all(40.0, vec![piece(20.0, 16.0), piece(60.0, 20.0)]));
+    assert!(!is_all(60.0, vec![piece(20.0, 16.0), piece(60.0, 20.0)]), "24 mm more are left out");
+    assert!(!is_all(4.0, vec![]), "no line is torn");
+}
+
+#[test]
 fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     let line = |x: f32, length: f32, closed: bool| LostLine {
         extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
