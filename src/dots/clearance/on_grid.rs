@@ -367,7 +367,8 @@ impl OccupiedDots {
             let is_crossed =
                 || before.is_some_and(|before| crosses(before, stretch)) && self.is_on_both_sides(dots, steps);
             let (meets_end, mut range) = (self.meets_end(dots), stretch.clone());
-            match pieces.last_mut().filter(|_| self.is_steep(dots) && (meets_end || is_crossed())) {
+            let is_soon_left = || self.is_steep(dots) || !meets_end && self.has_short_arms(dots, steps);
+            match pieces.last_mut().filter(|_| is_soon_left() && (meets_end || is_crossed())) {
                 // the other line ends beside it and shares no dot with it: it is not interrupted
                 Some((last, _)) if meets_end && !steps.contains(&Some(0)) => {
                     last.end = range.end;
@@ -434,9 +435,18 @@ impl OccupiedDots {
     /// Whether these dots of a line, which are too near to others, are near to a single piece of a line, and the line
     /// is soon away from it: at more than about 45 degrees.
     fn is_steep(&self, cut: &[GridDot]) -> bool {
+        cut.len() <= longest_steep_cut(self.gap as u32) as usize && self.is_near_one(cut)
+    }
+
+    fn is_near_one(&self, cut: &[GridDot]) -> bool {
         let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.piece_of.get(&near));
-        let others: BTreeSet<usize> = near.copied().collect();
-        others.len() == 1 && cut.len() <= longest_steep_cut(self.gap as u32) as usize
+        near.copied().collect::<BTreeSet<usize>>().len() == 1
+    }
+
+    /// Whether of dots that are near to a single piece no more lie on either side of it than beside an end that joins.
+    fn has_short_arms(&self, cut: &[GridDot], steps: &[Option<i32>]) -> bool {
+        let (met, longest) = (met(steps), longest_approach(self.gap as u32) as usize);
+        met.start.max(cut.len() - met.end) <= longest && self.is_near_one(cut)
     }
 
     /// Whether the line that these dots are near to, by so many steps, is on both sides of them, or shares one.

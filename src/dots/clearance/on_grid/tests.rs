@@ -156,6 +156,10 @@ fn a_line_that_crosses_another_steeply_keeps_its_dots() {
     let upright: Vec<GridDot> = (-9..10).map(|y| [3, y]).collect();
     let halves = pieces(&taken, &upright, false);
     assert_eq!(halves, [(upright[..9].to_vec(), false), (upright[10..].to_vec(), false)]);
+    // at 30 degrees, as an end that joins
+    let slanting: Vec<GridDot> = (-19..20).map(|x: i32| [x, (0.58 * x as f32).round() as i32]).collect();
+    let halves = pieces(&taken, &slanting, false);
+    assert_eq!(halves, [(slanting[..19].to_vec(), false), (slanting[20..].to_vec(), false)]);
     let flat: Vec<GridDot> = (-19..20).map(|x| [x, x / 3]).collect();
     let left = pieces(&taken, &flat, false);
     assert!(!left.is_empty() && left.iter().all(|(cells, _)| cells.iter().all(|cell| cell[1].abs() > 2)));
