@@ -56,7 +56,7 @@ pub struct LostLine {
 }
 
 /// What an open line is that is not drawn: its form, and from where to where it leads, in words or none.
-pub type LostForm = (Form, &'static str);
+pub(super) type LostForm = (Form, &'static str);
 
 /// How far a line may lie off the straight between its ends and be told as straight, mm, as where it is described.
 const SLACK: f32 = 1.0;

@@ -90,7 +90,7 @@ pub(super) fn torn<'a>(
             return Vec::new();
         }
         let path: Vec<MmPoint> = line.vertices.iter().map(|vertex| vertex.at).collect();
-        tears(&path, &pieces, &is_near, TearParams { reach, least: TORN })
+        tears(&path, &pieces, is_near, TearParams { reach, least: TORN })
     };
     lines.iter().zip(piece_at).zip(kept).flat_map(torn).collect()
 }

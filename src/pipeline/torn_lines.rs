@@ -43,7 +43,7 @@ pub(super) fn torn(
                 }
             }
         }
-        tears(&path, &piece_at, &is_near, params)
+        tears(&path, &piece_at, is_near, params)
     };
     (0..lines.len()).flat_map(of_line).collect()
 }
