@@ -34,7 +34,7 @@ const BEYOND: f32 = 10.0;
 /// Blank between a label and its own leader line, mm.
 pub(super) const BEFORE_LEADER: f32 = 3.0;
 /// A leader line that begins at a corner leads away from its label if it begins at least this far from the label, as a
-/// share of that blank: another runs along it.
+/// share of that blank, and no nearer than [`Params::least_before_leader`]: another runs along it.
 const LEAVES_LABEL: f32 = 0.7;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
 const FROM_POINT: f32 = 2.0;
@@ -323,12 +323,13 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
         return None;
     }
     let side = around.own_side();
+    let least = (LEAVES_LABEL * BEFORE_LEADER).max(around.params.least_before_leader) + around.leader_off();
     let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
     let segments = starts
         .filter(|from| !room.is_parted(*from, tip, end))
         .filter(|from| side.is_none_or(|side| !room.is_parted_from_text(*from, side, 0.0)))
         .filter_map(|from| leader_from(from, tip, around.leader_off()))
-        .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER + around.leader_off());
+        .filter(|[from, _]| distance_to_box(*from, place) >= least);
     segments
         .into_iter()
         .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))

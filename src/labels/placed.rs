@@ -46,6 +46,9 @@ pub struct Params {
     pub dot_pitch: f32,
     /// How far the marks of a leader line lie off its straight segment, at most, mm: on a grid they stand on its dots.
     pub leader_off: f32,
+    /// Least distance from a label to where the middle of its own leader line begins, mm, besides that: the check of a
+    /// page asks for blank before its ink.
+    pub least_before_leader: f32,
     /// Breadth of the line of an outline across it, at most, mm, along a slanted way.
     pub widest_outline: f32,
 }
@@ -72,6 +75,7 @@ impl Params {
             step: 0.5,
             dot_pitch: 0.0,
             leader_off: 0.0,
+            least_before_leader: 2.375,
             widest_outline: 3.0,
         }
     }

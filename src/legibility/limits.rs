@@ -68,7 +68,7 @@ const _: () = assert!(Class::COUNT <= MOST_TEXTURES, "a page of all classes woul
 pub(super) const BRAILLE_GAP: f32 = 3.0;
 /// Least blank between a label and its own leader line, mm. Chosen by us: nearer the line's end is felt as one of the
 /// dots of a letter, which are 2.5 mm apart.
-pub(super) const OWN_LEADER_GAP: f32 = 2.0;
+pub(crate) const OWN_LEADER_GAP: f32 = 2.0;
 /// Least side of a closed shape that an overview must show, in its own mm: a fingertip's width. Smaller ones are left
 /// to the figure.
 pub(super) const SHAPE: f32 = 12.0;

@@ -43,7 +43,7 @@ pub(crate) use leaders::{
     LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER, is_shut_in,
 };
 use limits::CELL;
-pub(crate) use limits::LEADER_END;
+pub(crate) use limits::{LEADER_END, OWN_LEADER_GAP};
 pub use limits::{MediumLimits, RuleLimits};
 pub use overview::told_left_out;
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};

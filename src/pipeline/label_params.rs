@@ -5,7 +5,7 @@ use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 use super::label::CLEARANCE;
 use crate::devices::DotArea;
 use crate::labels::{FROM_KEPT_LEADER, Params};
-use crate::legibility::LEADER_FROM_BRAILLE;
+use crate::legibility::{LEADER_FROM_BRAILLE, OWN_LEADER_GAP};
 use crate::page::Medium;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
@@ -58,11 +58,11 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
     };
     let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
     let texture_clearance = blank_to_signs(&layout.medium);
-    // the dots of a leader line reach half a step further than those of a label, and lie up to half of the diagonal of
-    // four dots off its place
-    let leader_off = match &layout.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
+    // a stroke reaches nearer to its label than its middle by half of its width; the dots of a leader line reach half a
+    // step further than those of a label, and lie up to half of the diagonal of four dots off its place
+    let (leader_off, least_before_leader) = match &layout.medium {
+        Medium::Print(_) => (0.0, OWN_LEADER_GAP + 0.5 * plan.lines().width_min),
+        Medium::Dots(dots) => (0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2, OWN_LEADER_GAP),
     };
     let (dot_pitch, least_texture) = match &layout.medium {
         Medium::Print(_) => (0.0, 0.0),
@@ -94,6 +94,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         step,
         dot_pitch,
         leader_off,
+        least_before_leader,
         widest_outline,
     }
 }

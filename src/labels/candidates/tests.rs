@@ -349,3 +349,19 @@ fn a_label_that_lost_its_leader_line_stands_in_no_shape_without_another() {
     assert_eq!(is_led(138.0, 143.0), Some(false), "as near outside of the shape");
     assert_eq!(is_led(100.0, 110.0), Some(false), "its tip names what is inside");
 }
+
+/// From a corner it may lead back along the label, to which its ink is nearer than its middle by half of its width.
+#[test]
+fn a_leader_line_from_a_corner_keeps_its_ink_off_its_label() {
+    // bars the straight way from the nearest point of the label, and that from the corner on the right
+    let bar = room(&[(98.0, 112.0), (104.0, 112.0)], false);
+    let label = [at(100.0, 100.0)];
+    let begins = |least_before_leader: f32| {
+        let params = Params { may_cross: false, least_before_leader, ..params() };
+        let found = placed(&label, box_at(82.0, 120.0), &bar, &params);
+        found.and_then(|found| found.leader()).map(|[from, _]| (from.y * 10.0).round())
+    };
+    // 18 mm to the right and 20 up from the corner on the left
+    assert_eq!(begins(2.0), Some(1178.0), "2.2 mm above the label");
+    assert_eq!(begins(2.375), None, "a line of 0.75 mm is less than 2 mm from it");
+}
