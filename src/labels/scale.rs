@@ -7,6 +7,8 @@ const OFF: f32 = 0.3;
 const UNEVEN: f64 = 0.01;
 /// Most characters of a unit behind a number, such as "°C" or "km/h".
 const UNIT: usize = 6;
+/// Units of lengths.
+const LENGTHS: [&str; 8] = ["mm", "cm", "dm", "m", "km", "in", "ft", "yd"];
 /// Fewest numbers that are a scale. Two are one only where both stand at lines (`groups`).
 const FEWEST: usize = 2;
 
@@ -36,6 +38,12 @@ pub(super) fn steps(texts: &[&str], positions: &[f32]) -> Option<Vec<i64>> {
 /// Whether a text is a number, with or without a unit.
 pub(super) fn is_number(text: &str) -> bool {
     value(text).is_some()
+}
+
+/// Whether a text is the length of something, such as "6 cm" or "h = 4 cm".
+pub(super) fn is_length(text: &str) -> bool {
+    let number = text.rsplit('=').next().unwrap_or(text);
+    value(number).is_some_and(|(_, unit)| LENGTHS.contains(&unit))
 }
 
 /// A number without its unit; none if it has none.

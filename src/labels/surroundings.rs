@@ -4,6 +4,7 @@ use super::angles::{self, Angle};
 use super::groups::GroupDirection;
 use super::placed::{Params, Wanted};
 use super::room::{FURTHEST_OUTLINE, Room};
+use super::scale;
 use super::shape::Shape;
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::{nearest_on_segment, segment_distance};
@@ -142,16 +143,17 @@ impl<'a> Surroundings<'a> {
         let angle = angle.filter(|angle| !is_point || (angle.vertex - at).length() > AT_VERTEX);
         // a small ring around a point, such as a town on a map, is what it names
         let ring = if is_point && angle.is_none() { room.shut_in(at, LARGEST_RING) } else { None };
-        let tip =
-            if is_point || angle.is_some() { at } else { room.line_beside(anchor, BESIDE_LINE, NEAR).unwrap_or(at) };
+        let tip = if is_point || angle.is_some() { at } else { line_beside(label, anchor, room).unwrap_or(at) };
         let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
         let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
         let is_text = !is_point && label.lost_leader.is_none();
-        let is_shut_in = is_text && room.is_in_room(at, FURTHEST_OUTLINE);
         // what is written across the lines of a grid stands in none of its squares
         let cell = if is_text { room.cell_around(at) } else { None };
         let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
         let cell = cell.filter(|cell| is_around(cell) && !is_squared_paper(*cell, wanted, room));
+        // the length of a side is none of the shape that it stands in; in a rectangle it may be the value of a bar
+        let is_of_side = tip != at && cell.is_none() && scale::is_length(&label.text);
+        let is_shut_in = || is_text && !is_of_side && room.is_in_room(at, FURTHEST_OUTLINE);
         let side = (tip != at && is_blank(at)).then(|| {
             let to_text = at - tip;
             tip + to_text.normalize() * to_text.length().min(OFF_LINE)
@@ -159,7 +161,7 @@ impl<'a> Surroundings<'a> {
         let names = if is_point {
             Named::Point { is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR) }
         } else {
-            let shut_in = is_shut_in.then_some(ShutIn { side });
+            let shut_in = is_shut_in().then_some(ShutIn { side });
             Named::Text { line_on: room.comes_up_to(anchor, BESIDE_TEXT), shut_in }
         };
         Self {
@@ -349,6 +351,14 @@ impl<'a> Surroundings<'a> {
             gap > own || gap >= own && middle >= from_middle
         })
     }
+}
+
+/// The place of the line to which a text belongs that stands beside it: that of a length may be a thin one, such as the
+/// height of a triangle, but no gridline.
+fn line_beside(label: &Wanted, anchor: MmRect, room: &Room) -> Option<MmPoint> {
+    let is_on_grid = || room.interrupts_grid(anchor.inflate(BESIDE_LINE, BESIDE_LINE));
+    let is_of_any = scale::is_length(&label.text) && !is_on_grid();
+    room.line_beside(anchor, BESIDE_LINE, if is_of_any { 0.0 } else { NEAR })
 }
 
 /// Whether a box of lines with a text is a square of squared paper, on which letters stand beside what is drawn over

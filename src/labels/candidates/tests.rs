@@ -383,3 +383,18 @@ fn a_leader_line_beside_a_line_is_worse_than_one_by_itself() {
     assert!((cost(&[(80.0, 105.0), (140.0, 105.0)]) - alone).abs() < 0.01, "as far off as a label");
     assert!((cost(&[(112.0, 103.0), (112.0, 150.0)]) - alone).abs() < 0.01, "past the end of a line");
 }
+
+/// "6 cm" inside of a triangle, beside a leg, would say with a leader line to another side how long that is.
+#[test]
+fn a_length_is_led_to_the_side_that_it_stands_at() {
+    let shape = room(&[(60.0, 150.0), (60.0, 80.0), (90.0, 65.0), (90.0, 150.0)], true);
+    let anchor = MmRect::new(MmPoint::new(63.0, 108.0), MmPoint::new(72.0, 113.0));
+    let ends = |text: &str, x: f32| {
+        let label = Wanted { text: text.to_owned(), ..named(anchor) };
+        let params = Params { may_cross: false, ..params() };
+        placed(&[label], box_at(x, 107.5), &shape, &params).map(|found| found.leader().map(|[_, to]| to.x.round()))
+    };
+    assert_eq!(ends("word", 101.0), Some(Some(91.0)), "it names the shape");
+    assert_eq!(ends("6 cm", 101.0), None, "of the other side it is no length");
+    assert!(ends("6 cm", 29.0).flatten().is_some_and(|x| (58.0..62.0).contains(&x)), "from beyond its own");
+}

@@ -40,3 +40,9 @@ fn a_number_may_stand_a_little_aside() {
     assert_eq!(steps(&texts, &[0.0, 8.0, 20.0]), Some(vec![-1, 0, 1]));
     assert_eq!(steps(&texts, &[0.0, 4.0, 20.0]), None);
 }
+
+#[test]
+fn a_length_has_a_number_and_its_unit() {
+    assert!(["6 cm", "6cm", "7,5 cm", "h = 4 m", "12 km"].into_iter().all(is_length));
+    assert!(!["6", "cm", "6 cm\u{b2}", "25 %", "h", "6 kg"].into_iter().any(is_length));
+}
