@@ -59,6 +59,7 @@ use forms::{Form, FormKind, Forms};
 use groups::Group;
 use named_points::SmallRing;
 use room::Room;
+use scale::Alone;
 use spacing::Spacing;
 use surroundings::{AROUND_RING, LabelsAt, Surroundings};
 
@@ -295,16 +296,16 @@ fn chosen_of(
 ) -> (Vec<Option<usize>>, Spacing) {
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
-    let is_number = are_numbers(wanted);
+    let (alone, narrow) = (read_alone(wanted), Spacing::narrow(cells));
     let chosen_with = |spacing: Spacing| {
         let of = |choice: Choice| &candidates[choice.label][choice.candidate];
         let chosen = choose(&costs, &|a, b| {
-            let room = (!(is_number[a.label] && is_number[b.label])).then_some(room);
-            of(a).conflicts(of(b), spacing, leader_off, room)
+            let (spacing, are_apart) = spacing.between([alone[a.label], alone[b.label]], narrow);
+            of(a).conflicts(of(b), spacing, leader_off, (!are_apart).then_some(room))
         });
         (loss(&chosen, candidates, forms), chosen, spacing)
     };
-    let (wide, narrow) = (chosen_with(Spacing::wide(cells)), chosen_with(Spacing::narrow(cells)));
+    let (wide, narrow) = (chosen_with(Spacing::wide(cells)), chosen_with(narrow));
     let is_better =
         narrow.0.lost < wide.0.lost || narrow.0.lost == wide.0.lost && narrow.0.cost + WORTH_LESS_BLANK < wide.0.cost;
     let mut best = if is_better { narrow } else { wide };
@@ -324,9 +325,9 @@ fn chosen_of(
     (best.1, best.2)
 }
 
-/// Which labels are numbers: two of them may stand nearer to each other in one line, as their signs tell them apart.
-fn are_numbers(wanted: &[Wanted]) -> Vec<bool> {
-    wanted.iter().map(|label| scale::is_number(&label.text)).collect()
+/// Which labels may stand nearer to others of their kind, such as numbers.
+fn read_alone(wanted: &[Wanted]) -> Vec<Option<Alone>> {
+    wanted.iter().map(|label| Alone::of(&label.text)).collect()
 }
 
 /// What a choice of places costs.
@@ -357,7 +358,7 @@ fn move_nearer(
     cells: &CellGrid<'_>,
     spacing: Spacing,
 ) {
-    let is_number = are_numbers(wanted);
+    let (alone, narrow) = (read_alone(wanted), Spacing::narrow(cells));
     for _ in 0..ROUNDS {
         let mut changed = false;
         for number in 0..chosen.len() {
@@ -367,7 +368,8 @@ fn move_nearer(
             }
             let (off, room) = (around[number].leader_off(), around[number].room);
             let conflicts = |found: &Candidate, other: usize| {
-                let room = (!(is_number[number] && is_number[other])).then_some(room);
+                let (spacing, are_apart) = spacing.between([alone[number], alone[other]], narrow);
+                let room = (!are_apart).then_some(room);
                 chosen[other].as_ref().is_some_and(|of| other != number && found.conflicts(of, spacing, off, room))
             };
             let is_free = |found: &Candidate| !(0..chosen.len()).any(|other| conflicts(found, other));

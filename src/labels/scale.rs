@@ -40,6 +40,29 @@ pub(super) fn is_number(text: &str) -> bool {
     value(text).is_some()
 }
 
+/// Whether a text is a plus or a minus by itself, as at the poles of a battery.
+fn is_sign(text: &str) -> bool {
+    let mut signs = text.trim().chars();
+    signs.next().is_some_and(|sign| sign == '+' || is_minus(sign)) && signs.next().is_none()
+}
+
+/// A text that is read by itself though another of its kind stands near to it in one line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Alone {
+    /// A number: it begins with its sign.
+    Number,
+    /// A plus or a minus.
+    Sign,
+}
+
+impl Alone {
+    /// What a text is of these, if it is one.
+    pub(super) fn of(text: &str) -> Option<Self> {
+        let number = is_number(text).then_some(Self::Number);
+        number.or_else(|| is_sign(text).then_some(Self::Sign))
+    }
+}
+
 /// Whether a text is the length of something, such as "6 cm" or "h = 4 cm".
 pub(super) fn is_length(text: &str) -> bool {
     let number = text.rsplit('=').next().unwrap_or(text);
@@ -70,10 +93,13 @@ fn is_even(steps: &[i64], positions: &[f32]) -> bool {
     steps.iter().zip(positions).all(|pair| off(pair) <= OFF * of_step.abs())
 }
 
+fn is_minus(sign: char) -> bool {
+    matches!(sign, '-' | '\u{2010}'..='\u{2013}' | '\u{2212}')
+}
+
 /// The number that a text begins with, and the unit behind it; none of a text that is no number.
 fn value(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
-    let is_minus = |sign: char| matches!(sign, '-' | '\u{2010}'..='\u{2013}' | '\u{2212}');
     let (sign, rest) = match text.strip_prefix(is_minus) {
         Some(rest) => (-1.0, rest),
         None => (1.0, text.strip_prefix('+').unwrap_or(text)),

@@ -1,5 +1,6 @@
 //! How much blank there is between two labels.
 
+use super::scale::Alone;
 use crate::page::cells::CellGrid;
 
 /// Blank between labels, mm.
@@ -53,6 +54,17 @@ impl Spacing {
     pub(super) fn tight(cells: &CellGrid<'_>) -> Self {
         Self { aside: Self::least(cells).aside, ..Self::narrow(cells) }
     }
+
+    /// The blank between two labels of these kinds, and whether they are read as two though they stand near to each
+    /// other in one line. The signs of two poles may be as near as `narrow` says, as the plates of a battery are nearer
+    /// than the columns of a table: one that stands farther off is of neither.
+    pub(super) fn between(self, kinds: [Option<Alone>; 2], narrow: Self) -> (Self, bool) {
+        match kinds {
+            [Some(Alone::Sign), Some(Alone::Sign)] => (Self { aside: self.aside.min(narrow.aside), ..self }, true),
+            [Some(Alone::Number), Some(Alone::Number)] => (self, true),
+            _ => (self, false),
+        }
+    }
 }
 
 /// Blank between the dots of two cells with so many blank cells between them, mm.
@@ -61,3 +73,6 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
     // a little less, for dots that lie off by rounding
     of_all - 2.0 * cells.extent(1, 1).x - 0.1
 }
+
+#[cfg(test)]
+mod tests;

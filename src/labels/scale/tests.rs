@@ -46,3 +46,10 @@ fn a_length_has_a_number_and_its_unit() {
     assert!(["6 cm", "6cm", "7,5 cm", "h = 4 m", "12 km"].into_iter().all(is_length));
     assert!(!["6", "cm", "6 cm\u{b2}", "25 %", "h", "6 kg"].into_iter().any(is_length));
 }
+
+#[test]
+fn a_sign_is_a_plus_or_a_minus_by_itself() {
+    assert!(["+", "-", "\u{2212}", " \u{2013} "].into_iter().all(|text| Alone::of(text) == Some(Alone::Sign)));
+    assert_eq!(["-1", "+2 m"].map(Alone::of), [Some(Alone::Number); 2]);
+    assert_eq!(["", "a", "++", "+a", "Lamp"].map(Alone::of), [None; 5]);
+}
