@@ -7,9 +7,9 @@ use super::limits::LEADER_END;
 use super::marks::name_in;
 use super::paths::{PathKind, Paths};
 use super::rules::LABEL_LINE;
-use crate::geom::crossing;
 use crate::geom::nearby::Nearby;
 use crate::geom::polygon::distance_to_box;
+use crate::geom::{crossing, nearest_on_segment};
 use crate::page::{BrailleText, Line, Names, Page, Run, TextRole, text_name, which_are_weak};
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -109,9 +109,11 @@ fn of_line(
     let way = (from - at).try_normalize()?;
     let is_other = |line: u32| paths.paths[line as usize].line != of.line;
     let is_near = |at: MmPoint, reach: f32| index.nearest(at, reach, |other| is_other(other.line)).is_some();
+    // or another ends on it, as a wire on the plate of a battery
     let mut crosses = false;
-    index.around(a.min(b), a.max(b), 0.0, |other| {
-        crosses |= is_other(other.line) && crossing((a, b), (other.a, other.b)).is_some();
+    index.around(a.min(b), a.max(b), LEADER_FREE, |other| {
+        let ends_on = || [other.a, other.b].iter().any(|end| nearest_on_segment(*end, a, b).0 < LEADER_FREE);
+        crosses |= is_other(other.line) && (crossing((a, b), (other.a, other.b)).is_some() || ends_on());
     });
     let is_own = label.leader.is_none() && way.dot(ahead) >= BEFORE && !is_near(from, LEADER_FREE);
     let is_something = is_near(at, LEADER_END) || is_in_something(at, page) || is_of_grid(of.line, at, page, weak);

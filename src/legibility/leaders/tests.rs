@@ -7,6 +7,12 @@ use crate::units::Size;
 /// What is found of a label at the left whose line ends at this place, beside a square of 40 mm; the line is its
 /// own, or one of the figure.
 fn found(is_own: bool, x: f32, y: f32) -> Vec<String> {
+    found_with(None, is_own, x, y)
+}
+
+/// The same with another line of the figure.
+fn found_with(other: Option<[(f32, f32); 2]>, is_own: bool, x: f32, y: f32) -> Vec<String> {
+    let other = other.map(|ends| ends.map(MmPoint::from).to_vec());
     let at = |x: f32, y: f32| MmPoint::new(x, y);
     let square = [at(60.0, 30.0), at(100.0, 30.0), at(100.0, 70.0), at(60.0, 70.0), at(60.0, 30.0)];
     let line = |points: Vec<MmPoint>| Line { strength: 100.0, runs: vec![Run::stroke(1.0, points)] };
@@ -15,7 +21,11 @@ fn found(is_own: bool, x: f32, y: f32) -> Vec<String> {
         place: MmRect::new(at(10.0, 10.0), at(190.0, 130.0)),
         source: Size::new(180, 120),
         textures: Vec::new(),
-        lines: std::iter::once(square.to_vec()).chain((!is_own).then(|| leader.clone())).map(line).collect(),
+        lines: std::iter::once(square.to_vec())
+            .chain((!is_own).then(|| leader.clone()))
+            .chain(other)
+            .map(line)
+            .collect(),
     };
     let text = BrailleText {
         role: TextRole::Label,
@@ -41,6 +51,14 @@ fn a_line_that_leads_to_nothing_is_told() {
     let of_figure = ["line 2, which leads from \"roof\", ends where nothing is within 6 mm"];
     assert_eq!(found(false, 45.0, 50.0), of_figure);
     assert!(found(false, 25.0, 75.0).is_empty(), "it is beside the label, and does not lead from it");
+}
+
+/// The plate of a battery beside its minus is no leader line, as the wire ends on it.
+#[test]
+fn a_line_on_which_another_ends_leads_from_no_label() {
+    let wire = |y: f32| found_with(Some([(35.0, y), (35.0, 80.0)]), false, 45.0, 50.0);
+    assert!(wire(50.5).is_empty());
+    assert_eq!(wire(54.0).len(), 1, "beside it");
 }
 
 /// A gridline that is interrupted by a label begins beside it too, and leads to nothing.
