@@ -323,7 +323,7 @@ pub enum Note {
          edges.low"
     )]
     FewContours(u32),
-    /// Areas that are outlined have textures of several colours, as none of these holds the area clearly.
+    /// Areas that are outlined have several colours, as each of these fills a part with room for a texture.
     #[error("{}", mixed_areas(*.count, .places))]
     MixedAreas {
         /// How many.

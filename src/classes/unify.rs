@@ -1,5 +1,5 @@
-//! Classes that agree with outlines: an outlined area has one class, if one holds it clearly, and none ends just beyond
-//! an outline.
+//! Classes that agree with outlines: an outlined area has one class, but for parts of others with room for a texture,
+//! and none ends just beyond an outline.
 
 use std::collections::BTreeMap;
 
@@ -10,32 +10,60 @@ use crate::units::Size;
 
 type AreaClass = Option<Class>;
 
-/// An outlined area is of one class if that one has this share of it. Chosen by us: two thirds of an area are what a
-/// finger that sweeps over it meets first; below it, as at one half, the other part is as much what is there.
-const CLEARLY: f32 = 0.65;
+/// A class holds an outlined area if it has this share of it. Chosen by us: two thirds of an area are what a finger
+/// that sweeps over it meets first; below it, as at one half, the other part is as much what is there.
+const CLEARLY: f32 = 2.0 / 3.0;
 
-/// Gives outlined areas one class each, and components within an area or between areas, which are smaller than
-/// `min_cells` cells or narrower everywhere than `narrowest`, to their neighbours on the same side of the outline, the
-/// smaller to the larger: stripes become one area. `area` has the number of the area of each cell, 0 for the ground
-/// between them, which may have any classes. Returns the numbers of the areas that still have several classes.
+/// Gives the stains in outlined areas to the class that holds the area, and components within an area or between areas
+/// to their neighbours on the same side of the outline, the smaller to the larger, so that stripes become one area:
+/// those that are smaller than `min_cells` cells or narrower everywhere than `narrowest`. Larger ones keep their class,
+/// as the shoulder of a coloured suit behind a black helmet where both are one region. `area` has the number of the
+/// area of each cell, 0 for the ground between them, which may have any classes. Returns the numbers of the areas that
+/// still have several classes.
 pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32, narrowest: f32) -> Vec<usize> {
     let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
     let before: Vec<AreaClass> = classes.region.iter().map(class_of).collect();
-    let held = holders(&before, area);
-    let own = before.iter().zip(area).map(|(label, area)| (*area, held[*area].unwrap_or(*label)));
     let size = classes.size;
     let small = |component: &[usize]| (component.len() as f32) < min_cells || is_narrow(component, size, narrowest);
-    let labels = join(own.collect(), size, small, |component, (other, _), border| {
+    let own = without_stains(&before, area, size, small);
+    let labels = join(own, size, small, |component, (other, _), border| {
         (area[component[0]] == other).then_some(border.len() as f32)
     });
     let labels: Vec<AreaClass> = labels.into_iter().map(|(_, label)| label).collect();
     relabel(classes, &before, &labels);
-    let mut seen = vec![None::<AreaClass>; held.len()];
-    let mut is_mixed = vec![false; held.len()];
+    let count = area.iter().max().map_or(0, |most| most + 1);
+    let mut seen = vec![None::<AreaClass>; count];
+    let mut is_mixed = vec![false; count];
     for (&area, &label) in area.iter().zip(&labels).filter(|(area, _)| **area > 0) {
         is_mixed[area] |= *seen[area].get_or_insert(label) != label;
     }
     (0..is_mixed.len()).filter(|&area| is_mixed[area]).collect()
+}
+
+/// The area and class of each cell, with the stains of areas that one class holds given to that class: components that
+/// are `small`. If all of its own are, as a narrow rim around a part of another class, the whole area is of it, as that
+/// part would take in the rim.
+fn without_stains(
+    before: &[AreaClass],
+    area: &[usize],
+    size: Size,
+    small: impl Fn(&[usize]) -> bool,
+) -> Vec<(usize, AreaClass)> {
+    let held = holders(before, area);
+    let mut labels: Vec<(usize, AreaClass)> = area.iter().copied().zip(before.iter().copied()).collect();
+    let parts = components::of_labels(&labels, size, Connectivity::Four);
+    let is_large: Vec<bool> = parts.iter().map(|part| held[area[part[0]]].is_some() && !small(part)).collect();
+    let mut holder_is_large = vec![false; held.len()];
+    for (part, is_large) in parts.iter().zip(&is_large) {
+        let number = area[part[0]];
+        holder_is_large[number] |= *is_large && held[number] == Some(before[part[0]]);
+    }
+    for (part, is_large) in parts.iter().zip(&is_large) {
+        let number = area[part[0]];
+        let Some(holder) = held[number].filter(|_| !(*is_large && holder_is_large[number])) else { continue };
+        part.iter().for_each(|&cell| labels[cell].1 = holder);
+    }
+    labels
 }
 
 /// Whether a component has no room for a disc of this width, cells. The edge of the picture narrows nothing.

@@ -99,11 +99,11 @@ pub(super) fn no_subject([x, y]: [i32; 2]) -> String {
 }
 
 pub(super) fn mixed_areas(count: usize, places: &[&str]) -> String {
-    let (have, each, of_it) = if count == 1 { ("has", "", " of it") } else { ("have", " each", "") };
+    let (have, each) = if count == 1 { ("has", "") } else { ("have", " each") };
     let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
     format!(
-        "{areas}, in the {places} of the figure, {have} the textures of several colours{each}, as none of them fills \
-         two thirds{of_it}; say in a label what is there"
+        "{areas}, in the {places} of the figure, {have} several colours{each}, as each of these fills a part that \
+         is large enough for a texture; say in a label what is there"
     )
 }
 

@@ -31,7 +31,7 @@ const BARE: f32 = 0.03;
 /// folds, to pieces of which none can be told.
 const NARROWEST: f32 = 8.0;
 
-/// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
+/// Makes sorted colours agree with the areas that outlines surround. Tells of those that keep several.
 pub(super) fn fit_to_areas(
     classes: &mut Classes,
     areas: &OutlineAreas,

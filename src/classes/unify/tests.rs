@@ -54,6 +54,35 @@ fn an_area_of_two_classes_keeps_them_and_is_told() {
 }
 
 #[test]
+fn a_part_with_room_for_a_texture_keeps_its_class_and_is_told() {
+    // seven tenths blue
+    let two = ["bbbbbbbrrr"; 4];
+    let of = |min_cells: f32, narrowest: f32| {
+        let mut sorted = classes(&two);
+        let mixed = unify_areas(&mut sorted, &areas(&["1111111111"; 4]), min_cells, narrowest);
+        (rows(&sorted), mixed)
+    };
+    assert_eq!(of(10.0, 3.0), (two.map(str::to_owned).to_vec(), vec![1]));
+    let one = vec!["bbbbbbbbbb".to_owned(); 4];
+    assert_eq!(of(13.0, 3.0), (one.clone(), vec![]), "smaller than a texture");
+    assert_eq!(of(10.0, 7.0), (one, vec![]), "too narrow for one");
+}
+
+#[test]
+fn a_class_that_holds_an_area_and_is_narrow_all_over_still_has_it() {
+    let ground = "..........";
+    let (full, holed) = (".bbbbbbbb.", ".bbrrrrbb.");
+    let mut sorted = classes(&[ground, full, full, holed, holed, holed, holed, full, full, ground]);
+    let (outside, inside) = ("0000000000", "0111111110");
+    let mut area = [inside; 10];
+    (area[0], area[9]) = (outside, outside);
+    assert_eq!(unify_areas(&mut sorted, &areas(&area), 10.0, 4.0), [0_usize; 0]);
+    let mut all = [full; 10];
+    (all[0], all[9]) = (ground, ground);
+    assert_eq!(rows(&sorted), all);
+}
+
+#[test]
 fn a_crumb_joins_its_own_side() {
     // three red cells beyond the outline, fewer than the least
     let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
