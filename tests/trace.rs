@@ -13,7 +13,7 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::Limits;
 use tactograph::internals::units::{PxPoint, Size};
 use tactograph::internals::{lines, units};
-use tactograph::{Error, Traced, Tracing};
+use tactograph::{Error, Options, Position, Traced, Tracing};
 
 /// Everything that can be traced.
 fn all() -> [Tracing; 3] {
@@ -304,6 +304,20 @@ fn the_same_picture_gives_the_same_file() {
         assert!(once == json::write(&traced(&photo, subject)), "{subject:?}");
         assert!(once.is_ascii() && once.ends_with("]}\n"));
     }
+}
+
+#[test]
+fn lines_are_those_of_the_page_around_its_subject() {
+    let photo = samples::read("coffee.png");
+    let at = |percent: f64| Position::percent(percent).expect("a number");
+    let plain = Options::new(Profile::named("swell-a4").expect("built in"));
+    let calm = plain.clone().subject(at(40.0), at(20.0)).calm_background(true);
+    let lines = |options: &Options| tactograph::trace(&photo[..], &Tracing::lines(), options).expect("a trace");
+    let on_page = tactograph::convert(&photo[..], &calm).expect("a page").page.figure.lines.len();
+    let (plain, calm) = (lines(&plain), lines(&calm));
+    assert_eq!(calm.trace.polylines.len(), on_page);
+    assert!(on_page < plain.trace.polylines.len(), "{on_page} lines");
+    assert!(calm.notes.iter().any(|note| matches!(note, Note::Subject { is_first: true, .. })), "{:?}", calm.notes);
 }
 
 /// Another program's reader finds in the file what the trace holds, to the last digit that is promised.

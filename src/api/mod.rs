@@ -97,8 +97,9 @@ pub fn convert_to_sheets<'p>(
 }
 
 /// Finds the contours of a picture, as data: for programs that go on with them. Lines that are given or added, and what
-/// is erased, count as on a page. All words (title, description, language, labels, key, page number and what goes with
-/// them), areas, mirroring and what reads text have no meaning here.
+/// is erased, count as on a page, and for [`Tracing::lines`] so does what the picture is about. All words (title,
+/// description, language, labels, key, page number and what goes with them), areas, mirroring and what reads text have
+/// no meaning here.
 ///
 /// ```
 /// use tactograph::{Options, Profile, Tracing};

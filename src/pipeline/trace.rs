@@ -1,12 +1,15 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
+use super::decisions::Decisions;
 use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of};
 use super::find_edges::edges_of;
 use super::given::Given;
+use super::named::NamedThings;
 use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
 use super::request::{Fit, OverviewSize, Request, enough_pixels, working_size};
+use super::subject;
 use super::told_bars;
 use super::told_lines::told_left_out;
 use crate::contours::Trace;
@@ -59,7 +62,9 @@ impl Tracing {
     }
 
     /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a
-    /// page is drawn from what the profile works on, and lines drawn from anything else would be on no page.
+    /// page is drawn from what the profile works on, and lines drawn from anything else would be on no page. A
+    /// [subject](crate::Options::subject) and a [calm background](crate::Options::calm_background) count as there; for
+    /// contours they have no meaning.
     pub fn lines() -> Self {
         Self { target: Target::Lines, thresholds: None }
     }
@@ -110,14 +115,15 @@ pub fn trace<'p>(
         }
     };
     let options = request.decoding(&working_size);
-    let read = read(picture.into(), &options, None, watch)?;
+    let file: Picture<'p> = picture.into();
+    let read = read(file, &options, None, watch)?;
     let (source, mut notes) = (read.picture.source.size, read.picture.notes.clone());
 
     let overview = overview_of(&read.picture, &read.content, given, plan);
     let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let Contours { edges, decisions, told, .. } =
+    let Contours { mut edges, mut decisions, told, .. } =
         contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
             find_edges(&read, tracing, &layout, plan, watch)
         })?;
@@ -128,15 +134,12 @@ pub fn trace<'p>(
     let trace = match tracing.target {
         Target::Contours | Target::ContoursAtFullResolution => Trace::of_edges(&edges, source),
         Target::Lines => {
-            let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
-            let lines_of = lines_of(given, regions.as_ref(), &decisions);
-            let FigureLines { lines: drawn, instead, .. } = draw_lines(&edges, lines_of, &layout, plan, watch);
-            notes.extend(told_left_out(&drawn, &edges, &layout));
-            notes.extend(told_bars::told(instead, None));
-            let transform = PageTransform::new(edges.size, layout.figure);
-            let params = plan.lines();
-            let reach = params.farthest_moved();
-            Trace::of_lines(&drawn.lines, &edges, &transform, layout.figure, reach, source)
+            let things = NamedThings::of(given, file, request, watch)?;
+            let things = things.as_ref();
+            notes.extend(subject::prepare(given, things, &mut edges, &mut decisions, source, &layout, plan));
+            let (trace, told) = lines_as_data((given, &decisions), &edges, source, &layout, plan, watch);
+            notes.extend(told);
+            trace
         }
     };
     if tracing.target == Target::Lines && !plan.profile().figure.lines {
@@ -145,6 +148,26 @@ pub fn trace<'p>(
         notes.push(Note::NoContours);
     }
     Ok(Traced { trace, notes })
+}
+
+/// The lines of the figure of a picture of this size, and what is told of them.
+fn lines_as_data(
+    (given, decisions): (&Given, &Decisions),
+    edges: &Edges,
+    source: Size,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> (Trace, Vec<Note>) {
+    let regions = regions_of_figure(edges, decisions, layout, plan, watch);
+    let lines_of = lines_of(given, regions.as_ref(), decisions);
+    let FigureLines { lines: drawn, instead, .. } = draw_lines(edges, lines_of, layout, plan, watch);
+    let mut notes: Vec<Note> = told_left_out(&drawn, edges, layout).into_iter().collect();
+    notes.extend(subject::told(decisions, edges.size, &drawn.lines, None, layout, plan));
+    notes.extend(told_bars::told(instead, None));
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let reach = plan.lines().farthest_moved();
+    (Trace::of_lines(&drawn.lines, edges, &transform, layout.figure, reach, source), notes)
 }
 
 /// The contours that are asked for; none in a picture of one colour.
