@@ -19,6 +19,7 @@ pub struct Beyond {
 }
 
 /// Leaves out the lines beyond as many as there are to be beside outlines, and those that are too short beside them.
+/// Where none is an outline all stay: they are what there is to feel.
 pub(super) fn keep_beside_outlines(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
     let Some((most, length)) = outlines.others else { return };
     if !cleared.iter().any(|line| line.rank.is_outline()) {

@@ -17,7 +17,7 @@ pub struct Outlines {
     pub subjects: usize,
     /// How many shapes they are; neighbours share a border.
     pub shapes: usize,
-    /// How many other lines are drawn, and the least length of each, mm; all if none.
+    /// How many other lines are drawn beside outlines, and the least length of each, mm; all if none.
     pub others: Option<(usize, f32)>,
 }
 

@@ -11,7 +11,7 @@ use crate::profile::Plan;
 use crate::regions::{self, Chosen, OutlineAreas, RegionOutline};
 use crate::units::PageTransform;
 
-/// How many lines an overview has beside outlines, and the least length of each, mm.
+/// How many lines an overview has beside outlines, if it has any of these, and the least length of each, mm.
 const OTHERS: usize = 8;
 const OTHERS_LENGTH: f32 = 8.0;
 
