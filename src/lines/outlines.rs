@@ -28,7 +28,8 @@ pub(super) enum Rank {
     Faint,
     /// Any line.
     Ordinary,
-    /// An outline of a region, or what is left of one.
+    /// An outline of a region, or what is left of one. That of the main thing, which is chosen before others, is one of
+    /// these.
     Outline,
     /// A long stroke, which no such outline may displace: it is thin, so that no region could have its shape. Or a
     /// closed contour that is long, round and clear all along, and that no closed outline stands for: an open one that
