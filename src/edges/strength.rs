@@ -52,6 +52,8 @@
 //! | without regions | .676 .698 .689 | .706 .735 .731 |
 //! | with those of [`Detail::CONTOURS`](crate::regions::Detail) | .693 .716 .698 | .718 .751 .746 |
 //!
+//! (The first row is what "nothing" is in the table above, measured at another time, with slightly other code.)
+//!
 //! The coarser basins of a page ([`Detail::OUTLINES`](crate::regions::Detail)) reach .682 .708 .690 (val). Tried
 //! without gain: heights without the early merging of small parts (.691 .713 .696), basins at a scale of .8 cells (.689
 //! .712 .695), a mean of `b` along the chain.

@@ -32,9 +32,9 @@ pub(super) enum Rank {
     /// these.
     Outline,
     /// A long stroke, which no such outline may displace: it is thin, so that no region could have its shape. Or a
-    /// closed contour that is long, round and clear all along, and that no closed outline stands for: an open one that
-    /// comes near, such as that of a corner of the ground around a disc, may not tear it. Of the two the more salient
-    /// goes first, as of other lines.
+    /// closed contour that is long, round and clear in the mean, and that no closed outline stands for: an open one
+    /// that comes near, such as that of a corner of the ground around a disc, may not tear it. Of the two the more
+    /// salient goes first, as of other lines.
     StrokeOrRing,
     /// An axis or a wall of a drawing, on which others stand.
     Axis,
@@ -74,7 +74,7 @@ impl Rank {
         if is_stroke && is_straight { Self::StrokeOrRing } else { Self::Ordinary }
     }
 
-    /// Whether a contour is a long, round ring, clear all along.
+    /// Whether a contour is a long, round ring, clear in the mean.
     pub(super) fn may_be_ring(polyline: &Polyline<Vertex>, params: &Params) -> bool {
         let length = polyline.length();
         // Few shapes are those of the outlines. On dots lines are too far apart for both: the rim of a cup there takes

@@ -66,9 +66,9 @@ pub(super) fn outlines_of_overview(
     let chosen = match params.drawn {
         Some(_) => of_figure.clone(),
         None => {
-            // A main thing that nobody named is one of the figure's regions, and these count more anyway. On 50
-            // photographs of BSDS500 (val) it takes more from the other shapes as the first one than it gives: closed
-            // .231 in place of .261, covering .446 in place of .460 (F .577 in place of .568).
+            // A main thing that nobody named is one of the figure's regions, and these count more anyway. As the first
+            // one it took more from the other shapes than it gave, with an earlier version on 50 photographs of BSDS500
+            // (val): closed .231 in place of .261, covering .446 in place of .460 (F .577 in place of .568).
             tree.chosen(transform.mm_per_px(), &params, &decisions.subjects, &of_figure.regions)
         }
     };

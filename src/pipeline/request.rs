@@ -132,9 +132,9 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
 }
 
 /// How many times as large as the profile asks for the overview of a photograph is. At 0.5 of the figure it agreed with
-/// what people outline to an F of .55, at 0.4 of .53 (50 photographs of BSDS500, val, with an earlier version; now it
-/// is .568 at 0.5, as `docs/photographs.md` says), and one hand still covers it: 85 mm of a figure as wide as an A4
-/// sheet.
+/// what people outline to an F of .55, at 0.4 of .53 (50 photographs of BSDS500, val, with an earlier version; on 28
+/// November it was .567 at 0.5, as `docs/photographs.md` says), and one hand still covers it: 85 mm of a figure as wide
+/// as an A4 sheet.
 const OF_PHOTOGRAPH: f32 = 1.25;
 
 /// The scale of the overview of a photograph where the profile asks for `own`: no overview is larger than its figure.

@@ -239,7 +239,8 @@ fn tangents(cracks: &[Crack], grid: RegionGrid) -> Vec<PxVector> {
             if to[1] > REACH + 1 {
                 break;
             }
-            if to[0] * to[0] + to[1] * to[1] <= REACH * REACH {
+            // x alone first: its square across a wide grid is more than 32 bits hold
+            if to[0].abs() <= REACH && to[0] * to[0] + to[1] * to[1] <= REACH * REACH {
                 own.add(to, *of_other);
                 moments.add([-to[0], -to[1]], *half);
             }

@@ -85,6 +85,7 @@ impl Mask {
     /// The cells of either; both are in the cells of one grid.
     #[must_use]
     pub fn united(mut self, other: &Self) -> Self {
+        debug_assert_eq!(self.grid, other.grid, "cells of unlike grids are in unlike places");
         self.is_in.iter_mut().zip(&other.is_in).for_each(|(own, other)| *own |= other);
         self
     }

@@ -81,3 +81,12 @@ fn sums_add_up_with_sides_exchanged() {
     both.add_times(&one, true, -1.0);
     assert_eq!(both, one);
 }
+
+#[test]
+fn cracks_at_both_ends_of_a_wide_grid_are_far_from_one_another() {
+    // the square of their distance, in halves of a cell, is more than 32 bits hold
+    let size = Size::new(60_000, 2);
+    let grid = RegionGrid { cells: size, picture: size };
+    let cracks = [10, 46_010].map(|cell| Crack { cell, is_upright: true });
+    assert!(tangents(&cracks, grid).iter().all(|tangent| tangent.x.abs() < 1e-6 && tangent.y.abs() > 0.9));
+}
