@@ -179,7 +179,7 @@ fn measure(
     let mut sums = Sums::default();
     for (crack, tangent) in cracks.iter().zip(tangents(cracks, grid)) {
         let middle = crack.middle(grid);
-        let strength = traces.seen(middle, tangent).1;
+        let strength = traces.strength(middle, tangent);
         // from the first cell to the second
         let across = right_of(tangent);
         let along_axis = if crack.is_upright { across.x } else { across.y };

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! traces, colours -> landscape -> watershed (basins) -> arcs (what is seen between them) -> merge -> Tree
-//!                                      Tree -> choose (the most salient) -> label_map -> border -> outlines
-//!                                      Tree -> heights (of borders): how strong contours are
+//!                  Tree -> choose (the most salient) -> label_map -> border -> follow (which traces) -> outlines
+//!                  Tree -> heights (of borders): how strong contours are
 //! ```
 //!
 //! A watershed over the contours divides the picture into basins; they are merged, the least visible border first, into
@@ -20,6 +20,7 @@ mod border;
 mod bumps;
 mod choose;
 mod disc;
+mod follow;
 mod grid;
 mod heights;
 mod label_map;

@@ -3,21 +3,20 @@
 use super::border::{Border, borders, corner_at};
 use super::bumps::Places;
 use super::choose::{Chosen, Params, choose};
+use super::follow::followed;
 use super::label_map::label_map;
 use super::main_thing::main_thing;
 use super::trace::{OutlineAreas, RegionOutline, TracePoint, TracedContour};
 use super::tree::Tree;
 
 use crate::geom::polyline::{Polyline, smooth};
-use crate::units::{PxPoint, PxVector, Size};
+use crate::units::{PxPoint, Size};
 
 /// Outlines are smoothed over at least this much, cells: their cracks run in steps.
 const LEAST_SMOOTHING: f32 = 1.2;
 /// Where no contour is seen along them they are smoothed over so many times as much: their changes of bending, 4.5 in
 /// 100 mm, fall by a third, and what they agree with people's stays the same.
 const UNSEEN: f32 = 2.0;
-/// The direction of an outline is taken over this many sides of cells before and after a place.
-const SPAN: usize = 3;
 
 impl Tree {
     /// The outlines of the chosen regions, the first first, for a sheet with so many millimetres for a pixel of
@@ -60,21 +59,9 @@ impl Tree {
     fn contour_along(&self, border: &Border, [sigma, mm]: [f32; 2], placed: &mut [Option<PxPoint>]) -> TracedContour {
         let size = self.grid.cells;
         let middles = middles(border, size);
-        let count = middles.len();
-        let (mut found, mut strengths) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for (i, &middle) in middles.iter().enumerate() {
-            let at = |steps: usize, forwards: bool| match (border.closed, forwards) {
-                (true, true) => middles[(i + steps) % count],
-                (true, false) => middles[(i + count - steps % count) % count],
-                (false, true) => middles[(i + steps).min(count - 1)],
-                (false, false) => middles[i.saturating_sub(steps)],
-            };
-            let heading = (at(SPAN, true) - at(SPAN, false)).try_normalize().unwrap_or(PxVector::new(1.0, 0.0));
-            let (at, strength) = self.traces.seen(middle, heading);
-            found.push(at);
-            strengths.push(strength);
-        }
-        let strength = strengths.iter().sum::<f32>() / count.max(1) as f32;
+        let followed = followed(&self.traces, &middles, border.closed);
+        let (found, strengths): (Vec<PxPoint>, Vec<f32>) = followed.iter().map(|seen| (seen.at, seen.strength)).unzip();
+        let strength = strengths.iter().sum::<f32>() / middles.len().max(1) as f32;
         let mut is_seen: Vec<[f32; 1]> = strengths.iter().map(|strength| [f32::from(*strength > 0.0)]).collect();
         let places = Places { points: &found, strengths: &strengths, closed: border.closed, mm };
         let mut points = places.without_bumps();

@@ -15,6 +15,15 @@ pub(super) struct TraceSample {
     pub(super) along: PxVector,
 }
 
+/// What is seen of a trace from a place beside it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Seen {
+    /// Where the trace is, in cells.
+    pub(super) at: PxPoint,
+    /// How strong it is for that place: less if it is farther away, or runs in another direction.
+    pub(super) strength: f32,
+}
+
 /// What passes each cell.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TraceMap {
@@ -72,21 +81,32 @@ impl TraceMap {
         plane
     }
 
-    /// How strong the trace is that runs along `tangent` at a place, and where that trace is; without one, the place.
-    pub(super) fn seen(&self, at: PxPoint, tangent: PxVector) -> (PxPoint, f32) {
-        let mut best = (at, 0.0);
+    /// How strong the trace is that runs along `tangent` at a place; 0 without one.
+    pub(super) fn strength(&self, at: PxPoint, tangent: PxVector) -> f32 {
+        let mut best = 0.0_f32;
         self.around(at, |sample, square| {
             // near or not it is no stronger than this: most need no exponential
             let along = sample.along.dot(tangent).abs();
-            if sample.strength * along <= best.1 {
-                return;
-            }
-            let strength = sample.strength * (-square / FALL).exp() * along;
-            if strength > best.1 {
-                best = (sample.at, strength);
+            if sample.strength * along > best {
+                best = (sample.strength * (-square / FALL).exp() * along).max(best);
             }
         });
         best
+    }
+
+    /// All that is seen near a place of traces that run along `tangent`; without any, the place with no strength.
+    pub(super) fn all_seen(&self, at: PxPoint, tangent: PxVector) -> Vec<Seen> {
+        let mut all = Vec::new();
+        self.around(at, |sample, square| {
+            let strength = sample.strength * (-square / FALL).exp() * sample.along.dot(tangent).abs();
+            if strength > 0.0 {
+                all.push(Seen { at: sample.at, strength });
+            }
+        });
+        if all.is_empty() {
+            all.push(Seen { at, strength: 0.0 });
+        }
+        all
     }
 
     /// Calls `visit` with all that passes within [`REACH`] of a place and the square of its distance.
