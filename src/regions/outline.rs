@@ -17,6 +17,10 @@ const LEAST_SMOOTHING: f32 = 1.2;
 /// Where no contour is seen along them they are smoothed over so many times as much: their changes of bending, 4.5 in
 /// 100 mm, fall by a third, and what they agree with people's stays the same.
 const UNSEEN: f32 = 2.0;
+/// A step from vertex to vertex counts as no longer than this when outlines are smoothed, cells: from a cell to the
+/// next it hardly is. What is longer is a leap from one trace to another, which smoothing would leave as it is, as all
+/// that is beyond it would be out of reach.
+const LONGEST_STEP: f32 = 1.5;
 
 impl Tree {
     /// The outlines of the chosen regions, the first first, for a sheet with so many millimetres for a pixel of
@@ -89,7 +93,7 @@ impl Tree {
 /// The vertices of an outline, smoothed along it with `sigma` where a contour is seen, and more where none is: there it
 /// runs along basins, whose borders are ragged.
 fn smoothed(line: &Polyline<PxPoint>, is_seen: &[[f32; 1]], sigma: f32) -> Vec<PxPoint> {
-    let arcs = line.arc_lengths();
+    let arcs = arcs_without_leaps(line);
     let place = |i: usize| [line.vertices[i].x, line.vertices[i].y];
     let fine = smooth(&arcs, line.closed, sigma, place);
     let point = |[x, y]: [f32; 2]| PxPoint::new(x, y);
@@ -100,6 +104,18 @@ fn smoothed(line: &Polyline<PxPoint>, is_seen: &[[f32; 1]], sigma: f32) -> Vec<P
     let seen = smooth(&arcs, line.closed, sigma, |i| is_seen[i]);
     let mix = |((fine, coarse), [seen]): (([f32; 2], [f32; 2]), [f32; 1])| point(coarse).lerp(point(fine), seen);
     fine.into_iter().zip(coarse).zip(seen).map(mix).collect()
+}
+
+/// The lengths along an outline up to its vertices, and that of a ring, with no step longer than [`LONGEST_STEP`].
+fn arcs_without_leaps(line: &Polyline<PxPoint>) -> Vec<f32> {
+    let mut arcs = line.arc_lengths();
+    let (mut last, mut beyond) = (0.0, 0.0);
+    for arc in &mut arcs {
+        beyond += (*arc - last - LONGEST_STEP).max(0.0);
+        last = *arc;
+        *arc -= beyond;
+    }
+    arcs
 }
 
 /// The middles of the sides along a border.

@@ -159,3 +159,29 @@ fn what_is_as_thin_as_a_stroke_is_no_region() {
     assert_eq!(strip(4.0), [], "2 mm wide");
     assert!(strip(20.0).iter().any(|outline| outline.closed && outline.length() > 140.0), "10 mm wide");
 }
+
+#[test]
+fn a_leap_from_one_trace_to_another_becomes_a_slope() {
+    let at = |x: usize| PxPoint::new(x as f32, if x < 20 { 0.0 } else { 3.0 });
+    let steepest = |vertices: Vec<PxPoint>, closed: bool| {
+        let line = Polyline { vertices, closed };
+        let smoothed = smoothed(&line, &vec![[1.0]; line.vertices.len()], 1.2);
+        smoothed.windows(2).map(|pair| (pair[1].y - pair[0].y).abs()).fold(0.0, f32::max)
+    };
+    let leap: Vec<PxPoint> = (0..40).map(at).collect();
+    assert!(steepest(leap.clone(), false) < 1.8, "{}", steepest(leap, false));
+    // back along a line far below, so that it is a ring with leaps at its ends
+    let ring: Vec<PxPoint> = (10..30).map(at).chain((10..30).rev().map(|x| PxPoint::new(x as f32, 5.0))).collect();
+    assert!(steepest(ring.clone(), true) < 1.8, "{}", steepest(ring, true));
+}
+
+#[test]
+fn only_leaps_count_as_shorter_than_they_are() {
+    let are_near = |a: &[f32], b: &[f32]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-5);
+    let vertices: Vec<PxPoint> = (0..30).map(|i| PxPoint::new(0.7 * i as f32, (0.9 * i as f32).sin())).collect();
+    let line = Polyline::open(vertices);
+    assert!(are_near(&arcs_without_leaps(&line), &line.arc_lengths()));
+    let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 4.0), (0.0, 4.0)].map(|(x, y)| PxPoint::new(x, y));
+    let ring = Polyline { vertices: square.to_vec(), closed: true };
+    assert!(are_near(&arcs_without_leaps(&ring), &[0.0, 1.0, 2.5, 3.5, 5.0]));
+}
