@@ -1,4 +1,5 @@
-//! How much of what people outline in photographs do the lines of pages draw? The tables of docs/photographs.md.
+//! How much of what people outline in photographs do the lines of pages draw? The table of docs/photographs.md; with
+//! `--contours --all` the row *now* of docs/accuracy.md, whose other rows another program read.
 //!
 //! ```text
 //! cargo run --release -p tactograph-tools --bin people -- BSDS500/data
