@@ -58,3 +58,6 @@ impl RegionGrid {
             .then(|| at.y as usize * self.cells.width as usize + at.x as usize)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -139,3 +139,6 @@ impl TraceMap {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

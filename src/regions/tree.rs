@@ -186,3 +186,6 @@ impl Members {
         outline
     }
 }
+
+#[cfg(test)]
+mod tests;

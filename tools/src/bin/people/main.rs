@@ -258,3 +258,6 @@ fn paths(lines: &[Line], place: MmRect, (width, height): (f64, f64)) -> Vec<Path
     };
     lines.iter().map(path).filter(|path| path.len() > 1).collect()
 }
+
+#[cfg(test)]
+mod tests;
