@@ -122,11 +122,11 @@ pub(super) fn of_all(
     chains.par_iter().map(|chain| along(points, chain, sides, params)).collect()
 }
 
-/// A strength beside a border of regions of a height.
-fn by_regions(strength: f32, height: f32) -> f32 {
-    let height = height.max(LEAST_HEIGHT * strength);
-    let [s, b] = [strength, height].map(|v| v * v); // eight factors, each below 300
-    WITH_REGIONS * (s * strength * b * b * height).sqrt().sqrt().sqrt()
+/// A strength beside a border of regions, whose height in their tree is no step height.
+fn by_regions(strength: f32, border_height: f32) -> f32 {
+    let border_height = border_height.max(LEAST_HEIGHT * strength);
+    let [s, b] = [strength, border_height].map(|v| v * v); // eight factors, each below 300
+    WITH_REGIONS * (s * strength * b * b * border_height).sqrt().sqrt().sqrt()
 }
 
 /// Strength of every point of a chain, averaged along the chain.

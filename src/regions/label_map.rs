@@ -11,19 +11,19 @@ const MAJORITY: f32 = 0.5;
 /// Side of the coarse cells in which widths are looked at, mm: a few to the distance of two lines.
 const COARSE: f32 = 0.8;
 
-/// For each cell the number of a chosen region, from 1 in their order, or 0 for the ground. `mm` is the side of a cell
-/// on the sheet, `narrowest` the least width of an area or of what is between two, mm.
-pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm: f32, narrowest: f32) -> Vec<u8> {
+/// For each cell the number of a chosen region, from 1 in their order, or 0 for the ground. `narrowest` is the least
+/// width of an area or of what is between two, mm.
+pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm_per_cell: f32, narrowest: f32) -> Vec<u8> {
     if chosen.is_empty() {
         return vec![0; tree.basin.len()];
     }
     let cells = tree.grid.cells;
-    let scale = (mm / COARSE).min(1.0);
+    let scale = (mm_per_cell / COARSE).min(1.0);
     let side = |cells: u32| ((cells as f32 * scale).round() as u32).clamp(1, cells);
     let coarse = Size::new(side(cells.width), side(cells.height));
     let labels = painted(tree, chosen);
-    let small = majority(&labels, chosen.len(), [cells, coarse], MAJORITY / COARSE.max(mm));
-    let radius = 0.5 * narrowest / mm * coarse.width as f32 / cells.width as f32;
+    let small = majority(&labels, chosen.len(), [cells, coarse], MAJORITY / COARSE.max(mm_per_cell));
+    let radius = 0.5 * narrowest / mm_per_cell * coarse.width as f32 / cells.width as f32;
     let opened = opened(&small, coarse, radius);
     // an area that stays keeps its own fine border
     let place = |i: usize, to: u32, from: u32| ((2 * i + 1) * to as usize) / (2 * from as usize);
