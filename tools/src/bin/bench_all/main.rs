@@ -6,7 +6,7 @@
 //!   --quick            three rounds, nothing of 50 MP, no vtracer (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
 //!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "other work", "throughput", "skipped", "growth"
-//!   --write            also writes the tables into docs/speed.md, a short one of them at its head
+//!   --write            also writes the tables into docs/speed.md, a short one at its head, and a few rows into README.md
 //!   --program FILE     another program than the one built here, such as one with other settings
 //! ```
 //!
@@ -19,7 +19,7 @@
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
 //! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages (`plot.rs` draws
 //! them), `work.rs` at drawings, PDF and pages, `browser.rs` at the library as WebAssembly, `throughput.rs` at many photographs in
-//! one call (`at_once.rs`: at their memory).
+//! one call (`at_once.rs`: at their memory). `written.rs` puts the tables into the pages, `readme.rs` chooses the rows of README.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 mod args;
@@ -32,6 +32,7 @@ mod numbers;
 mod ours;
 mod peers;
 mod plot;
+mod readme;
 mod rounds;
 mod stages;
 mod table;

@@ -49,6 +49,14 @@ pub(crate) fn number(value: Option<f64>) -> String {
     }
 }
 
+/// What [`number`] wrote, as far as its digits tell; nothing of a dash.
+pub(crate) fn value(cell: &str) -> Option<f64> {
+    match cell.strip_suffix(" thousand") {
+        Some(thousands) => Some(1e3 * thousands.parse::<f64>().ok()?),
+        None => cell.parse().ok(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -57,5 +65,11 @@ mod tests {
     fn numbers_have_three_digits_or_so() {
         let shown = [None, Some(0.0), Some(0.00061), Some(-0.25), Some(9.999), Some(123.4), Some(76_334.0)].map(number);
         assert_eq!(shown, ["-", "0.00", "0.0006", "-0.25", "10.0", "123", "76 thousand"]);
+    }
+
+    #[test]
+    fn numbers_are_read_again() {
+        let read = ["-", "0.25", "123", "76 thousand"].map(value);
+        assert_eq!(read, [None, Some(0.25), Some(123.0), Some(76_000.0)]);
     }
 }

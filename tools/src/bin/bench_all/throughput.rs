@@ -85,7 +85,8 @@ pub(crate) fn throughput(bench: &Bench<'_>) -> Table {
     table
 }
 
-const CALL: &str = "tactograph convert, all in one call";
+/// What one call with all photographs is called.
+pub(crate) const CALL: &str = "tactograph convert, all in one call";
 
 /// The photograph under so many names.
 fn copies(ours: &Ours, picture: &PathBuf, many: usize) -> Result<Vec<PathBuf>, String> {

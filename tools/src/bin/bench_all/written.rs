@@ -1,22 +1,24 @@
-//! The tables in docs/speed.md: a short one for everybody, and all of them.
+//! The tables in docs/speed.md, a short one for everybody and all of them, and the few rows in README.md.
 
 use std::fs;
 
 use crate::args::Args;
+use crate::readme;
 use crate::table::Table;
 
 const DOCS: &str = "docs/speed.md";
-/// What stands in the page between the lines of a mark is written anew.
+const README: &str = "README.md";
+/// What stands in a page between the lines of a mark is written anew.
 const SHORT: &str = "bench-all";
 const ALL: &str = "bench-all-tables";
 
-/// Writes both.
+/// Writes all of them.
 ///
 /// # Errors
-/// The page cannot be written, or lacks the marks between which the tables stand.
+/// A page cannot be written, or lacks the marks between which the tables stand; a row of README was not measured.
 pub(crate) fn write(short: &Table, tables: &[Table], args: &Args) -> Result<(), String> {
-    let page = fs::read_to_string(DOCS).map_err(|fault| format!("{DOCS}: {fault}"))?;
-    let page = between(&page, SHORT, short.body().trim_end())?;
+    let page = read(DOCS)?;
+    let page = between(DOCS, &page, SHORT, short.body().trim_end())?;
     let mut all = format!(
         "Made by `cargo run --release -p tactograph-tools --bin bench_all -- --write`, on {}, with {} rounds. Other \
          machines take other times; the ratios are what to look at. How each figure is taken stands at the head of \
@@ -25,14 +27,25 @@ pub(crate) fn write(short: &Table, tables: &[Table], args: &Args) -> Result<(), 
         args.runs
     );
     all.extend(tables.iter().map(Table::text));
-    fs::write(DOCS, between(&page, ALL, all.trim_end())?).map_err(|fault| format!("{DOCS}: {fault}"))
+    save(DOCS, &between(DOCS, &page, ALL, all.trim_end())?)?;
+    // last, so that a row that it lacks costs no other table
+    let few = readme::table(tables)?;
+    save(README, &between(README, &read(README)?, SHORT, few.body().trim_end())?)
 }
 
-/// The text with what stands between the lines `<!-- mark -->` and `<!-- /mark -->` exchanged.
-fn between(text: &str, mark: &str, new: &str) -> Result<String, String> {
+fn read(page: &str) -> Result<String, String> {
+    fs::read_to_string(page).map_err(|fault| format!("{page}: {fault}"))
+}
+
+fn save(page: &str, text: &str) -> Result<(), String> {
+    fs::write(page, text).map_err(|fault| format!("{page}: {fault}"))
+}
+
+/// The text of a page with what stands between the lines `<!-- mark -->` and `<!-- /mark -->` exchanged.
+fn between(page: &str, text: &str, mark: &str, new: &str) -> Result<String, String> {
     let (begin, end) = (format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->\n"));
     let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
-    let (before, after) = parts.ok_or_else(|| format!("{DOCS} has no lines {} and {}", begin.trim(), end.trim()))?;
+    let (before, after) = parts.ok_or_else(|| format!("{page} has no lines {} and {}", begin.trim(), end.trim()))?;
     Ok(format!("{before}{begin}\n{new}\n\n{end}{after}"))
 }
 
@@ -52,9 +65,17 @@ mod tests {
     fn the_table_is_exchanged_and_the_rest_stays() {
         let (begin, end) = ("<!-- bench-all -->", "<!-- /bench-all -->");
         let old = format!("before\n{begin}\nold\n{end}\nafter\n");
-        let new = between(&old, SHORT, "| new |").unwrap();
+        let new = between(DOCS, &old, SHORT, "| new |").unwrap();
         assert_eq!(new, format!("before\n{begin}\n\n| new |\n\n{end}\nafter\n"));
-        assert_eq!(between(&new, SHORT, "| new |").unwrap(), new);
-        assert!(between("no marks", ALL, "").is_err());
+        assert_eq!(between(DOCS, &new, SHORT, "| new |").unwrap(), new);
+        assert!(between(DOCS, "no marks", ALL, "").is_err());
+    }
+
+    #[test]
+    fn the_pages_have_the_marks() {
+        for (page, mark) in [(DOCS, SHORT), (DOCS, ALL), (README, SHORT)] {
+            let text = read(&format!("{}/{page}", tactograph_tools::ROOT)).unwrap();
+            between(page, &text, mark, "").unwrap();
+        }
     }
 }
