@@ -1,14 +1,14 @@
 //! The other programs: which of them there are, and how each does the work.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::measured::Job;
 use crate::ours::Ours;
 
-/// Pixels across that the others make, as many as a swell-a4 page has of a wide picture.
-const ACROSS: &str = "950";
+/// Pixels across that the others make, as many as we work on for a swell-a4 page of a wide picture: 174 mm, 4 px each.
+const ACROSS: &str = "696";
 
 /// Names by which ImageMagick may be called; a plain `convert` can be something else.
 const MAGICK: [&str; 3] = ["magick", "convert-im6.q16", "convert-im6"];
@@ -73,19 +73,20 @@ impl Peers {
 
     /// Decoded at a quarter, made smaller, Canny.
     pub(crate) fn opencv(&self, picture: &Path, ours: &Ours) -> Option<Job> {
-        self.script("OpenCV Canny in Python", "canny", picture, ours.page("opencv.png"))
+        self.script("OpenCV Canny in Python", "canny", picture, &ours.page("opencv.png"), &[ACROSS])
     }
 
     /// Outlines of all colours as SVG.
     pub(crate) fn vtracer(&self, picture: &Path, ours: &Ours) -> Option<Job> {
-        self.script("vtracer", "vtracer", picture, ours.page("vtracer.svg"))
+        self.script("vtracer", "vtracer", picture, &ours.page("vtracer.svg"), &[])
     }
 
-    fn script(&self, name: &str, what: &str, picture: &Path, out: PathBuf) -> Option<Job> {
+    fn script(&self, name: &str, what: &str, picture: &Path, out: &Path, more: &[&str]) -> Option<Job> {
         let script = Path::new("tools/src/bin/bench_all/peers.py");
         let python = self.python.as_ref()?;
         let command = [python.as_os_str(), script.as_os_str(), what.as_ref(), picture.as_os_str(), out.as_os_str()];
-        Some(Job::new(name, command).writes(&out))
+        let more = more.iter().map(OsStr::new);
+        Some(Job::new(name, command.into_iter().chain(more)).writes(out))
     }
 
     /// Outlines of the dark half as SVG. potrace reads no JPEG, so djpeg runs before it.
