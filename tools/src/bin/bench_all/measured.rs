@@ -20,15 +20,23 @@ pub(crate) struct Job {
     pub(crate) command: Vec<OsString>,
     /// What it writes; removed before it starts, so that each run does the same.
     pub(crate) writes: Option<PathBuf>,
+    /// Kept to one core, also where the others of its rounds are not.
+    pub(crate) one_core: bool,
 }
 
 impl Job {
     pub(crate) fn new<S: Into<OsString>>(name: &str, command: impl IntoIterator<Item = S>) -> Self {
-        Self { name: name.into(), command: command.into_iter().map(Into::into).collect(), writes: None }
+        let command = command.into_iter().map(Into::into).collect();
+        Self { name: name.into(), command, writes: None, one_core: false }
     }
 
     pub(crate) fn writes(mut self, file: impl Into<PathBuf>) -> Self {
         self.writes = Some(file.into());
+        self
+    }
+
+    pub(crate) fn on_one_core(mut self) -> Self {
+        self.one_core = true;
         self
     }
 }
@@ -61,7 +69,7 @@ pub(crate) fn run(job: &Job, one_core: bool) -> Result<Run, String> {
     }
     let this = std::env::current_exe().map_err(|fault| fault.to_string())?;
     let output = Command::new(this)
-        .args([MODE, if one_core { "1" } else { "0" }])
+        .args([MODE, if one_core || job.one_core { "1" } else { "0" }])
         .args(&job.command)
         .stdin(Stdio::null())
         .output()

@@ -45,6 +45,12 @@ impl Outcome {
     }
 }
 
+/// Runs a program once: for what takes a minute.
+pub(crate) fn once(job: &Job, one_core: bool) -> Outcome {
+    let runs = run(job, one_core).map(|run| vec![run]).inspect_err(|fault| eprintln!("{}: {fault}", job.name));
+    Outcome { name: job.name.clone(), runs }
+}
+
 /// Runs all, first once to warm up (what is slow is not warmed up), then in turn, every second round in reverse.
 pub(crate) fn rounds(jobs: &[Job], setting: Setting) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> =
