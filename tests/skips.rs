@@ -23,6 +23,9 @@ fn run(picture: &DynamicImage, settings: &[(&str, &str)]) -> (Drawing, Vec<Stage
     (drawing, ran, skipped)
 }
 
+/// What every drawing skips.
+const OF_DRAWING: (Stage, &str) = (Stage::Regions, "the picture is a drawing");
+
 /// A red disc on blue.
 fn disc() -> DynamicImage {
     RgbImage::from_fn(300, 200, |x, y| {
@@ -33,11 +36,11 @@ fn disc() -> DynamicImage {
 }
 
 #[test]
-fn a_whole_page_skips_nothing() {
+fn a_whole_page_of_a_drawing_skips_nothing_but_regions() {
     let (drawing, ran, skipped) = run(&disc(), &[]);
     use Stage::{Classes, Decode, Edges, Lines, Overview, Page, Text, Textures};
     assert_eq!(ran, [Decode, Text, Edges, Lines, Overview, Classes, Textures, Page]);
-    assert_eq!(skipped, []);
+    assert_eq!(skipped, [OF_DRAWING]);
     assert_eq!(drawing.notes, []);
     assert_eq!(drawing.page.figure.lines.len(), 1, "a disc has one contour");
     assert!(drawing.page.figure.lines[0].runs[0].closed);
@@ -47,7 +50,8 @@ fn a_whole_page_skips_nothing() {
 fn without_textures_colours_are_not_looked_at() {
     let (drawing, ran, skipped) = run(&disc(), &[("figure.textures", "false")]);
     assert!(!ran.contains(&Stage::Classes) && !ran.contains(&Stage::Textures));
-    assert_eq!(skipped, [(Stage::Classes, "figure.textures is off"), (Stage::Textures, "figure.textures is off")]);
+    let off = [Stage::Classes, Stage::Textures].map(|stage| (stage, "figure.textures is off"));
+    assert_eq!(skipped, [OF_DRAWING, off[0], off[1]]);
     assert!(drawing.page.figure.textures.is_empty());
 }
 
@@ -97,7 +101,7 @@ fn without_regions_none_are_looked_for_in_a_photograph() {
 fn without_overview_its_lines_are_not_drawn() {
     let (drawing, ran, skipped) = run(&disc(), &[("overview", "false")]);
     assert!(!ran.contains(&Stage::Overview));
-    assert_eq!(skipped, [(Stage::Overview, "overview.on is off")]);
+    assert_eq!(skipped, [OF_DRAWING, (Stage::Overview, "overview.on is off")]);
     assert!(drawing.page.overview.is_none());
 }
 
@@ -105,7 +109,9 @@ fn without_overview_its_lines_are_not_drawn() {
 fn with_textures_only_edges_are_not_looked_for() {
     let (drawing, ran, skipped) = run(&disc(), &[("figure.lines", "false"), ("overview", "false")]);
     assert_eq!(ran, [Stage::Decode, Stage::Text, Stage::Classes, Stage::Textures, Stage::Page]);
-    assert_eq!(skipped[0], (Stage::Edges, "neither the figure nor an overview has lines"));
+    let no_contours =
+        [Stage::Edges, Stage::Regions].map(|stage| (stage, "neither the figure nor an overview has lines"));
+    assert_eq!(skipped[..2], no_contours);
     assert!(drawing.page.figure.lines.is_empty() && drawing.page.figure.textures.len() == 2);
 }
 
@@ -114,15 +120,46 @@ fn a_grey_picture_has_no_hues_to_sort() {
     let grey = GrayImage::from_fn(300, 200, |x, _| Luma([if x < 150 { 60 } else { 200 }]));
     let (_, ran, skipped) = run(&grey.into(), &[]);
     assert!(ran.contains(&Stage::Classes));
-    assert_eq!(skipped, [(Stage::Hues, "the picture is grey")]);
+    assert_eq!(skipped, [OF_DRAWING, (Stage::Hues, "the picture is grey")]);
 }
 
 #[test]
 fn a_white_page_is_left_alone() {
     let (drawing, ran, skipped) = run(&GrayImage::from_pixel(300, 200, Luma([255])).into(), &[]);
     assert_eq!(ran, [Stage::Decode, Stage::Classes, Stage::Page]);
-    assert!(skipped.contains(&(Stage::Edges, "the picture is of one colour")));
+    for stage in [Stage::Text, Stage::Edges, Stage::Regions] {
+        assert!(skipped.contains(&(stage, "the picture is of one colour")), "{stage:?}");
+    }
     assert!(skipped.contains(&(Stage::Textures, "the picture is white")));
     assert_eq!(drawing.notes, [Note::EmptyPage]);
     assert!(drawing.page.is_empty());
+}
+
+#[test]
+fn every_stage_runs_or_is_skipped_once_with_its_reason() {
+    let off = |key: &'static str| (key, "false");
+    let all: [(&str, &[(&str, &str)]); 6] = [
+        ("coffee.png", &[]),
+        ("coffee.png", &[off("lines.regions")]),
+        ("coffee.png", &[off("figure.lines"), off("overview")]),
+        ("coffee.png", &[off("figure.textures")]),
+        ("empty.png", &[]),
+        ("bars.svg", &[]),
+    ];
+    for (name, settings) in all {
+        let (mut ran, mut skipped) = (Vec::new(), Vec::new());
+        let picture = samples::read(name);
+        page::page_of(&picture, "test", settings, &mut |event| match event {
+            Event::End(stage) => ran.push(stage),
+            Event::Skip(stage, why) => {
+                assert!(!why.is_empty());
+                skipped.push(stage);
+            }
+            _ => (),
+        });
+        for stage in Stage::ALL.iter().filter(|stage| **stage != Stage::Hues) {
+            let times = skipped.iter().filter(|other| *other == stage).count() + usize::from(ran.contains(stage));
+            assert_eq!(times, 1, "{name} {settings:?} {stage:?}: ran {ran:?}, skipped {skipped:?}");
+        }
+    }
 }

@@ -256,19 +256,22 @@ fn only_what_is_needed_is_done() {
         (ran, skipped, notes)
     };
     let disc = SMALL.png();
+    let of_drawing = vec![(Stage::Regions, "the picture is a drawing")];
     assert_eq!(
         stages(&disc, Tracing::contours_at_full_resolution()),
-        (vec![Stage::Decode, Stage::Text, Stage::Edges], vec![], vec![])
+        (vec![Stage::Decode, Stage::Text, Stage::Edges], of_drawing.clone(), vec![])
     );
     let to_lines = vec![Stage::Decode, Stage::Text, Stage::Edges, Stage::Lines];
-    assert_eq!(stages(&disc, Tracing::lines()), (to_lines, vec![], vec![]));
+    assert_eq!(stages(&disc, Tracing::lines()), (to_lines, of_drawing, vec![]));
     let flat = png(Size::new(60, 40), |_, _| 90);
     for subject in all() {
         let (ran, skipped, notes) = stages(&flat, subject);
         assert_eq!((ran, notes), (vec![Stage::Decode], vec![Note::NoContours]));
-        assert_eq!(skipped[0], (Stage::Edges, "the picture is of one colour"));
+        let of_one_colour =
+            [Stage::Text, Stage::Edges, Stage::Regions].map(|stage| (stage, "the picture is of one colour"));
+        assert_eq!(skipped[..3], of_one_colour);
         let no_lines = [(Stage::Lines, "there are no contours")];
-        assert_eq!(skipped[1..], no_lines[..usize::from(subject == Tracing::lines())]);
+        assert_eq!(skipped[3..], no_lines[..usize::from(subject == Tracing::lines())]);
         let Trace { size, polylines, .. } = traced(&flat, subject);
         assert_eq!((size, polylines), (Size::new(60, 40), vec![]));
     }

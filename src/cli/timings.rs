@@ -118,21 +118,28 @@ impl Clock {
                     self.add(TOGETHER, last, start.took());
                 }
             }
-            Event::Skip(stage, why) => self.insert(stage.name(), Some(stage), Row::Skipped(why)),
+            Event::Skip(stage, why) => {
+                // where another part of it has run, that is what it took
+                if self.rows.iter().all(|(name, ..)| *name != stage.name()) {
+                    self.insert(stage.name(), Some(stage), Row::Skipped(why));
+                }
+            }
             _ => {} // of other events nothing is timed
         }
     }
 
-    /// A stage that runs in several parts is one row.
+    /// A stage that runs in several parts is one row, also where some of them are skipped.
     fn add(&mut self, name: &'static str, stage: Option<Stage>, took: Row) {
-        for (row_name, _, row) in &mut self.rows {
-            if let (true, Row::Took(sum, all_worked), Row::Took(time, worked)) = (*row_name == name, row, took) {
-                *sum += time;
-                *all_worked = all_worked.zip(worked).map(|(a, b)| a + b);
-                return;
+        let Some((.., row)) = self.rows.iter_mut().find(|(row_name, ..)| *row_name == name) else {
+            self.insert(name, stage, took);
+            return;
+        };
+        *row = match (*row, took) {
+            (Row::Took(sum, all_worked), Row::Took(time, worked)) => {
+                Row::Took(sum + time, all_worked.zip(worked).map(|(a, b)| a + b))
             }
-        }
-        self.insert(name, stage, took);
+            (_, took) => took,
+        };
     }
 
     /// Stages stand in their own order, whichever of two side by side ended first.

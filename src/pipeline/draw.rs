@@ -4,7 +4,7 @@ use super::areas_of_colours::AreasOfColours;
 use super::areas_of_overview;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::dots;
-use super::find_edges::{edges_of, find_edges};
+use super::find_edges::{GIVEN, edges_of, find_edges, skip_edges};
 use super::finish::{PageSays, PictureFacts};
 use super::given::{Given, GivenLines, erase, is_in};
 use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
@@ -123,6 +123,9 @@ pub(super) fn find(
 
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
+    if given.lines.is_some() {
+        skip_edges(GIVEN, watch);
+    }
     let Contours { mut edges, mut decisions, told, all_erased } =
         contours_of(given, picture.raster.size(), &layout, erased, request, || {
             find_edges(&picture, &content, &layout, plan, watch)

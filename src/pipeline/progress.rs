@@ -139,6 +139,9 @@ pub enum Event {
     Done(f32),
 }
 
+/// Why most stages skip a picture with nothing on it.
+pub(super) const ONE_COLOUR: &str = "the picture is of one colour";
+
 /// Is told of every stage: where a program keeps its clock or its progress bar. Stages that run side by side tell from
 /// the threads that they run on, one at a time.
 pub type Watch<'a> = dyn FnMut(Event) + Send + 'a;

@@ -1,7 +1,7 @@
 //! A picture is decoded, and the text in its pixels taken out of it.
 
 use super::given::Given;
-use super::progress::{Event, Stage, Watch, run_stage};
+use super::progress::{Event, ONE_COLOUR, Stage, Watch, run_stage};
 use super::request::{LayoutOf, Request, working_size};
 use super::text_reader::TextReader;
 use crate::edges::PictureKind;
@@ -102,15 +102,16 @@ pub(super) fn read(
     watch: &mut Watch<'_>,
 ) -> Result<Read, Error> {
     let (known, paper) = run_stage(watch, Stage::Decode, || decoded(given, options))?;
-    if options.keep_text {
-        watch(Event::Skip(Stage::Text, "letters are drawn"));
+    let reason = if options.keep_text {
+        "letters are drawn"
     } else if known.content.is_uniform() {
-        return Ok(known);
+        ONE_COLOUR
     } else if known.picture.drawing.as_ref().is_some_and(has_no_letters) {
-        watch(Event::Skip(Stage::Text, "no paths are letters"));
+        "no paths are letters"
     } else {
         return Ok(run_stage(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
-    }
+    };
+    watch(Event::Skip(Stage::Text, reason));
     Ok(known)
 }
 

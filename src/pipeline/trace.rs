@@ -2,11 +2,11 @@
 
 use super::decisions::Decisions;
 use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of};
-use super::find_edges::edges_of;
+use super::find_edges::{GIVEN, edges_of, skip_edges};
 use super::given::Given;
 use super::named::NamedThings;
 use super::outlines::regions_of_figure;
-use super::progress::{Event, Stage, Watch};
+use super::progress::{ONE_COLOUR, Stage, Watch};
 use super::read::{Read, read};
 use super::request::{Fit, OverviewSize, Request, enough_pixels, working_size};
 use super::subject;
@@ -123,6 +123,9 @@ pub fn trace<'p>(
     let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
+    if given.lines.is_some() {
+        skip_edges(GIVEN, watch);
+    }
     let Contours { mut edges, mut decisions, told, .. } =
         contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
             find_edges(&read, tracing, &layout, plan, watch)
@@ -174,7 +177,7 @@ fn lines_as_data(
 fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Edges {
     let Read { picture, content } = read;
     if content.is_uniform() {
-        watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
+        skip_edges(ONE_COLOUR, watch);
         return Edges::none(picture.raster.size());
     }
     let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();

@@ -16,9 +16,12 @@ fn timings_are_told_for_every_stage() {
     let stages = rows.iter().map(|row| row[0]).filter(|stage| *stage != "together").collect::<Vec<_>>();
     let mut sorted = stages.clone();
     sorted.sort_unstable();
-    let all = ["classes", "decode", "edges", "lines", "overview", "page", "read", "text", "textures", "total", "write"];
+    let all = [
+        "classes", "decode", "edges", "lines", "overview", "page", "read", "regions", "text", "textures", "total",
+        "write",
+    ];
     assert_eq!(sorted, all, "{}", run.err);
-    assert_eq!((stages[0], stages[10]), ("read", "total"));
+    assert_eq!((stages[0], stages[11]), ("read", "total"));
     let is_time = |ms: &str| ms.parse::<f64>().is_ok_and(|ms| (0.0..60_000.0).contains(&ms));
     for row in &rows {
         match row[..] {

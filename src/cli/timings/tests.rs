@@ -40,3 +40,15 @@ fn the_table_lists_stages_in_order_with_skips_and_a_total() {
     std::thread::sleep(Duration::from_millis(2)); // waiting for its turn is not work on the picture
     assert_eq!(stopped.table("a.png"), table);
 }
+
+#[test]
+fn a_stage_of_which_a_part_ran_is_one_row_with_its_time() {
+    let part = [Event::Begin(Stage::Regions), Event::End(Stage::Regions)];
+    let skipped = [Event::Skip(Stage::Regions, "the picture is a drawing")];
+    for events in [[&skipped[..], &part].concat(), [&part[..], &skipped].concat()] {
+        let timings = Timings::start(false);
+        events.into_iter().for_each(|event| timings.watch(event));
+        let table = timings.stop().table("a.png");
+        assert!(table.len() == 3 && table[1].starts_with("  regions ") && table[1].ends_with(" ms"), "{table:?}");
+    }
+}

@@ -24,6 +24,21 @@ fn the_share_that_is_done_only_grows() {
     assert!(shares.is_sorted(), "{shares:?}");
     assert_eq!(shares.first(), Some(&0.0));
     assert!(shares.last().is_some_and(|share| (share - 1.0).abs() < 1e-6), "{shares:?}");
+    let drawing = [
+        Begin(Decode),
+        End(Decode),
+        Skip(Text, "no paths are letters"),
+        Skip(Regions, "the picture is a drawing"),
+        Begin(Edges),
+        End(Edges),
+        Begin(Page),
+        End(Page),
+    ];
+    let mut progress = Progress::until(Page);
+    let shares = drawing.map(|event| progress.after(event));
+    let after_skips = (COST[Decode as usize] + COST[Text as usize] + COST[Regions as usize]) / COST.iter().sum::<f32>();
+    assert!(shares.is_sorted() && (shares[3] - after_skips).abs() < 1e-6, "{shares:?}");
+    assert!((shares[7] - 1.0).abs() < 1e-6, "{shares:?}");
     // of contours alone, the rest is no work
     let mut progress = Progress::until(Regions);
     assert!(progress.after(Begin(Edges)) > 0.5);
