@@ -1,12 +1,14 @@
 //! How long each stage takes, alone and in memory, on two samples and a made-up photograph of 3 megapixels.
 //!
 //! ```text
-//! cargo bench -p tactograph-tools                               all of it (three minutes); tells what changed since the last time
+//! cargo bench -p tactograph-tools                               all of it (four minutes); tells what changed since the last time
 //! cargo bench -p tactograph-tools --bench stages -- edges       one stage
 //! cargo bench -p tactograph-tools --bench stages -- coffee      one picture
 //! ```
 //!
-//! Stages are called as `src/pipeline.rs` calls them, with the parameters of swell-a4. The whole program beside others is
+//! Stages have the parameters of swell-a4, and each has what those before it made. Other than in `src/pipeline/`, text in
+//! the pixels stays there, lines have no outlines of regions, and the overview is drawn once, by the figure's rules;
+//! regions are timed with the edges that they weight, beside edges alone. The whole program beside others is
 //! `tools/src/bin/bench_all/`; what CI watches are counted instructions (`tests/instructions.sh`), since times differ.
 
 use std::hint::black_box;
@@ -16,6 +18,8 @@ use std::time::Duration;
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, BenchmarkId, Criterion};
 use tactograph::Error;
+use tactograph::internals::edges::{self, PictureKind};
+use tactograph::internals::lettering::Lettering;
 use tactograph::internals::output::png::{Depth, Dpi};
 use tactograph::internals::output::{pdf, png as page_png, svg};
 use tactograph::internals::page::Page;
@@ -24,7 +28,7 @@ use tactograph::internals::pipeline::{Request, convert};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::{self, DecodeOptions, Decoded, Header, Limits};
 use tactograph::internals::units::{PageTransform, Size};
-use tactograph::internals::{classes, edges, lines, textures, touch};
+use tactograph::internals::{classes, lines, textures, touch};
 use tactograph_tools::{ROOT, photo};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
@@ -65,7 +69,9 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     let layout = layout_of(decoded.source.size, plan);
     let frame = PageTransform::new(raster.size(), layout.figure);
     let px_per_mm = 1.0 / frame.mm_per_px();
-    let found = edges::find(raster, &plan.edges(px_per_mm));
+    let kind = PictureKind::of(raster, decoded.lossy);
+    let contours_of = |regions| edges::find_of_kind(raster, &kind, &plan.edges(px_per_mm), regions);
+    let found = contours_of(plan.region_detail());
     let drawn = lines::draw(&found, &frame, layout.figure, &plan.lines());
     let contours = found.borders();
     let sorted = classes::sort(raster, &contours, &plan.classes(px_per_mm));
@@ -74,7 +80,9 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     let dpi = Dpi::new(150)?;
 
     bench(group, "decode", || decode(bytes, plan));
-    bench(group, "edges", || edges::find(raster, &plan.edges(px_per_mm)));
+    bench(group, "text", || Lettering::find(raster, kind.is_drawing));
+    bench(group, "edges", || contours_of(None));
+    bench(group, "edges-regions", || contours_of(plan.region_detail()));
     bench(group, "lines", || lines::draw(&found, &frame, layout.figure, &plan.lines()));
     if let Some(place) = layout.overview {
         let frame = PageTransform::new(raster.size(), place);
