@@ -44,6 +44,8 @@ impl Job {
 /// How one run went.
 #[derive(Debug, Clone)]
 pub(crate) struct Run {
+    /// In which of its rounds; 0 is the one that warms up.
+    pub(crate) round: usize,
     /// By the clock on the wall, ms.
     pub(crate) wall: f64,
     /// Working time of all cores, ms: other programs on the machine disturb it less.
@@ -79,7 +81,7 @@ pub(crate) fn run(job: &Job, one_core: bool) -> Result<Run, String> {
         String::from_utf8_lossy(&output.stdout).split_whitespace().filter_map(|word| word.parse().ok()).collect();
     match numbers[..] {
         [wall, cpu, peak] if output.status.success() => {
-            Ok(Run { wall: wall / 1e3, cpu: cpu / 1e3, peak: peak * 1024.0 / 1e6, said })
+            Ok(Run { round: 0, wall: wall / 1e3, cpu: cpu / 1e3, peak: peak * 1024.0 / 1e6, said })
         }
         _ => Err(said.lines().last().unwrap_or("it failed without a word").to_owned()),
     }

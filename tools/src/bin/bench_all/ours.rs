@@ -93,7 +93,7 @@ mod tests {
     fn the_timings_are_read_as_the_program_writes_them() {
         let said = "timings of a picture 9.9 ms.jpg:\n  read            0.1 ms\n  decode          6.5 ms\n  \
                     edges     skipped: the picture is of one colour\n  total          10.0 ms\n";
-        let run = Run { wall: 0.0, cpu: 0.0, peak: 0.0, said: said.into() };
+        let run = Run { round: 1, wall: 0.0, cpu: 0.0, peak: 0.0, said: said.into() };
         assert_eq!(stage(&run, "decode"), Some(6.5));
         assert_eq!(stage(&run, "edges"), None);
         assert_eq!(skipped(&run), ["edges"]);

@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn a_bar_has_a_part_for_each_stage_that_took_time() {
         let said = "timings of a.jpg:\n  decode 30.0 ms\n  edges 20.0 ms\n  total 50.0 ms\n";
-        let run = Run { wall: 50.0, cpu: 50.0, peak: 1.0, said: said.into() };
+        let run = Run { round: 1, wall: 50.0, cpu: 50.0, peak: 1.0, said: said.into() };
         let svg = plot(&[Outcome { name: "a & b".into(), runs: Ok(vec![run]) }]);
         // one for each stage in the legend, the white ground, and the two of the bar
         assert_eq!(svg.matches("<rect").count(), STAGES.len() + 1 + 2);

@@ -38,10 +38,15 @@ impl Outcome {
         self.median(|run| Some(run.peak))
     }
 
-    /// Median over the rounds of something made of this program's run and another's of the same round.
+    /// Median of something made of this program's run and another's of the same round, over the rounds in which both ran.
+    /// The only run of what is slow, before the first round, stands beside all of the other's.
     pub(crate) fn beside(&self, other: &Self, of: impl Fn(&Run, &Run) -> Option<f64>) -> Option<f64> {
         let (ours, theirs) = (self.runs.as_ref().ok()?, other.runs.as_ref().ok()?);
-        median(ours.iter().zip(theirs).filter_map(|(our, their)| of(our, their)))
+        let is_only = |runs: &[Run]| matches!(runs, [run] if run.round == 0);
+        let is_any = is_only(ours) || is_only(theirs);
+        let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
+        let pairs = pairs.filter(|(our, their)| is_any || our.round == their.round);
+        median(pairs.filter_map(|(our, their)| of(our, their)))
     }
 }
 
@@ -71,7 +76,7 @@ pub(crate) fn rounds(jobs: &[Job], setting: Setting) -> Vec<Outcome> {
                     spent[i] += run.cpu;
                     // A first run that used up the patience is all there will be.
                     if round > 0 || spent[i] >= setting.patience {
-                        runs.push(run);
+                        runs.push(Run { round, ..run });
                     }
                 }
                 Err(fault) => {
@@ -82,4 +87,27 @@ pub(crate) fn rounds(jobs: &[Job], setting: Setting) -> Vec<Outcome> {
         }
     }
     outcomes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outcome(runs: &[(usize, f64)]) -> Outcome {
+        let run = |&(round, wall): &(usize, f64)| Run { round, wall, cpu: wall, peak: 1.0, said: String::new() };
+        Outcome { name: String::new(), runs: Ok(runs.iter().map(run).collect()) }
+    }
+
+    #[test]
+    fn runs_of_one_round_stand_beside_one_another() {
+        let ratio = |ours: &[(usize, f64)], theirs: &[(usize, f64)]| {
+            outcome(ours).beside(&outcome(theirs), |our, their| Some(our.wall / their.wall))
+        };
+        let ours = [(1, 20.0), (2, 60.0), (3, 50.0)];
+        assert_eq!(ratio(&ours, &[(2, 30.0), (3, 50.0)]), Some(1.5));
+        assert_eq!(ratio(&ours, &[(1, 10.0)]), Some(2.0));
+        assert_eq!(ratio(&ours, &[(0, 100.0)]), Some(0.5), "the median of all beside its only run");
+        assert_eq!(ratio(&[(0, 100.0)], &ours), Some(2.0));
+        assert_eq!(ratio(&ours, &[]), None);
+    }
 }
