@@ -1,6 +1,7 @@
 //! The tables in docs/speed.md, a short one for everybody and all of them, and the few rows in README.md.
 
 use std::fs;
+use std::process::{Command, Stdio};
 
 use crate::args::Args;
 use crate::readme;
@@ -20,9 +21,10 @@ pub(crate) fn write(short: &Table, tables: &[Table], args: &Args) -> Result<(), 
     let page = read(DOCS)?;
     let page = between(DOCS, &page, SHORT, short.body().trim_end())?;
     let mut all = format!(
-        "Made by `cargo run --release -p tactograph-tools --bin bench_all -- --write`, on {}, with {} rounds. Other \
+        "Made by `cargo run --release -p tactograph-tools --bin bench_all -- --write`,{} on {}, with {} rounds. Other \
          machines take other times; the ratios are what to look at. How each figure is taken stands at the head of \
          [the program](../tools/src/bin/bench_all/main.rs).\n\n",
+        made(),
         machine(),
         args.runs
     );
@@ -47,6 +49,18 @@ fn between(page: &str, text: &str, mark: &str, new: &str) -> Result<String, Stri
     let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
     let (before, after) = parts.ok_or_else(|| format!("{page} has no lines {} and {}", begin.trim(), end.trim()))?;
     Ok(format!("{before}{begin}\n{new}\n\n{end}{after}"))
+}
+
+/// When, and of which sources, as far as the system tells.
+fn made() -> String {
+    let says = |program: &str, words: &[&str]| {
+        let output = Command::new(program).args(words).env("LC_ALL", "C").stderr(Stdio::null()).output().ok()?;
+        let said = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+        (output.status.success() && !said.is_empty()).then_some(said)
+    };
+    let day = says("date", &["-u", "+%-d %B %Y"]).map(|day| format!(" on {day},"));
+    let commit = says("git", &["rev-parse", "--short", "HEAD"]).map(|commit| format!(" from commit {commit},"));
+    [day, commit].into_iter().flatten().collect()
 }
 
 /// What the figures depend on most.
