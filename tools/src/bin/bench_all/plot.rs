@@ -15,7 +15,7 @@ const LONGEST: f64 = 640.0;
 /// Where the first bar begins.
 const TOP: f64 = 66.0;
 /// A bar that would be longer is cut, and says how long it is: one picture of 50 megapixels would hide all others.
-const MOST: f64 = 250.0;
+pub(crate) const MOST: f64 = 250.0;
 /// Parts of bars narrower than this have no number in them, px.
 const NARROW: f64 = 14.0;
 
@@ -25,9 +25,7 @@ pub(crate) fn plot(outcomes: &[Outcome]) -> String {
     let mut svg = plot::head(
         [WIDTH, height],
         "Time by stage",
-        "One bar for each kind of picture, made of the time of each stage in turn. Decoding is the largest part of large \
-         pictures, regions and lines of small ones, text and overview of drawings; only of portrait.svg lines come \
-         before text.",
+        "One bar for each kind of picture, made of the time of each stage in turn. The figures are in the table above it.",
     );
     for (number, name) in (1..).zip(STAGES) {
         let (x, y) = (10.0 + 150.0 * ((number - 1) % 6) as f64, 20.0 + 20.0 * ((number - 1) / 6) as f64);
@@ -52,7 +50,7 @@ pub(crate) fn plot(outcomes: &[Outcome]) -> String {
                 swatch(&mut svg, [x, y, width, ROW - 6.0], number);
             }
             if width >= NARROW {
-                let fill = if is_dark(number) { "#fff" } else { "#000" };
+                let [_, fill] = grey_of(number);
                 let middle = x + 0.5 * width;
                 let _ = writeln!(
                     svg,
@@ -74,7 +72,7 @@ fn all(outcome: &Outcome) -> f64 {
 
 /// A rectangle in the grey of a stage.
 fn swatch(svg: &mut String, [x, y, width, height]: [f64; 4], number: usize) {
-    let grey = GREYS[(number - 1) % GREYS.len()];
+    let [grey, _] = grey_of(number);
     let _ = writeln!(
         svg,
         "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{grey}\" stroke=\"#000\" \
@@ -82,11 +80,12 @@ fn swatch(svg: &mut String, [x, y, width, height]: [f64; 4], number: usize) {
     );
 }
 
-/// Greys in an order in which neighbours differ much.
-const GREYS: [&str; 4] = ["#fff", "#777", "#ddd", "#444"];
+/// Greys in an order in which neighbours differ much, each with what is written on it.
+const GREYS: [[&str; 2]; 4] = [["#fff", "#000"], ["#777", "#fff"], ["#ddd", "#000"], ["#444", "#fff"]];
 
-fn is_dark(number: usize) -> bool {
-    number.is_multiple_of(2)
+/// The grey of a stage, and what is written on it.
+fn grey_of(number: usize) -> [&'static str; 2] {
+    GREYS[(number - 1) % GREYS.len()]
 }
 
 #[cfg(test)]

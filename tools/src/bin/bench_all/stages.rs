@@ -4,15 +4,13 @@ use crate::inputs::SIZES;
 use crate::measured::{Job, run};
 use crate::numbers::{exponent, hundredths};
 use crate::ours::{STAGES, after_decoding, skipped, stage};
-use crate::plot::plot;
+use crate::plot::{MOST, plot};
 use crate::rounds::{Outcome, rounds};
 use crate::table::{Table, number};
 use crate::targets::Bench;
 
-/// Where the drawing of the stages lies, and what it shows.
+/// Where the drawing of the stages lies.
 const PLOT: &str = "docs/speed/stages.svg";
-const PLOT_SAYS: &str =
-    "A bar for each kind of picture in the table above, made of the time of each stage; bars are cut at 250 ms.";
 
 /// Every kind of picture, stage by stage.
 pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
@@ -56,7 +54,8 @@ pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
     let file = if bench.args.write { PLOT.into() } else { bench.target.join("bench/stages.svg") };
     match std::fs::write(&file, plot(&outcomes)) {
         Ok(()) if bench.args.write => {
-            table.after = format!("![{PLOT_SAYS}]({})\n", PLOT.trim_start_matches("docs/"));
+            let says = "A bar for each kind of picture in the table above, made of the time of each stage";
+            table.after = format!("![{says}; bars are cut at {MOST} ms.]({})\n", PLOT.trim_start_matches("docs/"));
         }
         Ok(()) => eprintln!("drawn: {}", file.display()),
         Err(fault) => eprintln!("{}: {fault}", file.display()),
