@@ -1,16 +1,4 @@
-//! Medians and fits.
-
-/// The middle value; of an even number the mean of the middle two. Nothing of nothing.
-pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values.into_iter().collect();
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    match values.len() {
-        0 => None,
-        odd if odd % 2 == 1 => Some(values[middle]),
-        _ => Some((values[middle - 1] + values[middle]) / 2.0),
-    }
-}
+//! Fits.
 
 /// The exponent e of `y = c x^e` that fits best by least squares on the logarithms. Nothing of fewer than two places.
 pub(crate) fn exponent(points: &[(f64, f64)]) -> Option<f64> {
@@ -33,10 +21,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn medians_and_exponents_are_those_of_known_numbers() {
-        assert_eq!(median([3.0, 1.0, 2.0]), Some(2.0));
-        assert_eq!(median([4.0, 1.0, 2.0, 3.0]), Some(2.5));
-        assert_eq!(median([]), None);
+    fn exponents_are_those_of_known_numbers() {
         let square: Vec<(f64, f64)> = [1.0, 2.0, 5.0].map(|x: f64| (x, 3.0 * x * x)).to_vec();
         assert!((exponent(&square).unwrap() - 2.0).abs() < 1e-12);
         assert_eq!(exponent(&[(1.0, 2.0)]), None);

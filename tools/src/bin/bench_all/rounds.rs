@@ -1,7 +1,8 @@
 //! Several programs in turn, round after round: whatever else the machine does then falls on all of them alike.
 
+use tactograph_tools::median::median;
+
 use crate::measured::{Job, Run, run};
-use crate::numbers::median;
 
 /// How often and where.
 #[derive(Debug, Clone, Copy)]

@@ -9,8 +9,9 @@ use tactograph::internals::pipeline::{Event, Request, Stage};
 use tactograph::internals::profile::Plan;
 use tactograph::internals::touch::{Ink, report};
 use tactograph::internals::units::MmPoint;
+use tactograph_tools::median::median;
 
-use crate::clock::{Clock, median};
+use crate::clock::Clock;
 use crate::compare::FINGER;
 use crate::pictures::Picture;
 use crate::rows::profile;
@@ -51,7 +52,7 @@ pub(crate) fn table(name: &str, pictures: &[Picture], rounds: usize) -> Result<(
         let Some((reference, _)) = made.split_last() else { continue };
         for (made, resolution) in made.iter().zip(RESOLUTIONS) {
             let share = |a: &HashSet<[i32; 2]>, b: &HashSet<[i32; 2]>| a.difference(b).count() as f64 / a.len() as f64;
-            let ms = |i: usize| median(made.ms.iter().map(|ms| ms[i]).collect());
+            let ms = |i: usize| median(made.ms.iter().map(|ms| ms[i])).unwrap_or(f64::NAN);
             println!(
                 "| {} | {resolution} | {:.1} | {:.1} | {} | {:.3} | {:.3} | {} | {:.3} | {:.3} | {:.4} |",
                 picture.name,

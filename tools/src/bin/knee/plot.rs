@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use tactograph_tools::plot::{self, Axis, LINE, Labels, Panel};
 
-use crate::rows::{Row, Setting, mean_errors, settings};
+use crate::rows::{DEFAULT_SCALE, Row, SCALES, Setting, is_same, mean_errors, settings};
 
 /// A way to work in the drawing.
 struct Dot {
@@ -20,8 +20,6 @@ const LEFTS: [f64; 2] = [76.0, 506.0];
 const WIDTH: f64 = 376.0;
 const TOP: f64 = 84.0;
 const BOTTOM: f64 = 408.0;
-/// Scales that are drawn, mm; the second is the default.
-const SCALES: [f32; 3] = [0.3, 0.45, 0.6];
 
 /// The drawing as SVG.
 pub(crate) fn plot(rows: &[Row]) -> String {
@@ -59,7 +57,7 @@ fn panel(svg: &mut String, title: &str, left: f64, dots: &[Dot]) {
     for (scale, dash) in SCALES.iter().zip(["2 3", "none", "7 4"]) {
         let of: Vec<String> = dots
             .iter()
-            .filter(|dot| (dot.setting.scale - scale).abs() < 1e-6 && dot.setting.eighths.is_none())
+            .filter(|dot| is_same(dot.setting.scale, *scale) && dot.setting.eighths.is_none())
             .map(|dot| place(dot.at).map(|v| format!("{v:.1}")).join(","))
             .collect();
         let of = of.join(" ");
@@ -72,7 +70,7 @@ fn panel(svg: &mut String, title: &str, left: f64, dots: &[Dot]) {
         mark(svg, dot.setting, place(dot.at));
     }
     let mut labels = Labels::beside(dots.iter().map(|dot| place(dot.at)), left + WIDTH, TOP + LINE..BOTTOM - 2.0);
-    for dot in dots.iter().filter(|dot| (dot.setting.scale - SCALES[1]).abs() < 1e-6) {
+    for dot in dots.iter().filter(|dot| is_same(dot.setting.scale, DEFAULT_SCALE)) {
         let Setting { resolution, eighths, .. } = dot.setting;
         let name = eighths.map_or(format!("{resolution}"), |eighths| format!("{resolution} from {eighths}/8"));
         let weight = if eighths.is_none() { "bold" } else { "normal" };
@@ -89,30 +87,34 @@ fn mark(svg: &mut String, setting: Setting, [x, y]: [f64; 2]) {
             let (x, y) = (x - 4.0, y - 4.0);
             writeln!(svg, "<path d=\"M{x:.1} {y:.1}l8 8m0 -8l-8 8\" stroke=\"#000\" stroke-width=\"1.6\"/>")
         }
-        Setting { scale, .. } if scale < 0.4 => {
+        Setting { scale, .. } if is_same(scale, DEFAULT_SCALE) => {
+            writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>")
+        }
+        Setting { scale, .. } if scale < DEFAULT_SCALE => {
             writeln!(svg, "<path d=\"M{x:.1} {:.1}l4.5 8h-9z\" {outline}/>", y - 5.0)
         }
-        Setting { scale, .. } if scale > 0.5 => {
-            writeln!(svg, "<path d=\"M{:.1} {:.1}h7v7h-7z\" {outline}/>", x - 3.5, y - 3.5)
-        }
-        _ => writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>"),
+        _ => writeln!(svg, "<path d=\"M{:.1} {:.1}h7v7h-7z\" {outline}/>", x - 3.5, y - 3.5),
     };
 }
 
 fn head() -> String {
     let down = 0.5 * (TOP + BOTTOM);
     let title = "Run time against error on the page";
-    let description = "Two panels. Across: milliseconds of one core for a page of a picture of 12 megapixels. Up: root of \
+    let [finer, usual, coarser] = SCALES;
+    let description = format!(
+        "Two panels. Across: milliseconds of one core for a page of a picture of 9 to 12 megapixels. Up: root of \
         the mean square distance of lines from where they should be, in millimetres on the page. Left, drawn scenes whose \
         outlines are known; right, a photo-like picture beside its page at 12 px for a millimetre. Labels are pixels for a \
-        millimetre of the page. Full dots, joined by a line: edges at a scale of 0.45 mm; triangles 0.3 mm, squares 0.6 mm; \
-        crosses: decoded at the fraction that the label names, and handed over as pixels. The figures are in knee.csv.";
-    let mut svg = plot::head(SIZE, title, description)
+        millimetre of the page. Full dots, joined by a line: edges at a scale of {usual} mm; triangles {finer} mm, squares \
+        {coarser} mm; crosses: decoded at the fraction that the label names, and handed over as pixels. The figures are in \
+        knee.csv."
+    );
+    let mut svg = plot::head(SIZE, title, &description)
         + &format!(
-            "<text x=\"{0}\" y=\"22\" font-size=\"14\">Run time against error on an A4 page, pictures of 12 \
+            "<text x=\"{0}\" y=\"22\" font-size=\"14\">Run time against error on an A4 page, pictures of 9 to 12 \
              megapixels</text>\n\
-             <text x=\"{0}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of 0.45 mm; triangles: \
-             0.3 mm; squares: 0.6 mm;</text>\n\
+             <text x=\"{0}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of {usual} mm; triangles: \
+             {finer} mm; squares: {coarser} mm;</text>\n\
              <text x=\"{0}\" y=\"60\">crosses: JPEG decoded at the fraction that is named, and handed over as pixels</text>\n\
              <text transform=\"translate(22 {down}) rotate(-90)\" text-anchor=\"middle\">distance of lines (RMS), mm on \
              the page</text>\n",

@@ -3,10 +3,19 @@
 use std::fmt::Write as _;
 
 use tactograph::internals::profile::Profile;
+use tactograph_tools::median::median;
 
-use crate::clock::median;
 use crate::compare::Errors;
 use crate::run::STAGES;
+
+/// Scales of edges that are measured, mm: a finer one, the default, and a coarser one.
+pub(crate) const SCALES: [f32; 3] = [0.3, DEFAULT_SCALE, 0.6];
+pub(crate) const DEFAULT_SCALE: f32 = 0.45;
+
+/// Whether two scales are one.
+pub(crate) fn is_same(one: f32, other: f32) -> bool {
+    (one - other).abs() < 1e-6
+}
 
 /// One way to work.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,12 +44,12 @@ impl Row {
         let of = |times: &[f64; STAGES.len()]| {
             STAGES.iter().zip(times).find(|(stage, _)| **stage == name).map(|(_, ms)| *ms)
         };
-        median(self.times.iter().filter_map(of).collect())
+        median(self.times.iter().filter_map(of)).unwrap_or(f64::NAN)
     }
 
     /// Median of the whole, ms.
     pub(crate) fn all(&self) -> f64 {
-        median(self.times.iter().map(|times| times.iter().sum()).collect())
+        median(self.times.iter().map(|times| times.iter().sum::<f64>())).unwrap_or(f64::NAN)
     }
 }
 

@@ -6,14 +6,11 @@ use tactograph::internals::profile::Plan;
 
 use crate::compare::{Sight, compare};
 use crate::pictures::Picture;
-use crate::rows::{Row, Setting, profile};
+use crate::rows::{DEFAULT_SCALE, Row, SCALES, Setting, is_same, profile};
 use crate::run::{Outcome, classes, run};
 
 /// px for a millimetre of the page.
 const RESOLUTIONS: [f32; 8] = [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0];
-/// Scales of edges, mm; the second is the default.
-const SCALES: [f32; 3] = [0.3, 0.45, 0.6];
-const DEFAULT_SCALE: f32 = SCALES[1];
 /// Where JPEG is also decoded at more than is needed, and first at what is, as all of these come as pixels.
 const DECODED: [f32; 4] = [2.0, 3.0, 4.0, 5.0];
 /// What pages without a known truth are held against: the most that a profile can ask for. Pictures of 12 MP have 23 on A4.
@@ -43,14 +40,14 @@ pub(crate) fn sweep(name: &str, pictures: &[Picture], rounds: usize, draw: Optio
     for (number, picture) in pictures.iter().enumerate() {
         for scale in SCALES {
             let reference = judged(picture, &Setting { resolution: REFERENCE, scale, eighths: None })?;
-            for setting in settings(picture, &reference).into_iter().filter(|s| is(s.scale, scale)) {
+            for setting in settings(picture, &reference).into_iter().filter(|s| is_same(s.scale, scale)) {
                 eprintln!("{} {setting:?}", picture.name);
                 let page = judged(picture, &setting)?;
                 let truth = match &picture.scene {
                     Some(scene) => Sight::of_scene(scene, &page),
                     None => Sight::of_page(&reference, page.place),
                 };
-                let errors = compare(&truth, &page, is(scale, DEFAULT_SCALE))?;
+                let errors = compare(&truth, &page, is_same(scale, DEFAULT_SCALE))?;
                 if let Some(folder) = draw.filter(|_| setting.eighths.is_none()) {
                     let file =
                         folder.join(format!("{}-{}-{scale}.svg", picture.name.replace(':', "-"), setting.resolution));
@@ -79,16 +76,12 @@ pub(crate) fn sweep(name: &str, pictures: &[Picture], rounds: usize, draw: Optio
     Ok(rows.into_iter().map(|(_, row)| row).collect())
 }
 
-fn is(a: f32, b: f32) -> bool {
-    (a - b).abs() < 1e-6
-}
-
 fn settings(picture: &Picture, reference: &Outcome) -> Vec<Setting> {
     let mut settings = Vec::new();
     for scale in SCALES {
         for resolution in RESOLUTIONS {
             settings.push(Setting { resolution, scale, eighths: None });
-            if picture.is_jpeg && is(scale, DEFAULT_SCALE) && DECODED.contains(&resolution) {
+            if picture.is_jpeg && is_same(scale, DEFAULT_SCALE) && DECODED.contains(&resolution) {
                 let working = resolution * reference.place.width();
                 let enough = |eighths: &u32| (reference.source.width * eighths) as f32 >= 8.0 * working;
                 let fractions = [1, 2, 4, 8].into_iter().filter(enough);
