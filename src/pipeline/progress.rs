@@ -74,9 +74,9 @@ impl Stage {
     }
 }
 
-/// How long each stage takes of a photograph of 12 megapixels as JPEG, ms, in the order of [`Stage::ALL`]: the row
-/// `photo-12.jpg` of `docs/speed.md`. Other pictures share their time out otherwise: where texts are looked for in a
-/// drawing, or its lines are crowded, those stages take most of it.
+/// How long stages take beside one another, in the order of [`Stage::ALL`]: in these proportions a photograph of 12
+/// megapixels as JPEG did on 23 November (two cores). Other pictures share their time out otherwise: where texts are
+/// looked for in a drawing, or its lines are crowded, those stages take most of it.
 const COST: [f32; Stage::ALL.len()] = [38.0, 6.0, 14.0, 18.0, 16.0, 11.0, 0.0, 5.0, 1.0, 1.0];
 
 /// Keeps count of how much of the work is done.

@@ -11,9 +11,9 @@ pub(crate) struct Args {
     pub(crate) runs: usize,
     /// Only work whose name has this in it, in small letters.
     pub(crate) only: Option<String>,
-    /// Slow programs run once; nothing of 50 megapixels.
+    /// Fewer rounds and less patience with slow programs; nothing of 50 megapixels, no vtracer, fewer photographs in one call.
     pub(crate) quick: bool,
-    /// The tables go into docs/speed.md too.
+    /// The tables go into docs/speed.md and README.md too.
     pub(crate) write: bool,
     /// Another program than the one that is built here.
     pub(crate) program: Option<PathBuf>,

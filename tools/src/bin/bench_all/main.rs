@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! tools/src/bin/bench_all/peers.sh                              once: installs the others and what writes the pictures
-//! cargo run --release -p tactograph-tools --bin bench_all                  all tables, as Markdown (some eight minutes)
-//!   --quick            three rounds, nothing of 50 MP, no vtracer (two minutes)
+//! cargo run --release -p tactograph-tools --bin bench_all                  all tables, as Markdown (some eighteen minutes)
+//!   --quick            three rounds, nothing of 50 MP, no vtracer, fewer photographs in one call, and who has worked 2 s in all
+//!                      does not run again (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
 //!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "other work", "throughput", "skipped", "growth"
 //!   --write            also writes the tables into docs/speed.md, a short one at its head, and a few rows into README.md
@@ -14,7 +15,7 @@
 //! system's cache. All programs for one picture run in turn, round after round, every second round in reverse, after one
 //! round to warm up. Figures are medians over the rounds; a ratio is the median of the ratios within each round, so that
 //! whatever else the machine does falls on both sides. Working time (CPU) is shown beside the clock: it feels others' load
-//! less. Who has worked 15 s in all does not run again. Memory is the most that was held (peak resident set).
+//! less. Who has worked 15 s in all does not run again, but for calls with many photographs. Memory is the most that was held (peak resident set).
 //!
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
 //! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages (`plot.rs` draws

@@ -97,9 +97,7 @@ impl Peers {
         (is_program("djpeg") && is_program("potrace"))
             .then(|| Job::new("potrace (djpeg -grayscale before it)", command).writes(&out))
     }
-}
 
-impl Peers {
     /// [`Peers::potrace`] of many pictures, one after the other.
     pub(crate) fn potrace_loop(&self, pictures: &[PathBuf], ours: &Ours) -> Option<Job> {
         let out = ours.page("potrace.svg");
