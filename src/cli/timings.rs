@@ -118,11 +118,9 @@ impl Clock {
                     self.add(TOGETHER, last, start.took());
                 }
             }
-            Event::Skip(stage, why) => {
-                // where another part of it has run, that is what it took
-                if self.rows.iter().all(|(name, ..)| *name != stage.name()) {
-                    self.insert(stage.name(), Some(stage), Row::Skipped(why));
-                }
+            // where another part of it has run, that is what it took
+            Event::Skip(stage, why) if self.rows.iter().all(|(name, ..)| *name != stage.name()) => {
+                self.insert(stage.name(), Some(stage), Row::Skipped(why));
             }
             _ => {} // of other events nothing is timed
         }
