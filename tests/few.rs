@@ -39,6 +39,18 @@ fn a_photograph_of_few_shapes_has_few_lines_and_says_so() {
     }
 }
 
+/// A page of few shapes is not to have all contours: it does not say that they have no room.
+#[test]
+fn a_photograph_of_few_shapes_is_not_said_to_lack_contours_for_want_of_room() {
+    let drawing = with("astronaut.png", 3);
+    let checked = tactograph::check(drawing.page.to_svg(), &tactograph::PageOptions::new()).expect("it can be read");
+    for notes in [&drawing.notes, &checked.notes] {
+        assert!(notes.iter().all(|note| note.id() != "lines-left-out"), "{notes:?}");
+    }
+    let is_known = drawing.page.origin.iter().any(|(_, value)| value == "a photograph");
+    assert!(is_known, "a photograph: {:?}", drawing.page.origin);
+}
+
 #[test]
 fn the_overview_of_few_shapes_is_mostly_made_of_those_of_the_figure() {
     for sample in ["coffee.png", "astronaut.png", "chelsea.png"] {

@@ -83,18 +83,27 @@ impl LineCandidates {
         Self { lines, saliencies, contours, gridlines, short, points, scales, left_out, lost_scales, heads }
     }
 
-    /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
-    pub(super) fn lost(&self, drawn: &[&Cleared], least: f32, area: MmRect, params: &Params) -> Lost {
+    /// What of those contours that have at least this saliency is not `drawn`, and what is too short. Of a photograph,
+    /// pieces that `had_room` and are less salient are not lost for want of room: a contour may be worth a line as a
+    /// whole, and what is left of it beside others may not.
+    pub(super) fn lost(
+        &self,
+        drawn: &[&Cleared],
+        had_room: &[Cleared],
+        least: f32,
+        area: MmRect,
+        params: &Params,
+    ) -> Lost {
         let salient = self.lines[..self.contours].iter().zip(&self.saliencies).filter(|(_, of)| **of >= least);
         let contours: Vec<_> = salient.map(|((line, _), _)| line).collect();
         let mut wanted = self.short;
         contours.iter().for_each(|polyline| wanted.add(polyline));
         let mut kept = LossTally::new(area);
-        if self.contours == self.lines.len() {
+        if params.of_drawing {
             drawn.iter().for_each(|line| kept.add(&line.polyline));
         } else {
             // an outline stands for the contours along it
-            let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+            let lines = nearby(had_room.iter().map(|line| &line.polyline), area, params);
             let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
             contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
             kept.count_rings(drawn.iter().map(|line| &line.polyline));
@@ -205,3 +214,6 @@ fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Ve
     polylines.sort_by(|a, b| b.0.total_cmp(&a.0));
     polylines.into_iter().map(|(_, polyline)| polyline).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -223,6 +223,11 @@ impl Lost {
         most_of(self.by_place).map(|ninth| NAMES[ninth])
     }
 
+    /// There were to be few shapes of a photograph: that most contours have no line is not for want of room.
+    pub fn lack_on_purpose(&mut self) {
+        (self.lost, self.by_place, self.of_gridlines) = (0.0, [0.0; 9], [0.0; 9]);
+    }
+
     /// A squared grid of so many lines, of which this length was drawn, is left out as a whole, and told as such: what
     /// its lines lacked before is no loss of others.
     pub fn without_gridlines(&mut self, lines: usize, length: f32) {

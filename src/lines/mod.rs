@@ -112,7 +112,7 @@ pub fn draw_with(
     let stays = |line: &&Cleared| line.saliency >= least || is_meant(line);
     let mut drawn: Vec<_> = cleared.iter().filter(stays).collect();
     links::drop_loose(&mut drawn, area, &params);
-    let mut lost = candidates.lost(&drawn, least, area, &params);
+    let mut lost = candidates.lost(&drawn, &cleared, least, area, &params);
     // What follows is left out on purpose, and not lost.
     let mut beyond = few::keep(&mut drawn, outlines.shapes, area, &params);
     links::drop_loose(&mut drawn, area, &params);

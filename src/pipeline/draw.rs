@@ -394,8 +394,13 @@ pub(super) fn draw_lines(
                 draw_whole(edges, &outlines, &transform, layout, &params, plan)
             };
             let (place, detail) = (layout.figure, plan.lines().detail);
-            let drawn = draw(edges, place, detail);
-            if matches!(lines_of, LinesOf::Person) || plan.lines().most_shapes.is_some() {
+            let mut drawn = draw(edges, place, detail);
+            let are_few = plan.lines().most_shapes.is_some();
+            // what of the few shapes of a drawing has no room is a loss, as of any drawing
+            if are_few && !edges.of_drawing() && matches!(lines_of, LinesOf::Picture(_)) {
+                drawn.lost.lack_on_purpose();
+            }
+            if are_few || matches!(lines_of, LinesOf::Person) {
                 return FigureLines { lines: drawn, areas, instead: None };
             }
             let (places, tolerances) = (&[place], BarTolerances::of(layout, plan));

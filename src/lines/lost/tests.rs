@@ -71,6 +71,17 @@ fn what_is_lost_is_told_with_its_length_and_its_place() {
 }
 
 #[test]
+fn contours_without_a_line_are_not_lost_where_there_are_to_be_few_shapes() {
+    let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
+    let mut wanted = LossTally::new(area);
+    wanted.add(&line((12.0, 12.0), (32.0, 12.0)));
+    let mut lost = Lost { rings: 2, ..wanted.lost(&LossTally::new(area)) };
+    assert!(lost.share() > 0.99 && lost.place_name().is_some(), "{lost:?}");
+    lost.lack_on_purpose();
+    assert!(lost.share() < 0.01 && lost.place_name().is_none() && lost.rings == 2, "{lost:?}");
+}
+
+#[test]
 fn what_a_grid_that_is_left_out_lacked_before_is_no_loss_of_others() {
     let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
     let faint = |from: (f32, f32), to: (f32, f32)| weaken(line(from, to), &Params::TEST);

@@ -20,6 +20,8 @@ fn what_was_left_out_is_read_as_it_was_said() {
     ] {
         assert_eq!(LeftOut::of(&page(left_out.to_origin())), left_out);
     }
+    let whole = LeftOut { of: 400, of_photograph: true, ..LeftOut::default() };
+    assert!(LeftOut::of(&page(whole.to_origin())).of_photograph, "one that lacks nothing is a photograph, too");
     assert_eq!(LeftOut::default().to_origin(), [], "nothing of nothing");
 }
 
