@@ -47,6 +47,7 @@ mod subject;
 mod text_reader;
 mod texts;
 mod textures;
+mod thing_of_overview;
 mod told_bars;
 mod told_given;
 mod told_labels;

@@ -127,6 +127,9 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
         Note::NotOnPage(_, Reason::PaperEdge, _) => format!("{note} (--crop, --keep-ground)"),
+        Note::NotOnPage(_, Reason::FirstNotInOverview, _) => {
+            format!("{note} (--subject with this place, or --simplify 5)")
+        }
         Note::TooDense { .. } if making.has_sheets() => match making.larger() {
             Some(_) => format!("{note} ({SHEETS}, --crop)"),
             None => format!("{note} (--crop)"),

@@ -157,6 +157,8 @@ reasons! {
     MarksTooShort => "marks-too-short",
     /// The outline of a subject has no room.
     NoRoomForSubject => "no-room-for-subject",
+    /// The overview lacks most of the outline that comes first in the figure.
+    FirstNotInOverview => "first-not-in-overview",
     /// The outline of a subject is erased.
     SubjectErased => "subject-erased",
     /// Lines of a page are too short for another one or too near to others.

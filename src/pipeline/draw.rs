@@ -28,6 +28,7 @@ use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series;
 use super::subject;
 use super::texts::{self, Text, placed};
+use super::thing_of_overview;
 use super::told_bars::{self, BarStyle};
 use super::told_given::{told_short, told_words};
 use super::told_lines::{
@@ -198,7 +199,7 @@ pub(super) fn draw(
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
     notes.extend(told_of_overview(&overview, &drawn.lost.marks));
-    notes.extend(told_of_shapes(&edges, &drawn.lines, &overview, &layout, plan));
+    notes.extend(told_of_shapes((&edges, regions.as_ref(), &decisions), &drawn.lines, &overview, &layout, plan));
     notes.extend(told_of_person((given, &decisions), &drawn.lines, &overview, &layout, plan));
     notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
@@ -228,10 +229,10 @@ fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, 
     left_out.chain(lost_marks::told(&drawn.lost, plan)).chain(otherwise).collect()
 }
 
-/// What the maker is told of areas of the figure, and of lines between its shapes, that the overview lacks, and of one
-/// with nothing in it.
+/// What the maker is told of areas of the figure, of lines between its shapes, and of the first of its regions, that
+/// the overview lacks, and of one with nothing in it.
 fn told_of_shapes(
-    edges: &Edges,
+    (edges, regions, decisions): (&Edges, Option<&Chosen>, &Decisions),
     lines: &[Line],
     overview: &DrawnOverview,
     layout: &Layout,
@@ -239,7 +240,8 @@ fn told_of_shapes(
 ) -> impl Iterator<Item = Note> {
     let areas = areas_of_overview::told(edges, lines, overview, layout, plan);
     let all = told_without_overview(overview, edges, lines, layout).into_iter().chain(areas);
-    all.chain(links_of_overview::told(edges, lines, overview, layout, plan))
+    let thing = thing_of_overview::told(edges, (regions, decisions), lines, overview, layout, plan);
+    all.chain(links_of_overview::told(edges, lines, overview, layout, plan)).chain(thing)
 }
 
 /// What the maker is told of lines that a person drew: of what runs beside those that are added or is open there, of

@@ -21,7 +21,11 @@ pub(super) struct LinesOfPart {
 impl LinesOfPart {
     /// Those of a part of the page that lies at `place`.
     pub(super) fn of(lines: &[Line], place: MmRect, layout: &Layout, plan: &Plan) -> Self {
-        let reach = plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED;
+        Self::within(lines, place, plan.lines().farthest_moved().max(1.5 * layout.medium.pitch()) + SMOOTHED)
+    }
+
+    /// The same, to be looked for no farther off than this, mm.
+    pub(super) fn within(lines: &[Line], place: MmRect, reach: f32) -> Self {
         let mut index = Nearby::new(place, reach);
         for (number, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
             index.insert_line(number, run.polyline(), 0.0);
@@ -43,12 +47,17 @@ impl LinesOfPart {
         self.share(places)
     }
 
+    /// Whether there is a line at a place.
+    pub(super) fn has(&self, at: MmPoint) -> bool {
+        self.index.nearest(at, self.reach, |_| true).is_some()
+    }
+
     /// Share of some places at which there is a line; 0 of none.
     pub(super) fn share(&self, places: impl Iterator<Item = MmPoint>) -> f32 {
         let (mut all, mut near) = (0_u32, 0_u32);
         for at in places {
             all += 1;
-            near += u32::from(self.index.nearest(at, self.reach, |_| true).is_some());
+            near += u32::from(self.has(at));
         }
         near as f32 / all.max(1) as f32
     }

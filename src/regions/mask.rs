@@ -132,6 +132,23 @@ impl Mask {
         Some([corner(left, top), corner(right, bottom)])
     }
 
+    /// A place well inside: the middle of the cell that is farthest from all that are not in it, in pixels of the
+    /// picture; none if it is empty.
+    pub fn inside(&self) -> Option<PxPoint> {
+        let width = self.grid.cells.width as usize;
+        let is_outside: Vec<bool> = self.is_in.iter().map(|is_in| !is_in).collect();
+        let far = squared_distances(&is_outside, self.grid.cells);
+        let own = far.into_iter().zip(&self.is_in).enumerate().filter(|(_, (_, is_in))| **is_in);
+        let (cell, _) = own.max_by_key(|(_, (far, _))| *far)?;
+        Some(self.grid.to_picture(PxPoint::new((cell % width) as f32 + 0.5, (cell / width) as f32 + 0.5)))
+    }
+
+    /// The share of its outline that lies on the edge of the picture, 0..=1.
+    pub fn on_picture_edge(&self) -> f32 {
+        let on_edge = edge_cells(self.grid.cells).filter(|&cell| self.is_in[cell]).count();
+        on_edge as f32 / (on_edge + self.border().len()).max(1) as f32
+    }
+
     /// Whether each cell is in it.
     pub(super) fn is_in(&self) -> &[bool] {
         &self.is_in

@@ -25,6 +25,20 @@ fn inside_of_a_ring_is_what_it_surrounds() {
 }
 
 #[test]
+fn a_place_inside_is_far_from_the_border_and_the_edge_of_the_picture_is_none() {
+    let grid = RegionGrid::new(Size::new(40, 30));
+    let of = |ring: &[(f32, f32)]| Mask::of_ring(grid, &ring.iter().map(|&at| PxPoint::from(at)).collect::<Vec<_>>());
+    // a hook, whose middle is not in it
+    let hook = of(&[(5.0, 5.0), (30.0, 5.0), (30.0, 8.0), (14.0, 8.0), (14.0, 25.0), (5.0, 25.0)]);
+    let at = hook.inside().expect("it has cells");
+    assert!((8.0..11.0).contains(&at.x) && hook.contains(at), "{at:?}");
+    assert!(hook.on_picture_edge() <= 0.0);
+    let half = of(&[(0.0, 0.0), (20.0, 0.0), (20.0, 30.0), (0.0, 30.0)]);
+    assert!((half.on_picture_edge() - 0.7).abs() < 0.02, "{}", half.on_picture_edge());
+    assert_eq!(of(&[(1.0, 1.0), (1.0, 1.2), (1.2, 1.0)]).inside(), None);
+}
+
+#[test]
 fn lines_that_meet_enclose_what_no_edge_of_the_picture_can_be_reached_from() {
     let grid = RegionGrid::new(Size::new(60, 40));
     let point = |(x, y): (f32, f32)| PxPoint::new(x, y);
