@@ -1,5 +1,6 @@
 //! What the maker of a page or a trace should know and the result survives.
 
+mod about;
 mod order;
 mod phrases;
 mod reason;
@@ -7,52 +8,13 @@ mod reason;
 use crate::braille::Code;
 use crate::error::id_table;
 use crate::listing::{counted, first_few};
+pub use about::{About, GivenFile};
 pub use reason::Reason;
 
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, or_if_none,
     outline_of_subject, shade, short, sides, simplified, turned, what_if_not_meant,
 };
-
-/// What on a page a remark is about, for programs: its sentence may change.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum About {
-    /// Marks of any kind.
-    Marks,
-    /// Lines, or contours that would be lines.
-    Lines,
-    /// How wide lines are.
-    Widths,
-    /// Areas and their textures.
-    Areas,
-    /// Single signs of textures.
-    Signs,
-    /// Texts that a person typed.
-    Texts,
-    /// Words in braille.
-    Braille,
-    /// Leader lines of labels.
-    Leaders,
-    /// Words in print beside braille.
-    Print,
-    /// Dots that a person drew.
-    Dots,
-    /// The overview.
-    Overview,
-}
-
-/// A file that is given beside a picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum GivenFile {
-    /// That of [`Options::lines`](crate::Options::lines).
-    Lines,
-    /// That of [`Options::add_lines`](crate::Options::add_lines).
-    AddedLines,
-    /// That of [`Options::areas`](crate::Options::areas).
-    Areas,
-}
 
 /// One remark about a page that was made all the same. It says itself in one line, and is an error only in that it can
 /// be handed on as one, to a log of warnings say.
@@ -452,49 +414,4 @@ fn said_of_file(file: GivenFile, note: &Note) -> String {
     let said = note.to_string();
     let places = if said.contains(" mm") { ", in its own mm" } else { "" };
     format!("{said} (said of the file of {}{places})", file.name())
-}
-
-impl GivenFile {
-    /// What is given in it, such as "lines".
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Lines => "lines",
-            Self::AddedLines => "added lines",
-            Self::Areas => "areas",
-        }
-    }
-}
-
-impl About {
-    /// All of them.
-    pub const ALL: &'static [Self] = &[
-        Self::Marks,
-        Self::Lines,
-        Self::Widths,
-        Self::Areas,
-        Self::Signs,
-        Self::Texts,
-        Self::Braille,
-        Self::Leaders,
-        Self::Print,
-        Self::Dots,
-        Self::Overview,
-    ];
-
-    /// Its name, such as "lines".
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Marks => "marks",
-            Self::Lines => "lines",
-            Self::Widths => "widths",
-            Self::Areas => "areas",
-            Self::Signs => "signs",
-            Self::Texts => "texts",
-            Self::Braille => "braille",
-            Self::Leaders => "leaders",
-            Self::Print => "print",
-            Self::Dots => "dots",
-            Self::Overview => "overview",
-        }
-    }
 }
