@@ -169,9 +169,9 @@ pub enum Note {
         /// Whether it fills most of the figure, or reaches three of its sides, as the ground of a thing does.
         fills: bool,
     },
-    /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
-    #[error("{}", no_subject(*.0))]
-    NoSubject([i32; 2]),
+    /// Nothing is found at the place that was named as the subject; says why, and the place as it was given.
+    #[error("{}", no_subject(*.0, .1))]
+    NoSubject(Reason, String),
     /// The background was to be calm, and no subject was found.
     #[error("the background is as it would be otherwise, as no subject was found around which it could be calm")]
     NothingCalmed,
@@ -393,7 +393,7 @@ impl Note {
     }
 
     /// Why it is made, of the kinds that have several reasons: `left-out`, `not-on-page`, `taken-as`, `faulty`,
-    /// `labels-left-out`, `no-key` and `not-in-png`.
+    /// `labels-left-out`, `no-key`, `no-subject` and `not-in-png`.
     pub fn reason(&self) -> Option<Reason> {
         match self {
             Self::LeftOut(reason, _)
@@ -402,6 +402,7 @@ impl Note {
             | Self::Faulty(_, reason, _)
             | Self::LabelsLeftOut { reason, .. }
             | Self::NoKey(reason, _)
+            | Self::NoSubject(reason, _)
             | Self::NotInPng(reason, _) => Some(*reason),
             Self::OfFile(_, note) => note.reason(),
             _ => None,

@@ -306,7 +306,7 @@ fn what_is_around_the_subject_is_left_calm() {
     let cat = std::fs::read("samples/chelsea.png").expect("a sample");
     let of_cat = |options: &Options| tactograph::convert(&cat, options).expect("a page").page.figure.lines.clone();
     assert!(of_cat(&options()) != of_cat(&at(50.0, 55.0)), "another outline comes first");
-    assert!(subject.notes.iter().all(|note| !matches!(note, Note::NoSubject(_) | Note::BackgroundCalmed(_))));
+    assert!(subject.notes.iter().all(|note| !matches!(note, Note::NoSubject(..) | Note::BackgroundCalmed(_))));
     let found = subject.notes.iter().find(|note| note.id() == "subject");
     assert!(
         matches!(found, Some(Note::Subject { at: [40, 20], mm: [20..120, 20..120], is_first: true, .. })),
@@ -326,9 +326,10 @@ fn what_is_around_the_subject_is_left_calm() {
     // a place where there is nothing, and one in a drawing
     let white = Picture::rgba8(120, 90, &[255; 4 * 120 * 90]).expect("a picture");
     let of_white = tactograph::convert(white, &at(40.0, 20.0)).expect("a page");
-    assert!(of_white.notes.contains(&Note::NoSubject([40, 20])), "{:?}", of_white.notes);
+    let nothing = Note::NoSubject(tactograph::Reason::NothingThere, "40 %, 20 %".to_owned());
+    assert!(of_white.notes.contains(&nothing), "{:?}", of_white.notes);
     let disc = tactograph::convert(&png(), &at(50.0, 50.0).calm_background(true)).expect("a page");
-    assert!(!disc.notes.iter().any(|note| matches!(note, Note::NoSubject(_))), "{:?}", disc.notes);
+    assert!(!disc.notes.iter().any(|note| matches!(note, Note::NoSubject(..))), "{:?}", disc.notes);
     assert!(!glyphs(&disc).is_empty());
 }
 

@@ -39,7 +39,7 @@ impl Note {
             | Self::NotTranslated { .. }
             | Self::NoRoomForTitle { .. }
             | Self::NoRoomForNumber
-            | Self::NoSubject(_)
+            | Self::NoSubject(..)
             | Self::NothingCalmed
             | Self::FewContours(_)
             | Self::NoTexts

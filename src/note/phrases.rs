@@ -1,5 +1,6 @@
 //! Parts of the sentences of remarks.
 
+use super::reason::Reason;
 use crate::listing::{counted, first_few, list};
 
 /// Where most of something is, within a sentence.
@@ -84,17 +85,17 @@ pub(super) fn what_if_not_meant(fills: bool) -> &'static str {
     }
 }
 
-pub(super) fn no_subject([x, y]: [i32; 2]) -> String {
-    if (0..=100).contains(&x) && (0..=100).contains(&y) {
-        format!(
-            "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a place in \
-             the middle of a thing that stands out from what is around it"
-        )
-    } else {
-        format!(
-            "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from 0 to \
-             100 percent or within its pixels, from the left and from the top"
-        )
+/// Why no subject is found at a place, which is as it was given.
+pub(super) fn no_subject(reason: Reason, place: &str) -> String {
+    match reason {
+        Reason::OutsidePart => format!(
+            "{place} is outside of the part that is drawn, so that nothing comes first there; name a place on it, from \
+             its left and from its top: from 0 to 100 percent, or within its pixels"
+        ),
+        _ => format!(
+            "at {place} of the part that is drawn there is nothing with a clear outline, so that nothing comes first \
+             there; name a place in the middle of a thing that stands out from what is around it"
+        ),
     }
 }
 
@@ -127,3 +128,6 @@ pub(super) fn short(text: &str) -> String {
         None => text.to_owned(),
     }
 }
+
+#[cfg(test)]
+mod tests;

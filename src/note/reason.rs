@@ -3,9 +3,9 @@
 /// `Reason`, `Reason::ALL` and `Reason::name` from one table, so that none of them lacks a reason.
 macro_rules! reasons {
     ($($(#[doc = $doc:literal])+ $case:ident => $name:literal,)+) => {
-        /// Why a remark of the kinds `left-out`, `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key` and
-        /// `not-in-png` is made, for programs: its sentence may change, and this stays. Remarks of one kind and reason
-        /// that are about the same say the same, but for names, numbers and places.
+        /// Why a remark of the kinds `left-out`, `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key`,
+        /// `no-subject` and `not-in-png` is made, for programs: its sentence may change, and this stays. Remarks of one
+        /// kind and reason that are about the same say the same, but for names, numbers and places.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Reason {
@@ -136,6 +136,10 @@ reasons! {
     AreaTooNarrow => "area-too-narrow",
     /// Subjects are more than a page takes.
     TooManySubjects => "too-many-subjects",
+    /// Nothing with a clear outline is at the place of a subject.
+    NothingThere => "nothing-there",
+    /// The place of a subject is outside of the part of the picture that is drawn.
+    OutsidePart => "outside-part",
     /// The figure is narrower than asked for, as a drawing's own words need room beside it.
     NarrowerForWords => "narrower-for-words",
     /// Texts were read from pixels and should be looked through.

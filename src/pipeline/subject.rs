@@ -5,6 +5,7 @@ use lyon::geom::euclid::Box2D;
 use super::cut_contours::take_out;
 use super::decisions::{Decisions, FoundSubject};
 use super::given::{Given, blank_where, is_in};
+use super::label::Position;
 use super::lines_of_part::LinesOfPart;
 use super::named::NamedThings;
 use crate::classes::Classes;
@@ -15,7 +16,7 @@ use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
-use crate::units::{MmRect, PageTransform, PxPoint, Size};
+use crate::units::{Length, MmRect, PageTransform, PxPoint, Size};
 use crate::{About, Note, Reason};
 
 /// Most places that are looked at, each in all regions: the program takes fewer (`--subject`).
@@ -67,7 +68,7 @@ pub(super) fn prepare(
                 decisions.subjects.extend(found.region.filter(|region| !decisions.subjects.contains(region)));
                 decisions.found.push(found);
             }
-            None => notes.push(Note::NoSubject(percent)),
+            None => notes.push(nothing_at([*x, *y], share)),
         }
     }
     if given.calm_background && all.is_none() && !given.subjects.is_empty() {
@@ -80,6 +81,19 @@ pub(super) fn prepare(
         decisions.calmed_mm = calmed.round() as u32;
     }
     notes
+}
+
+/// That nothing is found at a place, which is in these shares of the part that is drawn.
+fn nothing_at(place: [Position; 2], share: [f32; 2]) -> Note {
+    let said = |position: Position| match position.length() {
+        Length::Percent(percent) => format!("{percent} %"),
+        Length::Pixels(pixels) => format!("{pixels} px"),
+        length @ Length::Mm(_) => length.to_string(),
+    };
+    let [x, y] = place.map(said);
+    let is_on_it = share.iter().all(|share| (0.0..=1.0).contains(share));
+    let reason = if is_on_it { Reason::NothingThere } else { Reason::OutsidePart };
+    Note::NoSubject(reason, format!("{x}, {y}"))
 }
 
 /// What the maker is told of the subjects: what each is, and those whose outlines are not among the lines of the

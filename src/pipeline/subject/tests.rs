@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::edges::ChainKind;
-use crate::pipeline::label::Position;
 use crate::pipeline::request::{Fit, OverviewSize};
 use crate::profile::Profile;
 
@@ -46,16 +45,23 @@ fn without_regions_the_smallest_ring_around_a_place_is_the_subject() {
         panic!("{notes:?}")
     };
     assert!((*outer as f32 / *inner as f32 - 4.0).abs() < 0.1, "{outer} mm around {inner} mm");
-    assert_eq!(*none, Note::NoSubject([2, 2]));
+    assert_eq!(*none, Note::NoSubject(Reason::NothingThere, "2 %, 2 %".to_owned()));
     assert!(decisions.subjects.is_empty(), "only regions have an outline that comes first");
     assert_eq!(edges, before);
+}
+
+#[test]
+fn a_place_outside_is_told_as_it_was_given() {
+    let place = [Position::pixels(700.0).expect("a number"), Position::percent(50.0).expect("a number")];
+    let note = nothing_at(place, [1.75, 0.5]);
+    assert_eq!(note, Note::NoSubject(Reason::OutsidePart, "700 px, 50 %".to_owned()));
 }
 
 #[test]
 fn a_ring_too_small_for_a_finger_is_no_subject() {
     let mut edges = rectangles(&[([193.0, 144.0, 6.0, 6.0], 40.0)]);
     let (_, notes) = prepared(&mut edges, &[[49.0, 49.0]], false);
-    assert_eq!(notes, [Note::NoSubject([49, 49])]);
+    assert_eq!(notes, [Note::NoSubject(Reason::NothingThere, "49 %, 49 %".to_owned())]);
 }
 
 #[test]
@@ -121,7 +127,7 @@ fn a_subject_of_which_most_is_not_drawn_is_told() {
 #[test]
 fn where_nothing_is_found_nothing_is_calmed() {
     let (_, notes) = prepared(&mut rectangles(&[]), &[[50.0, 50.0]], true);
-    assert_eq!(notes, [Note::NoSubject([50, 50]), Note::NothingCalmed]);
+    assert_eq!(notes, [Note::NoSubject(Reason::NothingThere, "50 %, 50 %".to_owned()), Note::NothingCalmed]);
 }
 
 #[test]
