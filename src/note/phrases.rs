@@ -92,6 +92,10 @@ pub(super) fn no_subject(reason: Reason, place: &str) -> String {
             "{place} is outside of the part that is drawn, so that nothing comes first there; name a place on it, from \
              its left and from its top: from 0 to 100 percent, or within its pixels"
         ),
+        Reason::RegionsOff => format!(
+            "at {place} nothing can be named, as the regions of the picture are off (lines.regions = false) and no \
+             closed line surrounds that place; turn them on to name a thing"
+        ),
         _ => format!(
             "at {place} of the part that is drawn there is nothing with a clear outline, so that nothing comes first \
              there; name a place in the middle of a thing that stands out from what is around it"

@@ -138,6 +138,8 @@ reasons! {
     TooManySubjects => "too-many-subjects",
     /// Nothing with a clear outline is at the place of a subject.
     NothingThere => "nothing-there",
+    /// Outlines of regions are off, so that nothing can be named but what closed lines surround.
+    RegionsOff => "regions-off",
     /// The place of a subject is outside of the part of the picture that is drawn.
     OutsidePart => "outside-part",
     /// The figure is narrower than asked for, as a drawing's own words need room beside it.

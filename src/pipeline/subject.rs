@@ -47,6 +47,8 @@ pub(super) fn prepare(
 ) -> Vec<Note> {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
+    // in a drawing closed lines surround things
+    let are_off = plan.region_detail().is_none() && !edges.of_drawing();
     let beyond = given.subjects.len().saturating_sub(MOST);
     if beyond > 0 {
         let told = format!("{beyond} of the subjects, as {MOST} are the most");
@@ -68,7 +70,7 @@ pub(super) fn prepare(
                 decisions.subjects.extend(found.region.filter(|region| !decisions.subjects.contains(region)));
                 decisions.found.push(found);
             }
-            None => notes.push(nothing_at([*x, *y], share)),
+            None => notes.push(nothing_at([*x, *y], share, are_off)),
         }
     }
     if given.calm_background && all.is_none() && !given.subjects.is_empty() {
@@ -83,8 +85,8 @@ pub(super) fn prepare(
     notes
 }
 
-/// That nothing is found at a place, which is in these shares of the part that is drawn.
-fn nothing_at(place: [Position; 2], share: [f32; 2]) -> Note {
+/// That nothing is found at a place, in these shares of the part that is drawn; regions may be off (`are_off`).
+fn nothing_at(place: [Position; 2], share: [f32; 2], are_off: bool) -> Note {
     let said = |position: Position| match position.length() {
         Length::Percent(percent) => format!("{percent} %"),
         Length::Pixels(pixels) => format!("{pixels} px"),
@@ -92,7 +94,11 @@ fn nothing_at(place: [Position; 2], share: [f32; 2]) -> Note {
     };
     let [x, y] = place.map(said);
     let is_on_it = share.iter().all(|share| (0.0..=1.0).contains(share));
-    let reason = if is_on_it { Reason::NothingThere } else { Reason::OutsidePart };
+    let reason = match is_on_it {
+        false => Reason::OutsidePart,
+        true if are_off => Reason::RegionsOff,
+        true => Reason::NothingThere,
+    };
     Note::NoSubject(reason, format!("{x}, {y}"))
 }
 

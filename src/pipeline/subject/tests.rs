@@ -53,8 +53,23 @@ fn without_regions_the_smallest_ring_around_a_place_is_the_subject() {
 #[test]
 fn a_place_outside_is_told_as_it_was_given() {
     let place = [Position::pixels(700.0).expect("a number"), Position::percent(50.0).expect("a number")];
-    let note = nothing_at(place, [1.75, 0.5]);
-    assert_eq!(note, Note::NoSubject(Reason::OutsidePart, "700 px, 50 %".to_owned()));
+    let told = |share: [f32; 2], are_off: bool| nothing_at(place, share, are_off);
+    let note = |reason: Reason| Note::NoSubject(reason, "700 px, 50 %".to_owned());
+    assert_eq!(told([1.75, 0.5], true), note(Reason::OutsidePart));
+    assert_eq!(told([0.75, 0.5], false), note(Reason::NothingThere));
+    assert_eq!(told([0.75, 0.5], true), note(Reason::RegionsOff));
+}
+
+#[test]
+fn without_regions_it_is_said_that_these_are_off() {
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("lines.regions", "false").expect("a key");
+    let plan = Plan::new(&profile).expect("it makes sense");
+    let layout = Fit::default().layout(SIZE, &plan, OverviewSize::Own).expect("there is room");
+    let at = Position::percent(50.0).expect("a number");
+    let given = Given { subjects: vec![[at, at]], ..Given::default() };
+    let told = prepare(&given, None, &mut rectangles(&[]), &mut Decisions::default(), SIZE, &layout, &plan);
+    assert_eq!(told, [Note::NoSubject(Reason::RegionsOff, "50 %, 50 %".to_owned())]);
 }
 
 #[test]
