@@ -12,7 +12,7 @@ pub use about::{About, GivenFile};
 pub use reason::Reason;
 
 use phrases::{
-    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, no_subject, or_if_none,
+    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, or_if_none,
     outline_of_subject, shade, short, sides, simplified, turned, what_if_not_meant,
 };
 
@@ -151,8 +151,9 @@ pub enum Note {
     NoRoomForNumber,
     /// What was found at the place that was named as the subject.
     #[error(
-        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure{}; {}",
-        .at[0], .at[1], .mm[0], .mm[1],
+        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure, around {} %, {} %{}{}; {}",
+        .at[0], .at[1], .mm[0], .mm[1], .middle[0], .middle[1],
+        mostly(*.colour),
         outline_of_subject(*.is_first, *.drawn),
         what_if_not_meant(*.fills)
     )]
@@ -161,6 +162,10 @@ pub enum Note {
         at: [i32; 2],
         /// Width and height of what was found, mm in the figure.
         mm: [u32; 2],
+        /// Its middle, percent from the left and from the top.
+        middle: [i32; 2],
+        /// The colour that most of it has, such as "red" or "white"; none if none has, or if colours are not looked at.
+        colour: Option<&'static str>,
         /// Whether it is a region, whose outline is drawn first; otherwise it is what closed lines surround, which are
         /// drawn as any others.
         is_first: bool,

@@ -75,6 +75,11 @@ pub(super) fn outline_of_subject(is_first: bool, drawn: Option<u32>) -> String {
     }
 }
 
+/// The colour of most of a thing, as the rest of a sentence.
+pub(super) fn mostly(colour: Option<&str>) -> String {
+    colour.map_or_else(String::new, |name| format!(", mostly {name}"))
+}
+
 /// What to do if a subject is not what was meant.
 pub(super) fn what_if_not_meant(fills: bool) -> &'static str {
     if fills {

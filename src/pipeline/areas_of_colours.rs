@@ -68,11 +68,11 @@ impl AreasOfColours {
     }
 
     /// Takes out what has no texture on a page: crumbs beside outlines, what is erased, the ground, and what lies
-    /// around a subject that is to stand out. Tells what of that is not on purpose.
+    /// around a subject that is to stand out. Tells what of that is not on purpose, and the subjects their colours.
     pub(super) fn fit_to_page(
         &mut self,
         given: &Given,
-        decisions: &Decisions,
+        decisions: &mut Decisions,
         outlines: Option<&OutlineAreas>,
         picture: Size,
         layout: &Layout,
@@ -89,6 +89,7 @@ impl AreasOfColours {
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, picture, layout, plan)));
         notes.extend(without_remnants(classes, &decisions.erased, layout, plan));
         if of_picture {
+            subject::name_colours(&mut decisions.found, classes, picture);
             let ground = blank_ground(classes, plan);
             *coloured_ground = ground.is_some();
             notes.extend(ground);

@@ -30,10 +30,16 @@ pub(super) struct FoundSubject {
     pub(super) at: [i32; 2],
     /// Its width and height, mm in the figure.
     pub(super) mm: [u32; 2],
+    /// Its middle, percent from the left and from the top.
+    pub(super) middle: [i32; 2],
+    /// The colour that most of it has; none if none has, or if colours are not looked at.
+    pub(super) colour: Option<&'static str>,
     /// Whether it fills most of the picture, as the ground of a thing does.
     pub(super) fills: bool,
     /// The region that it is, whose outline comes before others; none where it is the inside of closed lines.
     pub(super) region: Option<u32>,
+    /// Its cells.
+    pub(super) mask: Mask,
     /// The places along its border, px.
     pub(super) border: Vec<PxPoint>,
 }

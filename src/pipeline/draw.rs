@@ -167,7 +167,7 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, mut facts, layout, texts, edges, decisions, overview: size, .. } = found;
+    let Found { picture, mut facts, layout, texts, edges, mut decisions, overview: size, .. } = found;
     let (mut legend, mut notes) = (found.legend, found.notes);
     let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
     let has_contours = !edges.is_empty() || lines_of(given, regions.as_ref(), &decisions).has_subject();
@@ -194,7 +194,7 @@ pub(super) fn draw(
     notes.extend(told_of_drawn(&drawn, &edges, &texts, &layout, plan));
     if let Some(of_colours) = &mut areas_of_colours {
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
-        notes.extend(of_colours.fit_to_page(given, &decisions, areas.as_ref(), picture.raster.size(), &layout, plan));
+        notes.extend(of_colours.fit_to_page(given, &mut decisions, areas.as_ref(), edges.size, &layout, plan));
         facts.coloured_ground = of_colours.coloured_ground;
     }
     let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));

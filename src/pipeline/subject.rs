@@ -1,5 +1,7 @@
 //! What the picture is about, as its maker says by places on it.
 
+use std::collections::BTreeMap;
+
 use lyon::geom::euclid::Box2D;
 
 use super::cut_contours::take_out;
@@ -8,7 +10,7 @@ use super::given::{Given, blank_where, is_in};
 use super::label::Position;
 use super::lines_of_part::LinesOfPart;
 use super::named::NamedThings;
-use crate::classes::Classes;
+use crate::classes::{Class, Classes};
 use crate::edges::{ChainRange, Edgel, Edges};
 use crate::geom::polyline::Located;
 use crate::lines::{Line, PagePart};
@@ -56,17 +58,19 @@ pub(super) fn prepare(
     }
     for [x, y] in given.subjects.iter().take(MOST) {
         let share = [x.share(source.width), y.share(source.height)];
-        let percent = share.map(|share| (100.0 * share).round() as i32);
+        let percent = share.map(in_percent);
         let found = subject_at(edges, share, mm_per_px, things).and_then(|(mask, region)| {
             let extent = mask.extent()?;
             let side = (extent[1] - extent[0]) * mm_per_px;
             let mm = [side.x, side.y].map(|side| side.round() as u32);
+            let at = extent[0].lerp(extent[1], 0.5);
+            let middle = [at.x / edges.size.width as f32, at.y / edges.size.height as f32].map(in_percent);
             let (fills, border) = (mask.fills(MOST_OF_PICTURE), mask.border());
-            Some((mask, FoundSubject { at: percent, mm, fills, region, border }))
+            Some(FoundSubject { at: percent, mm, middle, colour: None, fills, region, mask, border })
         });
         match found {
-            Some((mask, found)) => {
-                all = Some(all.map_or(mask.clone(), |all| all.united(&mask)));
+            Some(found) => {
+                all = Some(all.map_or(found.mask.clone(), |all| all.united(&found.mask)));
                 decisions.subjects.extend(found.region.filter(|region| !decisions.subjects.contains(region)));
                 decisions.found.push(found);
             }
@@ -83,6 +87,11 @@ pub(super) fn prepare(
         decisions.calmed_mm = calmed.round() as u32;
     }
     notes
+}
+
+/// A share of a side in whole percent.
+fn in_percent(share: f32) -> i32 {
+    (100.0 * share).round() as i32
 }
 
 /// That nothing is found at a place, in these shares of the part that is drawn; regions may be off (`are_off`).
@@ -125,6 +134,8 @@ pub(super) fn told(
     let what = decisions.found.iter().zip(&of_figure).map(|(found, &drawn)| Note::Subject {
         at: found.at,
         mm: found.mm,
+        middle: found.middle,
+        colour: found.colour,
         is_first: found.region.is_some(),
         drawn: has_lines.then_some((100.0 * drawn) as u32),
         fills: found.fills,
@@ -229,6 +240,26 @@ fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 
     let is_weak: Vec<bool> = mean(edges).into_iter().map(|strength| strength < strong).collect();
     take_out(edges, |number, range, edgel| is_weak[number] && !range.kind.added && !near.contains(edgel.at));
     (before - length(edges)) * PageTransform::new(edges.size, layout.figure).mm_per_px()
+}
+
+/// Looks which colour most of each subject in a picture of this size has: white, where there is none.
+pub(super) fn name_colours(found: &mut [FoundSubject], classes: &Classes, picture: Size) {
+    let [width, height] = [classes.size.width, classes.size.height].map(|side| side as usize);
+    let (across, down) = (picture.width as f32 / width as f32, picture.height as f32 / height as f32);
+    for found in found {
+        let is_in = |cell: &usize| {
+            let (x, y) = ((cell % width) as f32 + 0.5, (cell / width) as f32 + 0.5);
+            found.mask.contains(PxPoint::new(x * across, y * down))
+        };
+        let (mut cells, mut of_class) = (0_usize, BTreeMap::<Option<Class>, usize>::new());
+        for cell in (0..classes.region.len()).filter(is_in) {
+            let class = classes.region[cell].map(|region| classes.regions[region as usize].class);
+            cells += 1;
+            *of_class.entry(class).or_default() += 1;
+        }
+        let most = of_class.into_iter().find(|(_, count)| 2 * count > cells);
+        found.colour = most.map(|(class, _)| class.map_or("white", Class::name));
+    }
 }
 
 /// Leaves the cells of colours that are not of the subject blank.

@@ -1,9 +1,11 @@
 //! Subjects: what is found at a place, what is decided, and what is told.
 
 use super::*;
+use crate::classes::Region;
 use crate::edges::ChainKind;
 use crate::pipeline::request::{Fit, OverviewSize};
 use crate::profile::Profile;
+use crate::raster::plane::Plane;
 
 const SIZE: Size = Size { width: 400, height: 300 };
 
@@ -109,8 +111,10 @@ fn a_subject_of_which_most_is_not_drawn_is_told() {
     // a square of 100 px, of which so many sides are drawn
     let corners = [(100.0, 100.0), (200.0, 100.0), (200.0, 200.0), (100.0, 200.0), (100.0, 100.0)];
     let corners = corners.map(|(x, y)| PxPoint::new(x, y));
-    let border = Mask::of_ring(RegionGrid::new(SIZE), &corners).border();
-    let found = FoundSubject { at: [50, 50], mm: [40, 40], fills: false, region: Some(7), border };
+    let mask = Mask::of_ring(RegionGrid::new(SIZE), &corners);
+    let (border, middle, colour) = (mask.border(), [38, 50], Some("white"));
+    let found =
+        FoundSubject { at: [50, 50], mm: [40, 40], middle, colour, fills: false, region: Some(7), mask, border };
     let decisions = Decisions { subjects: vec![7], found: vec![found], ..Decisions::default() };
     let lines = |sides: usize, place: MmRect| {
         let at = PageTransform::new(SIZE, place);
@@ -126,6 +130,7 @@ fn a_subject_of_which_most_is_not_drawn_is_told() {
     };
     let [whole] = &texts(4, Some(4), &decisions)[..] else { panic!("one note") };
     assert!(whole.contains("and its outline is drawn before other lines"), "{whole}");
+    assert!(whole.contains("40 mm high in the figure, around 38 %, 50 %, mostly white, and its outline"), "{whole}");
     let [half] = &texts(2, None, &decisions)[..] else { panic!("one note") };
     assert!(half.contains("percent of its outline is drawn, before other lines"), "{half}");
     let [_, of_overview] = &texts(4, Some(1), &decisions)[..] else { panic!("two notes") };
@@ -137,6 +142,29 @@ fn a_subject_of_which_most_is_not_drawn_is_told() {
     let erased = Decisions { erased: vec![[0.0, 0.0, 1.0, 1.0]], ..decisions };
     let [_, of_erased] = &texts(0, None, &erased)[..] else { panic!("two notes") };
     assert!(of_erased.contains("lies in what is erased") && !of_erased.contains("want of room"), "{of_erased}");
+}
+
+/// By it a maker who does not see the page knows whether it is the swan or the water.
+#[test]
+fn a_subject_is_told_with_its_middle_and_its_colour() {
+    let (decisions, notes) = prepared(&mut rectangles(&[([40.0, 60.0, 80.0, 60.0], 40.0)]), &[[15.0, 35.0]], false);
+    assert!(matches!(notes[..], [Note::Subject { middle: [20, 30], colour: None, .. }]), "{notes:?}");
+    // eight by six cells of 50 px, of which columns are blue
+    let colour = |blue: std::ops::Range<usize>| {
+        let region: Vec<Option<u32>> = (0..48).map(|cell| blue.contains(&(cell % 8)).then_some(0)).collect();
+        let cells = region.iter().flatten().count() as u32;
+        let classes = Classes {
+            size: Size::new(8, 6),
+            region,
+            regions: vec![Region { class: Class::Blue, colour: [0; 3], cells }],
+            lightness: Plane::filled(Size::new(8, 6), 0.3),
+            fringe: Vec::new(),
+        };
+        let mut found = decisions.found.clone();
+        name_colours(&mut found, &classes, SIZE);
+        found[0].colour
+    };
+    assert_eq!([colour(0..3), colour(3..8)], [Some("blue"), Some("white")]);
 }
 
 #[test]
