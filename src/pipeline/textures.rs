@@ -26,6 +26,11 @@ const GROUND: f32 = 1.0 / 3.0;
 /// Share of the figure without a texture for want of room from which the maker is told. Less is a few slivers.
 const BARE: f32 = 0.03;
 
+/// An area of which this share is white is felt as blank, with signs here and there: of several colours nobody would
+/// speak. Chosen by us: a little less than what a colour needs to hold an area, as white has no signs, and colours have
+/// none along lines.
+const WHITE: f32 = 0.6;
+
 /// Stripes of a photograph's colours narrower than this have no texture of their own, mm. Chosen by us: where rows are
 /// sparse, 8 mm apart, one row or none has room in them, and beside one another they tear an area, such as a sail with
 /// folds, to pieces of which none can be told.
@@ -51,12 +56,19 @@ pub(super) fn fit_to_areas(
     let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
     let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
     let narrowest = NARROWEST / layout.figure.width() * width as f32;
-    let mixed = classes::unify_areas(classes, &area, min_cells, narrowest);
+    let mut mixed = classes::unify_areas(classes, &area, min_cells, narrowest);
+    mixed.retain(|&number| !is_mostly_white(classes, &area, number));
     let part = |number: &usize| ninths::NAMES[part_of_area(&area, *number, classes.size)];
     let mut places: Vec<&str> = mixed.iter().map(part).collect();
     places.sort_by_key(|place| ninths::NAMES.iter().position(|name| name == place));
     places.dedup();
     (!mixed.is_empty()).then_some(Note::MixedAreas { count: mixed.len(), places })
+}
+
+/// Whether an area is felt as blank, with few signs in it. `area` has the number of the area of each cell.
+fn is_mostly_white(classes: &Classes, area: &[usize], number: usize) -> bool {
+    let own = || classes.region.iter().zip(area).filter(|(_, of)| **of == number).map(|(region, _)| region);
+    own().filter(|region| region.is_none()).count() as f32 >= WHITE * own().count() as f32
 }
 
 /// The part of the figure in which the middle of an area lies. `area` has the number of the area of each cell.

@@ -56,6 +56,16 @@ fn the_ground_is_blank_on_pins_and_is_told() {
 }
 
 #[test]
+fn an_area_that_is_mostly_white_is_not_said_to_have_textures_of_several_colours() {
+    // a swan on the left, with a beak, and a flag on the right
+    let classes =
+        classes(["......rrrr..", "....yyrrrr..", "......bbbb..", "......bbbb..", "............", "............"]);
+    let area: Vec<usize> = (0..72).map(|cell| if cell % 12 < 6 { 1 } else { 2 }).collect();
+    assert!(is_mostly_white(&classes, &area, 1), "34 of 36 cells");
+    assert!(!is_mostly_white(&classes, &area, 2), "20 of 36 cells");
+}
+
+#[test]
 fn a_part_between_lines_without_a_sign_is_bare_though_its_region_has_some() {
     // a bar of one region, which a line divides, 10 mm a cell
     let classes =
