@@ -126,6 +126,9 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::GroundAsPaper { .. } | Note::RimLeftOut(..) => format!("{note} (--keep-ground)"),
+        Note::NotOnPage(_, Reason::GroundBlank, _) if making.is_of_picture() => {
+            format!("{note} (--set figure.ground=true)")
+        }
         Note::NotOnPage(_, Reason::PaperEdge, _) => format!("{note} (--crop, --keep-ground)"),
         Note::NotOnPage(_, Reason::FirstNotInOverview, _) => {
             format!("{note} (--subject with this place, or --simplify 5)")

@@ -114,10 +114,11 @@ fn place_of(at: MmPoint, page: &Page) -> String {
     let within = |place: MmRect| place.contains_inclusive(at);
     // an overview of dots has a sheet to itself, on which it is the figure
     let figure = if page.part_of_set() == "overview" { "the overview" } else { "the figure" };
+    let all = format!("the {}", page.medium.name_of_sheet());
     let (area, whole) = match &page.overview {
         _ if within(page.figure.place) => (page.figure.place, figure),
         Some(overview) if within(overview.place) => (overview.place, "the overview"),
-        _ => (sheet, "the sheet"),
+        _ => (sheet, all.as_str()),
     };
     format!("{} of {whole}", ninths::NAMES[ninths::ninth(at, area)])
 }

@@ -58,6 +58,14 @@ impl Medium {
         }
     }
 
+    /// What its marks are on, in words.
+    pub(crate) fn name_of_sheet(&self) -> &'static str {
+        match self {
+            Self::Dots(dots) if !dots.device.takes_paper() => "display",
+            Self::Print(_) | Self::Dots(_) => "sheet",
+        }
+    }
+
     /// What a page for it on a sheet of this width and length, mm, says of it, as entries of its origin: by them it is
     /// read again.
     pub(super) fn to_origin(&self, sheet: [f32; 2]) -> Vec<(&'static str, String)> {

@@ -110,8 +110,8 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
     let blank = blank_cells(classes, |_, number| is_ground[number as usize]);
     let (colour, percent) = (ground.name(), (100 * blank / classes.region.len().max(1)) as u32);
     let told = format!(
-        "the texture of the ground ({colour}, {percent} percent of the figure), so that lines stand out; figure.ground \
-         = true draws it"
+        "the texture of the ground ({colour}, {percent} percent of the figure), so that lines stand out; turn \
+         figure.ground on to draw it"
     );
     Some(Note::NotOnPage(About::Areas, Reason::GroundBlank, told))
 }

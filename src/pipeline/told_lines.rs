@@ -79,11 +79,12 @@ pub(super) fn told_of_lost(
     texts: &[Text],
     layout: &Layout,
 ) -> impl Iterator<Item = Note> {
-    let lost = &drawn.lost;
+    let (lost, sheet) = (&drawn.lost, layout.medium.name_of_sheet());
     let is_all = is_all_of_torn(lost, least_told(&layout.medium, lost.wanted));
     let left_out = told_left_out(drawn, edges, layout);
     let left_out = left_out.filter(|note| !(is_all && matches!(note, Note::LinesLeftOut { .. })));
-    let whole = told_gone(lost, &drawn.lines, texts).into_iter().chain(told_gaps(lost)).chain(told_torn(lost, texts));
+    let whole = told_gone(lost, &drawn.lines, texts, sheet).into_iter();
+    let whole = whole.chain(told_gaps(lost, sheet)).chain(told_torn(lost, texts, sheet));
     left_out.into_iter().chain(whole).chain(told_gridlines(lost))
 }
 
@@ -126,9 +127,9 @@ fn near_text(line: &LostLine, texts: &[Text]) -> String {
     nearest.map_or_else(String::new, |text| format!(", near {}", named(&[text.string.as_str()])))
 }
 
-/// Where on the sheet a line has its middle.
-fn around(at: MmPoint) -> String {
-    format!("around {:.0}, {:.0} mm from the left and the top of the sheet", at.x, at.y)
+/// Where on the sheet, or on the display, a line has its middle.
+fn around(at: MmPoint, sheet: &str) -> String {
+    format!("around {:.0}, {:.0} mm from the left and the top of the {sheet}", at.x, at.y)
 }
 
 /// What an open line is, in the words of a page that has it: `a bent line from lower left to upper right, `; nothing of
@@ -147,7 +148,7 @@ fn kind(line: &LostLine) -> String {
 }
 
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
-fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
+fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text], sheet: &str) -> Option<Note> {
     let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
     let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
@@ -164,12 +165,12 @@ fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text]) -> Option<Note> {
         _ => format!("; the texts {} beside them name nothing on the page", named(&beside)),
     };
     let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
-    let told = format!("{lines} ({which}{mm:.0} mm long, {}){named}: {why}", around(at));
+    let told = format!("{lines} ({which}{mm:.0} mm long, {}){named}: {why}", around(at, sheet));
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told))
 }
 
 /// What the maker is told of closed outlines of a drawing that are open on the page; small ones are told as lost.
-fn told_gaps(lost: &Lost) -> Option<Note> {
+fn told_gaps(lost: &Lost, sheet: &str) -> Option<Note> {
     let longest = lost.gaps.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
     let (pieces, which, is_open) = match lost.gaps.len() {
@@ -179,13 +180,13 @@ fn told_gaps(lost: &Lost) -> Option<Note> {
     let told = format!(
         "{pieces} ({which}{mm:.0} mm long, {}), so that {is_open} on the page: there is no room beside other lines; \
          make the figure larger, or say it in a label",
-        around(at)
+        around(at, sheet)
     );
     Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
 }
 
 /// What the maker is told of open lines of a drawing of which pieces are on the page.
-fn told_torn(lost: &Lost, texts: &[Text]) -> Option<Note> {
+fn told_torn(lost: &Lost, texts: &[Text], sheet: &str) -> Option<Note> {
     let longest = lost.torn.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm, near) = (longest.extent.center(), longest.length, near_text(longest, texts));
     let (pieces, which, them, goes_on) = match lost.torn.len() {
@@ -198,7 +199,7 @@ fn told_torn(lost: &Lost, texts: &[Text]) -> Option<Note> {
     let told = format!(
         "{pieces} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines; make the figure \
          larger, or say in a label how {goes_on}",
-        around(at)
+        around(at, sheet)
     );
     Some(Note::NotOnPage(About::Lines, Reason::LineInPieces, told))
 }
@@ -256,7 +257,7 @@ pub(super) fn told_beside_added(
     let told = format!(
         "{lines} ({which}{mm:.0} mm long, {}) {run} beside lines that you drew and added, and may be what these \
          replace: take the lines of the corrected page in place of those that are found, or erase that part",
-        around(at)
+        around(at, layout.medium.name_of_sheet())
     );
     Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
 }
@@ -348,7 +349,7 @@ pub(super) fn told_cut(
     let told = format!(
         "{mm:.0} mm of the lines that you drew and added ({}): too near to others or to one another; move them apart, \
          or erase what is found there",
-        around(at)
+        around(at, layout.medium.name_of_sheet())
     );
     (mm >= least_told(&layout.medium, all)).then_some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
 }

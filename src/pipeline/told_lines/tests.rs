@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::lines::{LostLine, Run, lost_form};
-use crate::units::MmRect;
+use crate::pipeline::request::{Fit, OverviewSize};
+use crate::profile::Profile;
+use crate::units::{MmRect, Size};
 
 #[test]
 fn closed_outlines_that_are_open_on_the_page_are_told() {
@@ -13,7 +15,7 @@ fn closed_outlines_that_are_open_on_the_page_are_told() {
         is_faint: false,
         form: None,
     };
-    let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }).map(|note| note.to_string());
+    let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }, "sheet").map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
     let one = told(vec![gap(20.0, 8.0)]).expect("a chamber");
     let place = "around 24, 40 mm from the left and the top of the sheet";
@@ -31,7 +33,7 @@ fn pieces_that_are_missing_of_open_lines_are_told_and_not_once_more_by_their_len
         is_faint: false,
         form: None,
     };
-    let told = |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[]).map(|note| note.to_string());
+    let told = |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[], "sheet").map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
     let one = told(vec![piece(20.0, 16.0)]).expect("a curve");
     let place = "around 28, 50 mm from the left and the top of the sheet";
@@ -49,6 +51,19 @@ fn pieces_that_are_missing_of_open_lines_are_told_and_not_once_more_by_their_len
 }
 
 #[test]
+fn a_pin_display_is_no_sheet() {
+    let name = |profile: &str| {
+        let profile = Profile::named(profile).expect("it is built in");
+        let plan = Plan::new(&profile).expect("it makes sense");
+        let layout = Fit::default().layout(Size::new(400, 300), &plan, OverviewSize::Own).expect("there is room");
+        layout.medium.name_of_sheet()
+    };
+    assert_eq!(["swell-a4", "index-basic-d", "monarch"].map(name), ["sheet", "sheet", "display"]);
+    let at = around(MmPoint::new(24.0, 40.0), "display");
+    assert_eq!(at, "around 24, 40 mm from the left and the top of the display");
+}
+
+#[test]
 fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     let line = |x: f32, length: f32, closed: bool| LostLine {
         extent: MmRect::new((x, 40.0).into(), (x + length, 40.0).into()),
@@ -59,7 +74,7 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     };
     let told = |gone: Vec<LostLine>| {
         let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
-        told_gone(&lost, &[], &[]).map(|note| note.to_string())
+        told_gone(&lost, &[], &[], "sheet").map(|note| note.to_string())
     };
     assert_eq!(told(vec![]), None);
     assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
