@@ -26,6 +26,25 @@ fn dark_and_white_rims_are_found_on_the_sides_that_have_them() {
     }
 }
 
+/// Of a slide that was not put in straight: 1.8 pixels at the top and 0.3 at the bottom.
+#[test]
+fn a_slanted_rim_is_found_where_it_is_narrower_than_a_pixel() {
+    let rimmed = |widest: f32| {
+        let plain = picture([0.0; 4], 0.001);
+        let covered = |(at, value): (usize, &f32)| {
+            let (x, y) = ((at % 240) as f32, (at / 240) as f32);
+            let dark = (widest - 1.5 * y / 160.0 - x).clamp(0.0, 1.0);
+            dark * 0.001 + (1.0 - dark) * value
+        };
+        let values = plain.planes().as_slice()[0].iter().enumerate().map(covered).collect();
+        Rim::of(&Raster::grey(plain.size(), values))
+    };
+    let Rim([left, top, right, bottom]) = rimmed(1.8).expect("a rim");
+    assert!((3..=6).contains(&left), "{left}");
+    assert_eq!([top, right, bottom], [0; 3]);
+    assert_eq!(rimmed(1.0), None, "hardly any");
+}
+
 #[test]
 fn what_is_wide_or_grey_or_has_no_straight_border_is_no_rim() {
     assert_eq!(Rim::of(&picture([0.0; 4], 0.001)), None);
