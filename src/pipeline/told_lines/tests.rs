@@ -33,7 +33,8 @@ fn pieces_that_are_missing_of_open_lines_are_told_and_not_once_more_by_their_len
         is_faint: false,
         form: None,
     };
-    let told = |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[], "sheet").map(|note| note.to_string());
+    let told =
+        |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[], "sheet").map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
     let one = told(vec![piece(20.0, 16.0)]).expect("a curve");
     let place = "around 28, 50 mm from the left and the top of the sheet";
@@ -93,7 +94,7 @@ fn a_line_that_is_gone_is_told_with_its_form() {
     };
     let told = |gone: Vec<LostLine>| {
         let lost = Lost { wanted: 1000.0, lost: 100.0, gone, ..Lost::default() };
-        told_gone(&lost, &[], &[]).map_or_else(String::new, |note| note.to_string())
+        told_gone(&lost, &[], &[], "sheet").map_or_else(String::new, |note| note.to_string())
     };
     let curve = line(&[(20.0, 80.0), (50.0, 74.0), (80.0, 40.0)]);
     let one = told(vec![curve]);
