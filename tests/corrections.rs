@@ -120,6 +120,42 @@ fn an_area_in_the_group_of_another_colour_is_found() {
 }
 
 #[test]
+fn an_area_that_was_moved_onto_another_one_is_there() {
+    let before = page(&options());
+    let moved = "transform=\"translate(-87,0)\" data-class=\"blue\"";
+    let moved = before.to_svg().replacen("data-class=\"blue\"", moved, 1);
+    let larger = RenderOptions::new().profile(Profile::named("swell-a3").expect("it is built in"));
+    let larger = tactograph::render(&moved, &larger).expect("a page").page;
+    let again = page(&options().areas(&moved).expect("a page"));
+    let share = |page: &Page| page.figure.share(tactograph::Class::Blue);
+    for page in [&larger, &again] {
+        assert!((share(page) / share(&before) - 1.0).abs() < 0.05, "{} of {}", share(page), share(&before));
+        let blue = page.figure.textures.iter().find(|texture| texture.class == tactograph::Class::Blue);
+        assert!(blue.is_some_and(|blue| blue.glyphs.len() > 20), "{blue:?}");
+    }
+}
+
+#[test]
+fn a_copy_of_another_colour_takes_the_place_of_what_it_lies_on() {
+    let svg = page(&options()).to_svg();
+    let begin = svg[..svg.find("data-class=\"red\"").expect("a red area")].rfind('<').expect("it is an element");
+    let end = begin + svg[begin..].find("/>").expect("it ends") + 2;
+    let copy = svg[begin..end].replace("id=\"region-", "id=\"copy-");
+    let blue = svg.find("id=\"texture-blue\"").expect("it has a blue area");
+    let inside = blue + svg[blue..].find('>').expect("it begins") + 1;
+    let edited = [&svg[..inside], &copy, &svg[inside..]].concat();
+    let drawing = tactograph::render(&edited, &RenderOptions::new()).expect("a page");
+    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|note| note.contains("the texture of red area 1 (under ")), "{told:?}");
+    assert!(drawing.page.figure.textures.iter().all(|texture| texture.class == tactograph::Class::Blue));
+    assert_eq!(found(&drawing.page.to_svg()), []);
+    let again = tactograph::convert(PICTURE.as_bytes(), &options().areas(&edited).expect("a page")).expect("a page");
+    let told: Vec<String> = again.notes.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|note| note.contains("the texture of red area 1 (under ")), "{told:?}");
+    assert!(again.page.figure.textures.iter().all(|texture| texture.class == tactograph::Class::Blue));
+}
+
+#[test]
 fn a_shape_drawn_in_place_of_another_is_missing_in_the_overview() {
     let round = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><rect width='300' height='200' fill='#fff'/>\
                  <circle cx='150' cy='100' r='60' fill='none' stroke='#000' stroke-width='3'/></svg>";

@@ -267,7 +267,7 @@ impl Options {
     /// [`Error::TooComplex`] where it is broken or over a limit.
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
         let GivenPage { read, plan, mut notes } = GivenPage::of(reading::read(svg.as_ref())?)?;
-        let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
+        let (areas, told) = pipeline::areas_of(&read.page, &read.names.areas, &read.areas, &plan);
         self.given.part_of_areas = PartShown::of(&read.page);
         self.given.drawn_areas = read.areas;
         self.given.areas = Some(areas);

@@ -190,7 +190,7 @@ impl AdaptedPage<'_> {
     /// For another paper or device.
     fn laid_out_anew(&self, profile: &Profile, mut notes: Vec<Note>, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
         let Self { options, read, own, adapted, was_mirrored, .. } = *self;
-        let Adapted { page, lines, notes: more, of_overview, .. } = adapted;
+        let Adapted { page, lines, areas, notes: more, of_overview, .. } = adapted;
         let mut profile = profile.clone();
         // of one of several sheets there is no overview: that of all is a sheet of its own
         if page.is_sheet_of_set() {
@@ -207,7 +207,7 @@ impl AdaptedPage<'_> {
         notes.extend(more.iter().cloned());
         notes.extend(overview_drawn_of(of_overview.as_deref(), page, &plan));
         notes.extend(placed_anew(&read.moved_texts));
-        let old = OldPage { page, lines, title: options.title.as_deref(), plan: own };
+        let old = OldPage { page, lines, areas, title: options.title.as_deref(), plan: own };
         let cancelled = || options.caller.has_cancelled();
         let request = self.request(&plan, mirrored, &cancelled);
         let mut drawing = pipeline::redraw(old, options.key, options.translate.as_deref(), &request, watch)?;

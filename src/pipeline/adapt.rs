@@ -1,7 +1,7 @@
 //! A page that was read, as its own paper or device takes it: what a person changed is brought into its range, and
 //! told.
 
-use super::areas;
+use super::areas::{self, PageAreas};
 use super::drawn_areas;
 use super::finish::{described, is_made};
 use super::kept_lines::{self, LineName};
@@ -30,6 +30,8 @@ pub struct Adapted {
     pub page: Page,
     /// What the lines of its figure are called in the file that was read.
     pub lines: Vec<LineName>,
+    /// What its areas are called there.
+    pub areas: Vec<String>,
     /// What was changed.
     pub notes: Vec<Note>,
     /// What is told of the places of its words, which is of no use where they are placed anew.
@@ -64,28 +66,30 @@ pub fn as_rendered(
 ) -> Result<AsRendered, Error> {
     let turned_over = read.page.is_mirrored() && (read.is_changed || for_another);
     let read = if turned_over { as_felt(read, own) } else { read };
-    Ok(AsRendered { adapted: adapted(&read, own, translate)?, read, turned_over })
+    Ok(AsRendered { adapted: adapted(&read, own, for_another, translate)?, read, turned_over })
 }
 
 /// A page that was read as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page
 /// of dots as dots, areas that were moved to another colour or drawn by hand with the signs of that, typed texts in
-/// braille, and textures apart from lines.
+/// braille, and textures apart from lines; these `for_another` paper or device stay as they are, as they only say where
+/// their areas are.
 ///
 /// # Errors
 /// If a mark is off the sheet then.
-fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result<Adapted, Error> {
+fn adapted(read: &Reading, plan: &Plan, for_another: bool, translate: Option<&Translate>) -> Result<Adapted, Error> {
     let Reading { page, .. } = read;
     let mut parts = Parts::clone(page);
     let mut lines = LineName::of(&read.names);
     let mut overview_lines = read.names.overview_lines.clone();
-    let mut notes: Vec<Note> = right_signs(&mut parts, page, &read.names.areas, plan);
+    let mut areas = read.names.areas.clone();
+    let mut notes: Vec<Note> = right_signs(&mut parts, page, &mut areas, plan);
     match &page.medium {
         Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
         Medium::Dots(medium) => {
             notes.extend(strokes_as_dots(&mut parts, &mut lines, &mut overview_lines, (medium, plan)));
         }
     }
-    notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
+    notes.extend(drawn_areas::lay(&mut parts, &mut areas, &read.areas, plan));
     let labels = parts.braille.len();
     let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &mut lines, &read.texts, plan, translate);
     notes.extend(of_texts);
@@ -97,9 +101,11 @@ fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result
     let mut of_overview = None;
     let mut page = Page::new(parts)?;
     if read.is_changed {
-        let (free, told) = without_crowded_signs(page, plan)?;
-        page = free;
-        notes.extend(told);
+        if !for_another {
+            let (free, told) = without_crowded_signs(page, plan)?;
+            page = free;
+            notes.extend(told);
+        }
         let names = Names {
             lines: lines.iter().map(|line| line.name.clone()).collect(),
             overview_lines,
@@ -117,23 +123,41 @@ fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result
         let wording = Wording::nearest(&page.description_language);
         page = described(page, wording);
     }
-    Ok(Adapted { page, lines, notes, of_places, of_overview, abbreviates })
+    Ok(Adapted { page, lines, areas, notes, of_places, of_overview, abbreviates })
 }
 
-/// Draws areas anew that have the signs of another colour, as they were moved or turned; tells which, by their names,
-/// and which have no room for its signs.
-fn right_signs(parts: &mut Parts, page: &Page, names: &[String], plan: &Plan) -> Vec<Note> {
+/// Draws areas anew that have the signs of another colour, as they were moved or turned, over those on which they lie;
+/// tells which, by their `names`, which have no room for its signs, and which lie under others.
+fn right_signs(parts: &mut Parts, page: &Page, names: &mut Vec<String>, plan: &Plan) -> Vec<Note> {
     let wrong = wrong_signs(page);
     if wrong.is_empty() || plan.profile().textures.fringe {
         return Vec::new();
     }
     let all = areas::of_page(page);
+    let is_covered = |number: &usize| all.classes.regions[*number].cells == 0;
+    let (mut covered, wrong): (Vec<usize>, Vec<usize>) = wrong.into_iter().partition(is_covered);
+    covered.iter().for_each(|number| parts.figure.textures[*number].glyphs.clear());
     for &number in &wrong {
-        parts.figure.textures[number].glyphs = fill(page, &all, number, plan);
+        let own = only(&all.classes, number);
+        for below in all.lies_on[number].iter().map(|below| *below as usize) {
+            drawn_areas::make_room(&mut parts.figure.textures[below..=below], &own, page.figure.place);
+            let is_gone = parts.figure.textures[below].glyphs.is_empty();
+            if is_gone && !wrong.contains(&below) && !covered.contains(&below) {
+                covered.push(below);
+            }
+        }
+        parts.figure.textures[number].glyphs = fill(page, &own, plan);
     }
     let has_room = |number: &usize| !parts.figure.textures[*number].glyphs.is_empty();
     let (drawn, bare): (Vec<usize>, Vec<usize>) = wrong.into_iter().partition(has_room);
-    parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
+    let notes = told_of_signs(page, names, &all, [&drawn, &bare, &covered]);
+    areas::without_bare(&mut parts.figure.textures, names);
+    notes
+}
+
+/// What is told of areas, by their `names`, that are drawn anew, that have no room for their signs, and that lie under
+/// others.
+fn told_of_signs(page: &Page, names: &[String], all: &PageAreas, [drawn, bare, covered]: [&[usize]; 3]) -> Vec<Note> {
     let named = |areas: &[usize]| {
         let name = |number: &usize| {
             let class = page.figure.textures[*number].class.name();
@@ -144,16 +168,17 @@ fn right_signs(parts: &mut Parts, page: &Page, names: &[String], plan: &Plan) ->
     let its = |areas: &[usize]| if areas.len() == 1 { "its colour" } else { "their colours" };
     let told = || {
         let why = "where an area was moved or turned they were those of another";
-        let told = format!("{} drawn anew in the signs of {}: {why}", named(&drawn), its(&drawn));
+        let told = format!("{} drawn anew in the signs of {}: {why}", named(drawn), its(drawn));
         Note::TakenAs(About::Areas, Reason::AreaRecoloured, told)
     };
     let told_bare = || {
         let why = "there is no room for them clear of lines; say in a label what the colour means";
-        let told = format!("the textures of {}, in the signs of {}: {why}", named(&bare), its(&bare));
+        let told = format!("the textures of {}, in the signs of {}: {why}", named(bare), its(bare));
         Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told)
     };
-    let drawn = (!drawn.is_empty()).then(told);
-    drawn.into_iter().chain((!bare.is_empty()).then(told_bare)).collect()
+    let told_drawn = (!drawn.is_empty()).then(told);
+    let told_bare = (!bare.is_empty()).then(told_bare);
+    told_drawn.into_iter().chain(told_bare).chain(areas::told_lost(page, all, names, covered)).collect()
 }
 
 /// Brings the widths of printed lines into the range of the profile; tells of how many.
@@ -266,11 +291,16 @@ fn wrong_signs(page: &Page) -> Vec<usize> {
     textures.filter(|(_, texture)| texture.has_other_signs()).map(|(number, _)| number).collect()
 }
 
-/// The signs of an area of a printed page, drawn anew.
-fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> {
+/// The cells of one area alone.
+fn only(areas: &Classes, number: usize) -> Classes {
     let mut one = areas.clone();
     one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
-    let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
+    one
+}
+
+/// The signs of an area of a printed page, drawn anew.
+fn fill(page: &Page, one: &Classes, plan: &Plan) -> Vec<Glyph> {
+    let drawn = drawn_areas::fill(one, page.figure.place, &page.figure.lines, &page.medium, plan);
     let mut glyphs = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
     let boxes: Vec<MmRect> = page.braille.iter().filter_map(|text| text.dots.bounds()).collect();
     drawn_areas::clear_of_braille(&mut glyphs, blank_to_signs(&page.medium), &boxes, &page.braille);

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::areas::{lightness, of_page};
+use super::areas::{self, PageAreas, lightness};
 use super::label::CLEARANCE;
 use super::label_params::blank_to_signs;
 use crate::classes::{self, Classes, Region};
@@ -119,11 +119,12 @@ impl DrawnAreas {
     }
 }
 
-/// Lays the textures of drawn areas over those that are there, the last on top. Tells how many, and which have none.
-pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<Note> {
+/// Lays the textures of drawn areas over those that are there, which have these `names`, the last on top. Tells how
+/// many, and which have none.
+pub(super) fn lay(parts: &mut Parts, names: &mut Vec<String>, by_hand: &[DrawnArea], plan: &Plan) -> Vec<Note> {
     let place = parts.figure.place;
     let size = Size::new(cells_along(place.width()), cells_along(place.height()));
-    let mut drawn = DrawnAreas::of(areas, place, size, plan);
+    let mut drawn = DrawnAreas::of(by_hand, place, size, plan);
     if !drawn.classes.regions.is_empty() {
         make_room(&mut parts.figure.textures, &drawn.classes, place);
         let mut textures = fill(&drawn.classes, place, &parts.figure.lines, &parts.medium, plan);
@@ -140,17 +141,21 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
             let hidden = drawn.classes.regions[region].cells == 0;
             drawn.lost.push((*at, if hidden { COVERED } else { TOO_NARROW }));
         }
+        names.extend(textures.iter().map(|texture| format!("a drawn area of {}", texture.class.name())));
         parts.figure.textures.extend(textures);
-        parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
+        areas::without_bare(&mut parts.figure.textures, names);
     }
-    drawn.told(areas.len())
+    drawn.told(by_hand.len())
 }
 
-/// The areas of a page that was read, those of its textures and over them those that a person drew; and what is told of
-/// the latter. Signs have no part in these: nothing gives way to lines or braille that the page has.
-pub fn areas_of(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
-    let mut all = of_page(page);
-    let mut drawn = DrawnAreas::of(areas, page.figure.place, all.size, plan);
+/// The areas of a page that was read, those of its textures, which have these `names`, and over them those that a
+/// person drew; and what is told of them. Signs have no part in these: nothing gives way to lines or braille that the
+/// page has.
+pub fn areas_of(page: &Page, names: &[String], by_hand: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
+    let of_page = areas::of_page(page);
+    let lost = areas::told_lost(page, &of_page, names, &areas::lost(page, &of_page));
+    let PageAreas { classes: mut all, .. } = of_page;
+    let mut drawn = DrawnAreas::of(by_hand, page.figure.place, all.size, plan);
     let first = all.regions.len() as u32;
     let Classes { region, regions, lightness, .. } = &drawn.classes;
     for (cell, own) in region.iter().enumerate() {
@@ -164,7 +169,7 @@ pub fn areas_of(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<
     let hidden: Vec<MmPoint> = hidden.map(|(_, at)| *at).collect();
     drawn.lost.extend(hidden.into_iter().map(|at| (at, COVERED)));
     all.regions.extend(regions.iter().cloned());
-    (all, drawn.told(areas.len()))
+    (all, lost.into_iter().chain(drawn.told(by_hand.len())).collect())
 }
 
 /// Takes out the signs that are nearer than `blank` mm to braille, which lies in these boxes, or to its leader lines.
@@ -228,7 +233,7 @@ fn region_at(drawn: &Classes, at: MmPoint, place: MmRect) -> Option<u32> {
 }
 
 /// Takes away the signs that lie in drawn areas or too near to them; their areas are smaller then.
-fn make_room(textures: &mut [Texture], drawn: &Classes, place: MmRect) {
+pub(super) fn make_room(textures: &mut [Texture], drawn: &Classes, place: MmRect) {
     const AROUND: [(f32, f32); 8] =
         [(1.0, 0.0), (0.7, 0.7), (0.0, 1.0), (-0.7, 0.7), (-1.0, 0.0), (-0.7, -0.7), (0.0, -1.0), (0.7, -0.7)];
     let is_free = |glyph: &Glyph| {

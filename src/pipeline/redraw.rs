@@ -60,6 +60,8 @@ pub struct OldPage<'a> {
     pub page: &'a Page,
     /// What the lines of its figure are called.
     pub lines: &'a [LineName],
+    /// What its areas are called.
+    pub areas: &'a [String],
     /// The title that it is given, if not its own.
     pub title: Option<&'a str>,
     /// Its own profile.
@@ -141,7 +143,7 @@ fn textures(
     plan: &Plan,
     watch: &mut Watch<'_>,
 ) -> (Vec<Texture>, Vec<Note>, bool) {
-    let (classes, of_ground) = areas_of(old.page, old.plan, plan);
+    let (classes, lost, of_ground) = areas_of(old, plan);
     let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
     let mut unlearned = take_unlearned(&mut textures, plan.profile().colours.min_area, |_| true);
     if of_drawing {
@@ -151,7 +153,8 @@ fn textures(
     let told = |classes| told_bare(classes, &textures, lines, layout, (of_drawing, &unlearned), plan);
     let bare = classes.as_ref().and_then(told);
     let coloured_ground = of_ground.is_some();
-    let notes = of_ground.into_iter().chain(bare.or_else(|| told_unlearned(&unlearned, plan))).collect();
+    let bare = bare.or_else(|| told_unlearned(&unlearned, plan));
+    let notes = lost.into_iter().chain(of_ground).chain(bare).collect();
     (textures, notes, coloured_ground)
 }
 
@@ -172,13 +175,18 @@ fn without_second_rows(edges: &mut Edges, plan: &Plan) {
     }
 }
 
-/// The areas of a page that was made with `own`, if any are to have textures, and what is told of its ground: that of a
-/// page that has none already is another area.
-fn areas_of(page: &Page, own: &Plan, plan: &Plan) -> (Option<Classes>, Option<Note>) {
-    let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
-    let has_ground = own.profile().figure.ground;
-    let told = classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan));
-    (classes, told)
+/// The areas of a page, if any are to have textures, what is told of those that have no cell, and of its ground: that
+/// of a page that has none already is another area.
+fn areas_of(old: OldPage<'_>, plan: &Plan) -> (Option<Classes>, Vec<Note>, Option<Note>) {
+    if !plan.profile().figure.textures {
+        return (None, Vec::new(), None);
+    }
+    let of_page = areas::of_page(old.page);
+    let lost = areas::told_lost(old.page, &of_page, old.areas, &areas::lost(old.page, &of_page));
+    let mut classes = of_page.classes;
+    let has_ground = old.plan.profile().figure.ground;
+    let told = has_ground.then(|| blank_ground(&mut classes, plan)).flatten();
+    (Some(classes), lost, told)
 }
 
 /// What a sheet of a set says of itself in another layout: it stays that sheet, with its name if there is room at the

@@ -166,6 +166,18 @@ impl Glyph {
                 .fold(f32::MAX, f32::min),
         }
     }
+
+    /// Distance of the outlines of two glyphs, neither of which lies in the other, mm; less than 0 where discs overlap.
+    pub(crate) fn distance_to_glyph(&self, other: &Self) -> f32 {
+        let is_dot = |glyph: &Self| matches!(glyph.shape, Shape::Dot { .. });
+        if is_dot(self) && is_dot(other) {
+            return (self.at - other.at).length() - self.radius() - other.radius();
+        }
+        let (from, to) = if is_dot(other) { (other, self) } else { (self, other) };
+        let (own, corners) = (from.corners(), to.corners());
+        let sides = (0..corners.len()).map(|i| (corners[i], corners[(i + 1) % corners.len()]));
+        sides.map(|side| from.distance_to(side, &own)).fold(f32::MAX, f32::min)
+    }
 }
 
 #[cfg(test)]
