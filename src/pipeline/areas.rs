@@ -24,7 +24,7 @@ const CELL: f32 = 1.0;
 /// Farthest that a cell lies from a sign of its area, mm: the gap beside the widest line and half of the distance
 /// between two rows of the sparsest texture.
 const REACH: f32 = 9.0;
-/// How much larger an area may become than the page says, as a share: cells are coarse.
+/// How many more cells an area may have than the page says, as a share: they are coarse.
 const LARGER: f32 = 1.02;
 
 /// Signs of two areas nearer than this stand over one another, mm: side by side they are `textures.min_glyph` apart,
@@ -115,9 +115,8 @@ pub(super) fn of_page(page: &Page) -> PageAreas {
             region[cell] = Some(number);
             lightness.values[cell] = light;
         }
-        // parts without a sign, behind lines, are of it still
-        let count = cells.len() as u32;
-        regions[number as usize].cells = if count > 0 { count.max(wanted.round() as u32) } else { 0 };
+        // parts without a sign, behind lines, are of it still, and the coarse rim is not: it would grow page by page
+        regions[number as usize].cells = if cells.is_empty() { 0 } else { (wanted.round() as u32).max(1) };
     }
     PageAreas { classes: Classes { size, region, regions, lightness, fringe: Vec::new() }, lies_on }
 }

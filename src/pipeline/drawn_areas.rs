@@ -161,7 +161,8 @@ pub fn areas_of(page: &Page, names: &[String], by_hand: &[DrawnArea], plan: &Pla
     for (cell, own) in region.iter().enumerate() {
         let Some(own) = own else { continue };
         if let Some(below) = all.region[cell].replace(first + own) {
-            all.regions[below as usize].cells -= 1;
+            let cells = &mut all.regions[below as usize].cells;
+            *cells = cells.saturating_sub(1);
         }
         all.lightness.values[cell] = lightness.values[cell];
     }

@@ -242,7 +242,9 @@ pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -
     let mut blank = 0;
     for (cell, region) in classes.region.iter_mut().enumerate() {
         if let Some(number) = region.filter(|&number| is_blank(cell, number)) {
-            classes.regions[number as usize].cells -= 1;
+            // areas of a page may have more cells than they are large
+            let cells = &mut classes.regions[number as usize].cells;
+            *cells = cells.saturating_sub(1);
             *region = None;
             blank += 1;
         }

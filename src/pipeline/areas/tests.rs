@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::page::{Class, Figure, Palette, Parts};
+use crate::profile::{Plan, Profile};
 
 /// A texture over a box of left, top, width and height, mm: signs in a square of this step.
 fn texture(class: Class, [left, top, width, height]: [f32; 4], step: f32) -> Texture {
@@ -60,6 +61,19 @@ fn an_area_under_its_copy_is_told_by_name() {
     let told = told_lost(&page, &areas, &names(&page), &lost(&page, &areas));
     let told: Vec<String> = told.iter().map(ToString::to_string).collect();
     assert!(matches!(&told[..], [one] if one.contains("the texture of red area 1 (under blue area 1)")), "{told:?}");
+}
+
+#[test]
+fn an_area_is_as_large_after_ten_pages() {
+    let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("a plan");
+    let mut made = page(vec![texture(Class::Red, LARGE, 3.0)]);
+    for _ in 0..10 {
+        let Classes { size, .. } = of_page(&made).classes;
+        assert_eq!(size, Size::new(100, 100));
+        made = page(crate::textures::fill(&of_page(&made).classes, made.figure.place, &[], &plan.textures()));
+    }
+    let area = made.figure.textures[0].area;
+    assert!((area / 3600.0 - 1.0).abs() < 0.01, "{area} square mm");
 }
 
 #[test]
