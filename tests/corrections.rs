@@ -156,6 +156,24 @@ fn a_copy_of_another_colour_takes_the_place_of_what_it_lies_on() {
 }
 
 #[test]
+fn how_a_typed_text_stands_is_told_of_the_page_that_is_written_only() {
+    let page = page(&options());
+    let at = page.figure.place.center();
+    let text = format!("<g id='labels-text'><text x='{}' y='{}'>Roof</text></g></svg>", at.x, at.y);
+    let svg = page.to_svg().replacen("</svg>", &text, 1);
+    let told = |options: RenderOptions| {
+        let drawing = tactograph::render(&svg, &options).expect("a page");
+        drawing.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+    };
+    let dots = Profile::named("index-basic-d").expect("it is built in");
+    let [own, anew] = [RenderOptions::new(), RenderOptions::new().profile(dots)].map(told);
+    assert!(own.contains("1 text that was typed is written in braille beside its place"), "{own}");
+    assert!(anew.contains("1 text that was typed is taken as a label in braille"), "{anew}");
+    assert!(!anew.contains("beside its place"), "{anew}");
+    assert!(!own.contains("taken as a label"), "{own}");
+}
+
+#[test]
 fn a_shape_drawn_in_place_of_another_is_missing_in_the_overview() {
     let round = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><rect width='300' height='200' fill='#fff'/>\
                  <circle cx='150' cy='100' r='60' fill='none' stroke='#000' stroke-width='3'/></svg>";

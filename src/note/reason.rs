@@ -104,6 +104,8 @@ reasons! {
     // of what a person gives
     /// Texts were typed: they are written in braille beside their places.
     WrittenBeside => "written-beside",
+    /// Texts were typed: they are labels, which are placed anew.
+    TypedAsLabel => "typed-as-label",
     /// Braille was typed, and is written as typed.
     WrittenAsTyped => "written-as-typed",
     /// A text was typed outside of the figure, in which labels stand.
@@ -128,9 +130,9 @@ reasons! {
     TooManyAreas => "too-many-areas",
     /// An area that was drawn is too light for a colour.
     AreaTooLight => "area-too-light",
-    /// An area that was drawn lies outside of the figure.
+    /// An area that was drawn or moved lies outside of the figure.
     AreaOutside => "area-outside",
-    /// An area that was drawn lies under others.
+    /// An area that was drawn, moved or copied lies under others.
     AreaCovered => "area-covered",
     /// An area that was drawn is too narrow for a texture.
     AreaTooNarrow => "area-too-narrow",

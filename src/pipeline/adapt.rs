@@ -34,7 +34,7 @@ pub struct Adapted {
     pub areas: Vec<String>,
     /// What was changed.
     pub notes: Vec<Note>,
-    /// What is told of the places of its words, which is of no use where they are placed anew.
+    /// What is told of its words where they stand, which is of no use where they are placed anew.
     pub of_places: Vec<Note>,
     /// What its overview shows that the figure has not, or lacks, where somebody changed the page.
     pub of_overview: Option<String>,
@@ -91,10 +91,11 @@ fn adapted(read: &Reading, plan: &Plan, for_another: bool, translate: Option<&Tr
     }
     notes.extend(drawn_areas::lay(&mut parts, &mut areas, &read.areas, plan));
     let labels = parts.braille.len();
-    let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &mut lines, &read.texts, plan, translate);
-    notes.extend(of_texts);
+    let Typed { notes: of_texts, mut of_places, as_labels, abbreviated } =
+        typed::write(&mut parts, &mut lines, &read.texts, plan, translate);
+    notes.extend(of_texts.into_iter().chain(as_labels.filter(|_| for_another)));
     let abbreviates = abbreviated.is_some();
-    let mut of_places: Vec<Note> = abbreviated.into_iter().collect();
+    of_places.extend(abbreviated);
     if read.is_changed {
         of_places.extend(print_words::follow(&mut parts, labels, plan));
     }

@@ -17,7 +17,12 @@ use crate::{About, Note, Reason};
 /// What is told of texts that were typed.
 #[derive(Debug, Default)]
 pub(super) struct Typed {
+    /// What is so wherever they stand.
     pub(super) notes: Vec<Note>,
+    /// How they stand on this page.
+    pub(super) of_places: Vec<Note>,
+    /// That they are labels, where these are placed anew.
+    pub(super) as_labels: Option<Note>,
     /// Those that are abbreviated.
     pub(super) abbreviated: Option<Note>,
 }
@@ -77,16 +82,31 @@ pub(super) fn write(
     *names = lines.into_iter().map(|line| names[line].clone()).collect();
     braille.retain(|text| text.role == TextRole::Label);
     let elsewhere = elsewhere(&exact, &braille);
-    let written = braille.len();
-    let in_braille = exact.len().min(written);
-    let written = written - in_braille;
+    let (count, in_braille) = (braille.len(), exact.len().min(braille.len()));
     let led = braille.iter().filter(|text| text.leader.is_some()).count();
     parts.braille.extend(braille);
     let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) =
         notes.into_iter().partition(|note| matches!(note, Note::Abbreviated(_)));
-    let told = told(written, led, in_braille).into_iter().chain(typed_outside(&outside));
-    let notes = told.chain(elsewhere).chain(notes).collect();
-    Typed { notes, abbreviated: abbreviated.pop() }
+    let (of_labels, notes): (Vec<Note>, Vec<Note>) = notes.into_iter().partition(is_of_place);
+    let of_places = told(count - in_braille, led, in_braille).into_iter().chain(elsewhere).chain(of_labels).collect();
+    let notes = typed_outside(&outside).into_iter().chain(notes).collect();
+    Typed { notes, of_places, as_labels: told_as_labels(count), abbreviated: abbreviated.pop() }
+}
+
+/// Whether a note tells how labels stand, and not that they are left out.
+fn is_of_place(note: &Note) -> bool {
+    let of_labels = matches!(note, Note::TakenAs(About::Braille | About::Leaders, ..));
+    // what has less texture beside a label here may have more there
+    of_labels || matches!(note, Note::NotOnPage(About::Areas, Reason::UnderLabel, _))
+}
+
+/// Tells how many texts are labels, of a page on which these are placed anew.
+fn told_as_labels(count: usize) -> Option<Note> {
+    let told = match count {
+        1 => "1 text that was typed is taken as a label in braille".to_owned(),
+        _ => format!("{count} texts that were typed are taken as labels in braille"),
+    };
+    (count > 0).then_some(Note::TakenAs(About::Texts, Reason::TypedAsLabel, told))
 }
 
 /// Tells how many texts are written, beside where they were typed and in their very places, and how many have a leader
