@@ -136,6 +136,20 @@ fn an_area_that_was_moved_onto_another_one_is_there() {
 }
 
 #[test]
+fn a_layer_that_is_renamed_to_another_colour_has_that_and_it_is_told() {
+    let svg = page(&options()).to_svg();
+    let renamed = svg.replacen("inkscape:label=\"Texture red\"", "inkscape:label=\"Texture yellow\"", 1);
+    let told = "the layer \"Texture yellow\" was that of red: the areas in it are yellow now";
+    for (svg, class, count) in [(&svg, "red", 0), (&renamed, "yellow", 1)] {
+        let drawing = tactograph::render(svg, &RenderOptions::new()).expect("a page");
+        let classes: Vec<&str> = drawing.page.figure.textures.iter().map(|texture| texture.class.name()).collect();
+        assert!(classes.len() == 2 && classes.contains(&class), "{classes:?}");
+        assert_eq!(drawing.notes.iter().filter(|note| note.to_string().contains(told)).count(), count);
+        assert_eq!(found(&drawing.page.to_svg()), [], "its signs are those of {class}");
+    }
+}
+
+#[test]
 fn a_copy_of_another_colour_takes_the_place_of_what_it_lies_on() {
     let svg = page(&options()).to_svg();
     let begin = svg[..svg.find("data-class=\"red\"").expect("a red area")].rfind('<').expect("it is an element");

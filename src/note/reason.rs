@@ -57,6 +57,8 @@ reasons! {
     NotBlack => "not-black",
     /// Marks lie outside of the layers of a page, or of the one that is taken.
     OutsideLayers => "outside-layers",
+    /// The layer of a texture was renamed to that of another colour.
+    LayerRenamed => "layer-renamed",
     /// A filled shape without the colour of a texture is a line around it.
     NoTextureColour => "no-texture-colour",
     /// A shape among textures is neither rhombus nor dot.

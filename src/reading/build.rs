@@ -2,7 +2,7 @@
 
 use super::areas::DrawnArea;
 use super::clip;
-use super::document::{Elements, numbers, own_id};
+use super::document::{Elements, layer_of, numbers, own_id, renamed};
 use super::kind::{Kind, Sorted, Sorter, common_width};
 use super::leaders::with_own_tip;
 use super::marks::{PaintedShape, PaintedShapes};
@@ -93,7 +93,7 @@ pub(super) fn page(
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
     let notes = tally.notes().chain(OfFile { far, patterned, ..file }.told());
-    let notes = notes.chain(tally::told_no_figure(elements)).collect();
+    let notes = notes.chain(tally::told_no_figure(elements)).chain(tally::told_renamed(elements)).collect();
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();
@@ -352,7 +352,9 @@ impl<'m> Builder<'m> {
             return;
         }
         let element = mark.element;
-        let layer = element.ancestors().find(|node| super::document::layer_of(*node) == Some(Layer::Texture(class)));
+        let layer = element.ancestors().find(|node| layer_of(*node) == Some(Layer::Texture(class)));
+        // a layer that was renamed has the sign of its old class
+        let layer = layer.filter(|layer| renamed(*layer).is_none());
         let sign = layer.and_then(|layer| layer.attribute("data-sign")).and_then(Sign::named);
         let colour = numbers(element, "data-colour").and_then(|all| <[f32; 3]>::try_from(all).ok());
         let area = numbers(element, "data-area").and_then(|all| all.first().copied());

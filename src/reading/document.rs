@@ -10,6 +10,7 @@ use super::style::{is_definition, is_shown};
 use super::{cuts, entities, texts};
 use crate::Error;
 use crate::output::layer::Layer;
+use crate::page::Class;
 use crate::raster::decode::{checked_document, no_longer_than};
 
 /// Namespace of Inkscape's attributes.
@@ -275,6 +276,15 @@ impl<'a> Elements<'a> {
         self.get(&layer.id()).or_else(by_name)
     }
 
+    /// The layers of textures that were renamed to that of another class, each with the class before and the new one.
+    pub(super) fn renamed_layers(&self) -> Vec<[Class; 2]> {
+        let groups = self.by_id.values().filter(|node| node.tag_name().name() == "g");
+        let mut found: Vec<(usize, [Class; 2])> =
+            groups.filter_map(|node| Some((node.range().start, renamed(*node)?))).collect();
+        found.sort_unstable_by_key(|(start, _)| *start);
+        found.into_iter().map(|(_, classes)| classes).collect()
+    }
+
     pub(super) fn has_layer(&self) -> bool {
         self.by_id.values().any(|node| node.tag_name().name() == "g" && layer_of(*node).is_some())
     }
@@ -337,10 +347,26 @@ pub(super) fn is_in_labels(text: Node<'_, '_>) -> bool {
 }
 
 /// The layer that a group is, by its id, or by its name as Inkscape shows it. The name of an object is its own: that of
-/// a text is what it says, which may be the word "frame".
+/// a text is what it says, which may be the word "frame". Who renames the layer of a texture there, which keeps its id,
+/// means another colour.
 pub(super) fn layer_of(node: Node<'_, '_>) -> Option<Layer> {
     let label = || label_of(node).filter(|_| !is_object(node)).and_then(Layer::named);
-    node.attribute("id").and_then(Layer::named).or_else(label)
+    match node.attribute("id").and_then(Layer::named) {
+        Some(own @ Layer::Texture(_)) => {
+            Some(label().filter(|layer| matches!(layer, Layer::Texture(_))).unwrap_or(own))
+        }
+        own => own.or_else(label),
+    }
+}
+
+/// The class that the layer of a texture had before it was renamed, and the one that it has.
+pub(super) fn renamed(node: Node<'_, '_>) -> Option<[Class; 2]> {
+    let class = |layer: Option<Layer>| match layer {
+        Some(Layer::Texture(class)) => Some(class),
+        _ => None,
+    };
+    let before = class(node.attribute("id").and_then(Layer::named))?;
+    class(layer_of(node)).filter(|class| *class != before).map(|class| [before, class])
 }
 
 /// Whether an element stands for one thing on the page: a contour, a region or a text.

@@ -92,6 +92,15 @@ pub(super) fn told_no_figure(elements: &Elements<'_>) -> Option<Note> {
     })
 }
 
+/// What is told of layers of textures that were renamed.
+pub(super) fn told_renamed(elements: &Elements<'_>) -> impl Iterator<Item = Note> {
+    elements.renamed_layers().into_iter().map(|[before, class]| {
+        let (layer, class) = (Layer::Texture(class).label(), class.name());
+        let told = format!("the layer \"{layer}\" was that of {}: the areas in it are {class} now", before.name());
+        Note::TakenAs(About::Areas, Reason::LayerRenamed, told)
+    })
+}
+
 impl Tally {
     pub(super) fn add(&mut self, what: What, at: Option<MmPoint>) {
         let (count, first) = self.told.entry(what).or_default();
