@@ -206,6 +206,22 @@ fn a_shape_drawn_in_place_of_another_is_missing_in_the_overview() {
 }
 
 #[test]
+fn a_filled_shape_in_the_overview_is_told_as_a_line() {
+    let svg = page(&options()).to_svg();
+    let begin = svg.find("id=\"overview\"").expect("it has an overview");
+    let inside = begin + svg[begin..].find('>').expect("it begins") + 1;
+    let told = |mark: &str| {
+        let edited = [&svg[..inside], mark, &svg[inside..]].concat();
+        let notes = tactograph::render(edited, &RenderOptions::new()).expect("a page").notes;
+        let told: String = notes.iter().map(|note| format!("{note}\n")).collect();
+        (told.contains("1 filled shape"), told.contains("in grey or colour"))
+    };
+    assert_eq!(told("<rect x='90' y='200' width='20' height='15' fill='#00f'/>"), (true, true));
+    assert_eq!(told("<circle cx='100' cy='205' r='5' fill='#000'/>"), (true, false));
+    assert_eq!(told("<rect x='90' y='200' width='20' height='15'/>"), (false, false), "it has no fill");
+}
+
+#[test]
 fn white_marks_are_told_and_a_white_ground_is_not() {
     let svg = page(&options()).to_svg();
     let told = |mark: &str| {

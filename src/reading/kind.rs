@@ -73,10 +73,14 @@ impl Sorter {
     }
 
     fn stroke(&self, mark: &PaintedShape<'_>, stroke: &PaintedStroke) -> (Kind, Vec<What>) {
-        let shaded = (stroke.tone.is_shaded() && !self.has_heights).then_some(What::Shaded);
+        // a shape that is drawn in the overview, which has lines only, has the stroke of its layer
+        let fill = mark.fill.filter(|tone| mark.layer == Some(Layer::Overview) && !tone.is_white);
+        let is_shaded = stroke.tone.is_shaded() || fill.is_some_and(|tone| tone.is_shaded());
+        let shaded = (is_shaded && !self.has_heights).then_some(What::Shaded);
         let dashed = stroke.is_dashed.then_some(What::Dashed);
+        let outlined = fill.map(|_| What::Outlined);
         let runs = mark.subpaths.iter().map(|subpath| run(subpath, stroke.width)).collect();
-        (Kind::Strokes(runs), shaded.into_iter().chain(dashed).collect())
+        (Kind::Strokes(runs), shaded.into_iter().chain(dashed).chain(outlined).collect())
     }
 
     fn filled(&self, mark: &PaintedShape<'_>) -> (Kind, Vec<What>) {
