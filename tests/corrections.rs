@@ -206,6 +206,28 @@ fn a_shape_drawn_in_place_of_another_is_missing_in_the_overview() {
 }
 
 #[test]
+fn a_disc_in_the_layer_of_lines_is_a_dot_on_all_media() {
+    for (profile, with_stroke) in [("swell-a4", 2.5), ("index-basic-d", 1.5)] {
+        let page = page(&Options::new(Profile::named(profile).expect("it is built in")));
+        let (svg, place) = (page.to_svg(), page.figure.place);
+        // right of the triangle, where nothing is
+        let at = MmPoint::new(place.max.x - 8.0, place.min.y + 15.0);
+        let begin = svg.find("id=\"lines\"").expect("it has lines");
+        let inside = begin + svg[begin..].find('>').expect("it begins") + 1;
+        for (stroke, diameter) in [("", with_stroke), (" stroke='none'", 1.5)] {
+            let disc = format!("<circle cx='{}' cy='{}' r='0.75' fill='#000'{stroke}/>", at.x, at.y);
+            let edited = [&svg[..inside], &disc, &svg[inside..]].concat();
+            let drawing = tactograph::render(edited, &RenderOptions::new()).expect("a page");
+            assert_eq!(drawing.page.figure.lines.len(), page.figure.lines.len(), "{profile}");
+            let dots = drawing.page.labels.iter().filter(|dots| dots.at.len() == 1 && (dots.at[0] - at).length() < 0.1);
+            let diameters: Vec<f32> = dots.map(|dots| dots.diameter).collect();
+            assert!(matches!(diameters[..], [one] if (one - diameter).abs() < 0.02), "{profile}: {diameters:?}");
+            assert!(drawing.notes.iter().all(|note| !note.to_string().contains("without a name")), "{profile}");
+        }
+    }
+}
+
+#[test]
 fn a_filled_shape_in_the_overview_is_told_as_a_line() {
     let svg = page(&options()).to_svg();
     let begin = svg.find("id=\"overview\"").expect("it has an overview");

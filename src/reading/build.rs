@@ -60,6 +60,7 @@ pub(super) fn page(
         is_foreign: elements.has_layer() && !elements.are_of_page,
         sheet,
         has_heights: medium.has_heights(),
+        is_dotted: matches!(medium, Medium::Dots(_)),
         common_width: common_width(&marks),
     };
     let builder = Builder::new(&medium, palette(&words), sorter).with(&marks);
@@ -294,6 +295,9 @@ impl<'m> Builder<'m> {
         }
         let is_dotted = matches!(self.medium, Medium::Dots(_));
         let row = |at: Vec<MmPoint>| Run::dots(diameter, at, height);
+        // as on paper: one by itself that a person drew among lines is no line
+        let is_dot =
+            mark.layer == Some(Layer::Lines) && discs.len() == 1 && !mark.element.has_attribute("data-strength");
         match mark.layer {
             Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
             Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
@@ -302,7 +306,7 @@ impl<'m> Builder<'m> {
                 self.orientation_marks.push(pieces);
             }
             Some(Layer::Registration) if is_dotted => self.parts.registration.push(row(at)),
-            Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
+            Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted && !is_dot => {
                 collect(mark, layer, vec![row(at)], runs);
             }
             Some(Layer::Braille(role)) if mark.element.has_attribute("data-braille") => {

@@ -15,6 +15,10 @@ use crate::units::MmPoint;
 /// Width of a line where none is given and there are no others, mm.
 const COMMON_WIDTH: f32 = 1.0;
 
+/// A disc is a dot up to this diameter, mm, also where it has the stroke of the lines among which it lies: no dot of a
+/// page or a device is larger, and no line as short as the way around it.
+const LARGEST_DOT: f32 = 3.0;
+
 /// What a path is taken as.
 pub(super) enum Kind {
     /// It is not on the page, for this reason.
@@ -47,6 +51,8 @@ pub(super) struct Sorter {
     pub(super) sheet: [f32; 2],
     /// Whether greys are heights.
     pub(super) has_heights: bool,
+    /// Whether it is a page of dots, which all have one size.
+    pub(super) is_dotted: bool,
     /// Width of a line that is drawn where none is given, mm.
     pub(super) common_width: f32,
 }
@@ -65,7 +71,10 @@ impl Sorter {
         }
         let area = if self.is_foreign { None } else { areas::of(mark) };
         let (kind, told) = match mark.stroke.as_ref().filter(|stroke| stroke.is_seen()) {
-            Some(stroke) => self.stroke(mark, stroke),
+            Some(stroke) => match self.dots_among_lines(mark, stroke) {
+                Some(dots) => (dots, Vec::new()),
+                None => self.stroke(mark, stroke),
+            },
             None if area.is_some() => (Kind::Blank, Vec::new()),
             None => self.filled(mark),
         };
@@ -81,6 +90,19 @@ impl Sorter {
         let outlined = fill.map(|_| What::Outlined);
         let runs = mark.subpaths.iter().map(|subpath| run(subpath, stroke.width)).collect();
         (Kind::Strokes(runs), shaded.into_iter().chain(dashed).chain(outlined).collect())
+    }
+
+    /// The dots that a person drew in the layer of lines, as which black discs with the stroke of that are meant.
+    fn dots_among_lines(&self, mark: &PaintedShape<'_>, stroke: &PaintedStroke) -> Option<Kind> {
+        let is_by_hand = !self.is_foreign && !mark.element.has_attribute("data-strength");
+        let is_black = stroke.tone.is_black && mark.fill.is_some_and(|tone| tone.is_black);
+        if mark.layer != Some(Layer::Lines) || !is_by_hand || !is_black {
+            return None;
+        }
+        let rim = if self.is_dotted { 0.0 } else { stroke.width };
+        let dot = |subpath: &Subpath| disc(subpath).map(|(at, diameter)| (at, diameter + rim));
+        let dots: Vec<(MmPoint, f32)> = mark.subpaths.iter().map(dot).collect::<Option<_>>()?;
+        dots.iter().all(|(_, diameter)| *diameter <= LARGEST_DOT).then(|| Kind::Discs(dots, Height::default()))
     }
 
     fn filled(&self, mark: &PaintedShape<'_>) -> (Kind, Vec<What>) {
