@@ -13,7 +13,7 @@ pub use reason::Reason;
 
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, or_if_none,
-    outline_of_subject, shade, short, sides, simplified, turned, what_if_not_meant,
+    outline_of_subject, shade, share_of, short, sides, simplified, turned, what_if_not_meant,
 };
 
 /// One remark about a page that was made all the same. It says itself in one line, and is an error only in that it can
@@ -226,9 +226,9 @@ pub enum Note {
     LinesOff,
     /// Contours are not drawn, as they lie too close to others for fingers, or are too short in a drawing.
     #[error(
-        "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for \
-         fingers, or are too short; a larger figure, on larger paper if there is any, or only a part of the picture \
-         keeps more of them{}",
+        "{millimetres} mm of contours, {}, were left out, {}: they lie too close to others for fingers, or are too \
+         short; a larger figure, on larger paper if there is any, or only a part of the picture keeps more of them{}",
+        share_of(*.percent),
         most_in(*.place, "figure"),
         turned(*.is_larger_turned)
     )]

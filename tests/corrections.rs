@@ -228,6 +228,22 @@ fn a_disc_in_the_layer_of_lines_is_a_dot_on_all_media() {
 }
 
 #[test]
+fn a_coloured_shape_that_is_too_small_for_a_texture_is_told_as_that() {
+    let page = page(&options());
+    let at = page.figure.place.max;
+    let told = |fill: &str| {
+        let mark = format!("<rect x='{}' y='{}' width='4' height='4' fill='{fill}'/></svg>", at.x - 12.0, at.y - 8.0);
+        let edited = page.to_svg().replacen("</svg>", &mark, 1);
+        let notes = tactograph::render(edited, &RenderOptions::new()).expect("a page").notes;
+        notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+    };
+    let (red, black) = (told("#f00"), told("#000"));
+    assert!(red.contains("smaller than 25 square mm, too small for a texture, drawn as a line around it"), "{red}");
+    assert!(!red.contains("without the colour"), "{red}");
+    assert!(black.contains("without the colour of a texture, drawn as a line around it"), "{black}");
+}
+
+#[test]
 fn a_filled_shape_in_the_overview_is_told_as_a_line() {
     let svg = page(&options()).to_svg();
     let begin = svg.find("id=\"overview\"").expect("it has an overview");

@@ -8,6 +8,11 @@ pub(super) fn most_in(place: Option<&str>, whole: &str) -> String {
     place.map_or_else(|| format!("all over the {whole}"), |place| format!("most of them in the {place}"))
 }
 
+/// A share of something that there is.
+pub(super) fn share_of(percent: u32) -> String {
+    if percent == 0 { "under 1 percent".to_owned() } else { format!("{percent} percent") }
+}
+
 /// What a sheet that lies across is better for, as the rest of a sentence.
 pub(super) fn turned(is_larger: bool) -> &'static str {
     if is_larger { "; on the same sheet lying across (page.orientation) it is larger" } else { "" }

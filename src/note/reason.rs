@@ -61,6 +61,8 @@ reasons! {
     LayerRenamed => "layer-renamed",
     /// A filled shape without the colour of a texture is a line around it.
     NoTextureColour => "no-texture-colour",
+    /// A filled shape lies in a layer that has no textures and is a line around it.
+    NoTexturesThere => "no-textures-there",
     /// A shape among textures is neither rhombus nor dot.
     NoSign => "no-sign",
     /// A shape in the layer of words in print is no word.

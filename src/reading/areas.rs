@@ -7,7 +7,7 @@ use crate::page::Class;
 use crate::units::MmPoint;
 
 /// A shape is an area from so much on, mm2: smaller ones are marks. No profile has textures for less.
-const LEAST: f32 = 25.0;
+pub(super) const LEAST: f32 = 25.0;
 
 /// A filled shape that stands for an area.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,11 @@ pub struct DrawnArea {
     pub outlines: Vec<Vec<MmPoint>>,
 }
 
+/// Whether areas of a colour may lie in a layer, besides those of textures.
+pub(super) fn may_lie_in(layer: Option<Layer>) -> bool {
+    matches!(layer, None | Some(Layer::Figure | Layer::Textures | Layer::Lines))
+}
+
 /// The area that a mark is. One in a layer of textures has the class of that; elsewhere it must have a colour, or be
 /// grey: what is black is ink.
 pub(super) fn of(mark: &PaintedShape<'_>) -> Option<DrawnArea> {
@@ -27,8 +32,8 @@ pub(super) fn of(mark: &PaintedShape<'_>) -> Option<DrawnArea> {
     let is_own = ["data-class", "data-braille", "data-strength"].iter().any(|name| mark.element.has_attribute(*name));
     let class = match mark.layer {
         Some(Layer::Texture(class)) => Some(class),
-        None | Some(Layer::Figure | Layer::Textures | Layer::Lines) => None,
-        Some(_) => return None,
+        layer if may_lie_in(layer) => None,
+        _ => return None,
     };
     if is_own || (class.is_none() && !tone.is_shaded()) {
         return None;

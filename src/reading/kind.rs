@@ -7,6 +7,7 @@ use super::marks::{PaintedShape, PaintedStroke};
 use super::shapes::disc;
 use super::subpath::Subpath;
 use super::tally::What;
+use super::tone::Tone;
 use crate::geom::polyline;
 use crate::output::layer::{self, Layer};
 use crate::page::{Class, Height, Pen, Run};
@@ -87,7 +88,7 @@ impl Sorter {
         let is_shaded = stroke.tone.is_shaded() || fill.is_some_and(|tone| tone.is_shaded());
         let shaded = (is_shaded && !self.has_heights).then_some(What::Shaded);
         let dashed = stroke.is_dashed.then_some(What::Dashed);
-        let outlined = fill.map(|_| What::Outlined);
+        let outlined = fill.map(|tone| outlined(mark, tone));
         let runs = mark.subpaths.iter().map(|subpath| run(subpath, stroke.width)).collect();
         (Kind::Strokes(runs), shaded.into_iter().chain(dashed).chain(outlined).collect())
     }
@@ -114,12 +115,21 @@ impl Sorter {
         if let Some(discs) = mark.subpaths.iter().map(disc).collect() {
             return (Kind::Discs(discs, layer::height(tone.grey)), told);
         }
-        told.push(What::Outlined);
+        told.push(outlined(mark, tone));
         // what has but two points is a line there and back
         let closed = |subpath: &Subpath| Subpath { closed: subpath.points.len() > 2, ..subpath.clone() };
         let around = mark.subpaths.iter().map(|subpath| run(&closed(subpath), self.common_width)).collect();
         let layer = if mark.layer == Some(Layer::Overview) { Layer::Overview } else { Layer::Lines };
         (Kind::Around(around, layer), told)
+    }
+}
+
+/// What is told of a filled shape that is no area, and so a line around it: why it is none.
+fn outlined(mark: &PaintedShape<'_>, tone: Tone) -> What {
+    match tone.is_shaded() {
+        false => What::Outlined,
+        true if areas::may_lie_in(mark.layer) => What::OutlinedSmall,
+        true => What::OutlinedThere,
     }
 }
 

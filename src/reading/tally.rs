@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::areas::LEAST;
 use super::document::Elements;
 use crate::listing::counted;
 use crate::output::layer::Layer;
@@ -20,6 +21,8 @@ pub(super) enum What {
     DotOutside,
     BesideMark,
     Outlined,
+    OutlinedSmall,
+    OutlinedThere,
     NoGlyph,
     OffSheet,
     CutAtSheet,
@@ -124,6 +127,8 @@ impl What {
             Self::DotOutside => Note::TakenAs(About::Dots, Reason::OutsideLayers, told),
             Self::BesideMark => Note::TakenAs(About::Lines, Reason::OutsideLayers, told),
             Self::Outlined => Note::TakenAs(About::Areas, Reason::NoTextureColour, told),
+            Self::OutlinedSmall => Note::TakenAs(About::Areas, Reason::AreaTooSmall, told),
+            Self::OutlinedThere => Note::TakenAs(About::Areas, Reason::NoTexturesThere, told),
             Self::NoGlyph => Note::NotOnPage(About::Signs, Reason::NoSign, told),
             Self::OffSheet => Note::NotOnPage(About::Marks, Reason::OffSheet, told),
             Self::CutAtSheet => Note::NotOnPage(About::Lines, Reason::OffSheet, told),
@@ -140,6 +145,10 @@ impl What {
     /// What is told of so many of them, the first of which is `at` a place, in words.
     fn sentence(self, count: usize, at: &str) -> String {
         let n = |one: &str, many: &str| if count == 1 { format!("1 {one}") } else { format!("{count} {many}") };
+        let outlined = |why: String| {
+            let lines = if count == 1 { "a line around it" } else { "lines around them" };
+            format!("{}{at} {why}, drawn as {lines}", n("filled shape", "filled shapes"))
+        };
         match self {
             Self::LineOutside => {
                 format!("{}{at} outside of the layers, taken as lines of the figure", n("line", "lines"))
@@ -149,11 +158,9 @@ impl What {
                 let (more, lines) = (n("more mark", "more marks"), if count == 1 { "a line" } else { "lines" });
                 format!("{more}{at} in the layer of the orientation mark, taken as {lines} of the figure")
             }
-            Self::Outlined => format!(
-                "{}{at} without the colour of a texture, drawn as {}",
-                n("filled shape", "filled shapes"),
-                if count == 1 { "a line around it" } else { "lines around them" }
-            ),
+            Self::Outlined => outlined("without the colour of a texture".to_owned()),
+            Self::OutlinedSmall => outlined(format!("smaller than {LEAST} square mm, too small for a texture")),
+            Self::OutlinedThere => outlined("in a layer that has no textures".to_owned()),
             Self::NoGlyph => format!(
                 "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
                 n("shape", "shapes")

@@ -19,3 +19,11 @@ fn what_makes_a_page_wrong_is_told_first() {
     Note::sort(&mut sorted);
     assert_eq!(sorted, [4, 5, 2, 3, 0, 1].map(|number: usize| notes[number].clone()));
 }
+
+#[test]
+fn what_is_left_out_is_never_no_percent_of_all() {
+    for (percent, share) in [(0, "under 1 percent"), (3, "3 percent")] {
+        let told = Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false }.to_string();
+        assert!(told.starts_with(&format!("9 mm of contours, {share}, were left out, all over")), "{told}");
+    }
+}
