@@ -134,7 +134,7 @@ fn right_signs(parts: &mut Parts, page: &Page, names: &mut Vec<String>, plan: &P
     if wrong.is_empty() || plan.profile().textures.fringe {
         return Vec::new();
     }
-    let all = areas::of_page(page);
+    let all = areas::of_page(page, plan);
     let is_covered = |number: &usize| all.classes.regions[*number].cells == 0;
     let (mut covered, wrong): (Vec<usize>, Vec<usize>) = wrong.into_iter().partition(is_covered);
     covered.iter().for_each(|number| parts.figure.textures[*number].glyphs.clear());

@@ -8,13 +8,14 @@
 //! tear both to crumbs. There the smaller one is on top, as it would be hidden otherwise, and of two as large the
 //! later, as a copy is: it takes its cells first.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::classes::{Classes, Region};
 use crate::geom::crossing;
 use crate::geom::nearby::{Index, Nearby};
 use crate::listing::{first_few, list};
 use crate::page::{Glyph, Line, Page, Shape, Texture};
+use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::units::{Mm, MmPoint, MmRect, Size};
 use crate::{About, Note, Reason};
@@ -27,11 +28,9 @@ const REACH: f32 = 9.0;
 /// How many more cells an area may have than the page says, as a share: they are coarse.
 const LARGER: f32 = 1.02;
 
-/// Signs of two areas nearer than this stand over one another, mm: side by side they are `textures.min_glyph` apart,
-/// twice as far.
-const OVER: f32 = 0.3;
-/// So many signs of an area over those of another make it lie on it: a person may move a single one.
-const LEAST_OVER: usize = 2;
+/// Signs of two areas nearer than this share of `textures.min_glyph` stand over one another: side by side they are that
+/// far apart, but for a rounding. Of an area of few signs that was moved onto another, one or two may be so near.
+const OVER: f32 = 0.8;
 /// What is left of an area under others, if it is less than this share of it, is a few crumbs beside them.
 const CRUMBS: f32 = 0.15;
 /// Farthest that the rim of an area lies from its signs where no line is near, mm: half of the distance between two
@@ -80,8 +79,8 @@ struct SignOfArea {
     glyph: Glyph,
 }
 
-/// The areas of a page on a grid over its figure.
-pub(super) fn of_page(page: &Page) -> PageAreas {
+/// The areas of a page that was made with `own` on a grid over its figure.
+pub(super) fn of_page(page: &Page, own: &Plan) -> PageAreas {
     let place = page.figure.place;
     let grid = CellsOfFigure::of(place);
     let textures = &page.figure.textures;
@@ -89,7 +88,7 @@ pub(super) fn of_page(page: &Page) -> PageAreas {
     for (area, texture) in (0..).zip(textures) {
         texture.glyphs.iter().for_each(|glyph| signs.put_at(glyph.at, SignOfArea { area, glyph: *glyph }));
     }
-    let lies_on = lies_on(textures, &signs);
+    let lies_on = lies_on(textures, &signs, OVER * own.textures().min_glyph);
     let NearCells { mut near, others } = NearCells::of(page, &grid, &signs, &lies_on);
     let size = grid.size;
     let mut region = vec![None; size.len()];
@@ -171,40 +170,32 @@ fn from_above(textures: &[Texture]) -> Vec<u32> {
     areas.into_iter().map(|(_, number)| number).collect()
 }
 
-/// For each area the numbers of those on which it lies: its signs stand over theirs.
-fn lies_on(textures: &[Texture], signs: &Index<SignOfArea, Mm>) -> Vec<Vec<u32>> {
+/// For each area the numbers of those on which it lies: its signs stand over theirs, nearer than `least` mm.
+fn lies_on(textures: &[Texture], signs: &Index<SignOfArea, Mm>, least: f32) -> Vec<Vec<u32>> {
     let mut height = vec![0_usize; textures.len()];
     for (above, number) in from_above(textures).into_iter().rev().enumerate() {
         height[number as usize] = above;
     }
-    let mut over: BTreeMap<(usize, u32), usize> = BTreeMap::new();
-    for (number, texture) in textures.iter().enumerate() {
+    let on = |(number, texture): (usize, &Texture)| -> Vec<u32> {
+        let mut below: BTreeSet<u32> = BTreeSet::new();
         for glyph in &texture.glyphs {
-            let mut below: BTreeSet<u32> = BTreeSet::new();
             signs.around(glyph.at, glyph.at, REACH, |sign| {
-                if height[sign.area as usize] < height[number] && stand_over(glyph, &sign.glyph) {
+                if height[sign.area as usize] < height[number] && stand_over(glyph, &sign.glyph, least) {
                     below.insert(sign.area);
                 }
             });
-            below.into_iter().for_each(|area| *over.entry((number, area)).or_default() += 1);
         }
-    }
-    let mut lies_on = vec![Vec::new(); textures.len()];
-    for ((number, area), count) in over {
-        let signs = [number, area as usize].map(|of| textures[of].glyphs.len());
-        if count >= LEAST_OVER.min(signs[0]).min(signs[1]) {
-            lies_on[number].push(area);
-        }
-    }
-    lies_on
+        below.into_iter().collect()
+    };
+    textures.iter().enumerate().map(on).collect()
 }
 
 /// Whether two signs are nearer than those of areas side by side are; dots, which may stand in one grid, overlap.
-fn stand_over(a: &Glyph, b: &Glyph) -> bool {
+fn stand_over(a: &Glyph, b: &Glyph, least: f32) -> bool {
     let (between, reach) = ((a.at - b.at).length(), a.radius() + b.radius());
     match (a.shape, b.shape) {
         (Shape::Dot { .. }, Shape::Dot { .. }) => between < reach,
-        _ => between < reach + OVER && (between < OVER || a.distance_to_glyph(b) < OVER),
+        _ => between < reach + least && (between < least || a.distance_to_glyph(b) < least),
     }
 }
 

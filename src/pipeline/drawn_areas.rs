@@ -152,7 +152,7 @@ pub(super) fn lay(parts: &mut Parts, names: &mut Vec<String>, by_hand: &[DrawnAr
 /// person drew; and what is told of them. Signs have no part in these: nothing gives way to lines or braille that the
 /// page has.
 pub fn areas_of(page: &Page, names: &[String], by_hand: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
-    let of_page = areas::of_page(page);
+    let of_page = areas::of_page(page, plan);
     let lost = areas::told_lost(page, &of_page, names, &areas::lost(page, &of_page));
     let PageAreas { classes: mut all, .. } = of_page;
     let mut drawn = DrawnAreas::of(by_hand, page.figure.place, all.size, plan);

@@ -181,7 +181,7 @@ fn areas_of(old: OldPage<'_>, plan: &Plan) -> (Option<Classes>, Vec<Note>, Optio
     if !plan.profile().figure.textures {
         return (None, Vec::new(), None);
     }
-    let of_page = areas::of_page(old.page);
+    let of_page = areas::of_page(old.page, old.plan);
     let lost = areas::told_lost(old.page, &of_page, old.areas, &areas::lost(old.page, &of_page));
     let mut classes = of_page.classes;
     let has_ground = old.plan.profile().figure.ground;
