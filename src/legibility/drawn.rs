@@ -4,14 +4,14 @@
 use std::collections::BTreeMap;
 
 use resvg::tiny_skia::PathSegment;
-use usvg::roxmltree::{Document, Node};
+use usvg::roxmltree::Document;
 use usvg::{Group, Paint, Path, Tree};
 
 use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
-use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE};
+use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE, Rule};
 use crate::geom::polygon::exit;
-use crate::reading::{SeenText, is_black, is_braille, is_shown, is_white};
+use crate::reading::{SeenText, UnreadKind, UnreadObject, in_mm, is_black, is_braille, is_white, unread_of};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// Most colours that are told one by one.
@@ -35,8 +35,8 @@ pub(super) fn findings(
     // of dots the device says how far they may reach, and there is no number
     let is_printed = matches!(limits.medium, MediumLimits::Print { .. });
     found.extend(seen.beyond.into_iter().map(|beyond| if is_printed { beyond } else { beyond.unmeasured() }));
-    found.extend(pictures(document));
-    found.extend(texts.iter().map(letters));
+    found.extend(unread_of(document).iter().filter_map(|object| picture(object, sheet)));
+    found.extend(texts.iter().map(|text| letters(text, sheet)));
     found
 }
 
@@ -137,11 +137,6 @@ fn leaving(path: &Path, sheet: MmRect) -> Option<MmPoint> {
     })
 }
 
-fn in_mm(rect: usvg::Rect) -> MmRect {
-    let at = |x: f32, y: f32| MmPoint::new(x * MM_PER_CSS_PX, y * MM_PER_CSS_PX);
-    MmRect::new(at(rect.left(), rect.top()), at(rect.right(), rect.bottom()))
-}
-
 fn of_colours(colours: Coloured) -> Vec<FoundBreach> {
     let mut all: Vec<_> = colours.into_iter().collect();
     all.sort_by_key(|(colour, (count, _))| (std::cmp::Reverse(*count), *colour));
@@ -159,43 +154,32 @@ fn of_colours(colours: Coloured) -> Vec<FoundBreach> {
     all.into_iter().map(one).chain(others).collect()
 }
 
-/// Pictures of pixels that are shown.
-fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = FoundBreach> + 'd {
-    let is_picture = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "image" && is_shown(node);
-    document.descendants().filter(is_picture).map(|node| {
-        let at = place(&node, document);
-        let extent = at.map(|at| MmRect::new(at, at));
-        let what = "a picture of pixels lies on the page".into();
-        FoundBreach { rule: PICTURE, what, at, extent, measured: None, becomes_braille: false, in_file: row(node) }
-    })
+/// A picture of pixels that is shown.
+fn picture(object: &UnreadObject, sheet: MmRect) -> Option<FoundBreach> {
+    let what = "a picture of pixels lies on the page".to_owned();
+    (object.kind == UnreadKind::Picture).then(|| of_object(PICTURE, what, object, sheet))
+}
+
+/// A breach by something that is no mark.
+fn of_object(rule: Rule, what: String, object: &UnreadObject, sheet: MmRect) -> FoundBreach {
+    let extent = object.extent.map(|extent| on_sheet(extent, sheet));
+    let at = extent.map(|extent| extent.center().clamp(sheet.min, sheet.max));
+    let in_file = InFile::Row(object.row);
+    FoundBreach { rule, what, at, extent, measured: None, becomes_braille: false, in_file }
+}
+
+/// What of a box lies on the sheet; all of one that lies beside it.
+fn on_sheet(extent: MmRect, sheet: MmRect) -> MmRect {
+    extent.intersection(&sheet).unwrap_or(extent)
 }
 
 /// Texts that are written in letters and shown.
-fn letters(text: &SeenText) -> FoundBreach {
+fn letters(text: &SeenText, sheet: MmRect) -> FoundBreach {
     let short: String = text.string.chars().take(40).collect();
     let (rule, what) = match is_braille(&text.string) {
         true => (BRAILLE_CELL, format!("\"{short}\" is braille in a font, whose dots are not those of standard cells")),
         false => (LETTERS, format!("\"{short}\" is written in letters, which fingers do not read")),
     };
-    let (at, extent, in_file) = (Some(text.at), Some(MmRect::new(text.at, text.at)), InFile::Row(text.row));
+    let (at, extent, in_file) = (Some(text.at), Some(on_sheet(text.extent, sheet)), InFile::Row(text.row));
     FoundBreach { rule, what, at, extent, measured: None, becomes_braille: text.is_written, in_file }
-}
-
-/// The line of the file in which an element begins.
-fn row(node: Node<'_, '_>) -> InFile {
-    InFile::Row(node.document().text_pos_at(node.range().start).row)
-}
-
-/// Where a picture lies, where nothing around it moves it and the drawing is in mm.
-fn place(node: &Node<'_, '_>, document: &Document<'_>) -> Option<MmPoint> {
-    let root = document.root_element();
-    let width = root.attribute("width")?.strip_suffix("mm")?.trim().parse::<f32>().ok()?;
-    let view: Vec<f32> = root.attribute("viewBox")?.split_ascii_whitespace().filter_map(|n| n.parse().ok()).collect();
-    let scale = width / *view.get(2)?;
-    if node.ancestors().any(|around| around.has_attribute("transform")) {
-        return None;
-    }
-    let number = |node: &Node<'_, '_>, name: &str| node.attribute(name)?.split([' ', ',']).next()?.parse::<f32>().ok();
-    let (x, y) = (number(node, "x")?, number(node, "y")?);
-    Some(MmPoint::new((x - view[0]) * scale, (y - *view.get(1)?) * scale))
 }

@@ -99,14 +99,35 @@ pub(super) const UNNAMED: &str = "unnamed-";
 /// The letters of a part of a text, and a blank before each line: a part that has a place of its own, or is a line of
 /// Inkscape's. Other parts, such as an index, belong to the word that they stand in.
 fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
+    match part.is_text() {
+        true => part.text(),
+        false => begins_line(part, text).then_some(" "),
+    }
+}
+
+/// Whether a part of a text begins a line of it, or has a place of its own.
+fn begins_line(part: Node<'_, '_>, text: Node<'_, '_>) -> bool {
     let is_line = || {
         let has_place = part.attribute("x").or(part.attribute("y")).is_some();
         has_place || part.attribute((SODIPODI, "role")) == Some("line") || part.tag_name().name() == "flowPara"
     };
-    match part.is_text() {
-        true => part.text(),
-        false => (part != text && is_line()).then_some(" "),
+    part != text && is_line()
+}
+
+/// How many lines a text has, and how many letters the longest of them.
+pub(super) fn lines_of(text: Node<'_, '_>) -> (usize, usize) {
+    let (mut lines, mut letters, mut longest) = (1, 0_usize, 0);
+    for part in text.descendants() {
+        if part.is_text() {
+            // with a blank behind each word
+            let words = part.text().unwrap_or_default().split_whitespace();
+            letters += words.map(|word| word.chars().count() + 1).sum::<usize>();
+            longest = longest.max(letters.saturating_sub(1));
+        } else if letters > 0 && begins_line(part, text) {
+            (lines, letters) = (lines + 1, 0);
+        }
     }
+    (lines, longest)
 }
 
 /// A text as it is shown, by itself or by a clone.
@@ -164,7 +185,7 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
 }
 
 /// A text with parts of it replaced.
-fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
+pub(super) fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
     edits.sort_by_key(|(range, _)| range.start);
     let mut out = String::with_capacity(text.len() + text.len() / 8);
     let mut done = 0;

@@ -14,7 +14,7 @@ use super::tone::Tone;
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::page::{Class, TextRole, arrowhead};
-use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
+use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, MmVector};
 
 /// Scales of transforms are off by less.
 const ROUNDING: f32 = 1e-5;
@@ -88,10 +88,21 @@ pub(super) struct PaintedShapes<'a> {
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
     pub(super) far: usize,
-    /// Where texts are shown and how many mm one of their units has, by their keys.
-    pub(super) texts: HashMap<String, (MmPoint, f32)>,
+    /// Where texts are shown, by their keys.
+    pub(super) texts: HashMap<String, TextPlace>,
     points: usize,
     objects: usize,
+}
+
+/// Where a text is shown.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TextPlace {
+    /// Where it begins, or what its anchor says, mm on the sheet.
+    pub(super) at: MmPoint,
+    /// How many mm one of its units has.
+    pub(super) unit: f32,
+    /// Which ways its lines run and follow one another, each 1 long.
+    pub(super) axes: [MmVector; 2],
 }
 
 /// What is known of the groups around a path.
@@ -266,7 +277,11 @@ impl<'a> PaintedShapes<'a> {
         let mut at = [Point::from_xy(corner.left(), corner.top())];
         transform.map_points(&mut at);
         let unit = clean((transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt());
-        self.texts.insert(key.to_owned(), (MmPoint::new(clean(at[0].x), clean(at[0].y)), unit));
+        let axis = |x: f32, y: f32, level: MmVector| MmVector::new(x, y).try_normalize().unwrap_or(level);
+        let along = axis(transform.sx, transform.ky, MmVector::new(1.0, 0.0));
+        let down = axis(transform.kx, transform.sy, MmVector::new(0.0, 1.0));
+        let place = TextPlace { at: MmPoint::new(clean(at[0].x), clean(at[0].y)), unit, axes: [along, down] };
+        self.texts.insert(key.to_owned(), place);
     }
 
     fn next_object(&mut self) -> usize {

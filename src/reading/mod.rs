@@ -33,12 +33,11 @@ mod tally;
 mod texts;
 mod tone;
 mod typed;
+mod unread;
 mod words;
 
 use usvg::roxmltree::{Document, Node};
 use usvg::{ImageHrefResolver, Tree};
-
-pub(crate) use style::is_shown;
 
 use crate::output::svg;
 use crate::page::{Names, Page};
@@ -47,12 +46,14 @@ use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use build::Built;
 use document::Elements;
+use style::is_shown;
 use tally::OfFile;
 
 pub use areas::DrawnArea;
 pub use document::{FINDINGS, text_of};
 pub use tone::{is_black, is_white};
 pub use typed::{SeenText, TypedText, is_braille};
+pub use unread::{UnreadKind, UnreadObject, in_mm};
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
 const LEAST_SHEET: f32 = 5.0;
@@ -170,6 +171,18 @@ pub fn letters_of(svg: &[u8]) -> Result<Vec<SeenText>, Error> {
     }
     let marks = marks::of(&without_pictures(&document)?, &elements)?;
     Ok(typed::seen(&texts, &marks.texts))
+}
+
+/// What a drawing shows and no page has, such as pictures of pixels, each with its box.
+pub fn unread_of<'a>(document: &'a Document<'a>) -> Vec<UnreadObject> {
+    let found = unread::elements_of(document, &Elements::of(document));
+    if found.is_empty() {
+        return Vec::new();
+    }
+    let text = unread::with_boxes(document, &found);
+    // without their boxes they are told all the same
+    let tree = document::parse(&text).ok().and_then(|boxed| without_pictures(&boxed).ok());
+    unread::placed(found, tree.as_ref())
 }
 
 /// Whether bytes are text in XML, as all pages are.

@@ -15,7 +15,7 @@ pub(super) fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
 }
 
 /// Whether an element is drawn: neither it nor what is around it is hidden.
-pub(crate) fn is_shown(node: &Node<'_, '_>) -> bool {
+pub(super) fn is_shown(node: &Node<'_, '_>) -> bool {
     let hides = |node: Node<'_, '_>| node.tag_name().name() == "defs" || property(node, "display") == Some("none");
     !node.ancestors().any(hides)
 }

@@ -107,7 +107,7 @@ pub(super) fn mark<'a>(path: &[Node<'a, 'a>], key: &str, by_id: &HashMap<&'a str
 }
 
 /// What moves or hides an element, as attributes.
-fn looks(node: Node<'_, '_>) -> String {
+pub(super) fn looks(node: Node<'_, '_>) -> String {
     let own = LOOKS.iter().filter(|name| **name != "style").filter_map(|name| Some((*name, node.attribute(*name)?)));
     let mut out: String = own.map(|(name, value)| format!(" {name}=\"{}\"", escaped(value))).collect();
     let style = node.attribute("style").unwrap_or_default();
@@ -115,7 +115,7 @@ fn looks(node: Node<'_, '_>) -> String {
     out
 }
 
-fn escaped(value: &str) -> String {
+pub(super) fn escaped(value: &str) -> String {
     value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 

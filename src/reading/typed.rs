@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
-use super::document::TypedElement;
+use super::document::{TypedElement, lines_of};
+use super::marks::TextPlace;
 use super::print::{anchor, font_size, is_light, is_print_words};
 use super::subpath::clean;
 use crate::listing::first_few;
 use crate::page::PrintText;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmRect};
 use crate::{About, Note, Reason};
 
 /// A text that is to be written in braille.
@@ -37,23 +38,45 @@ pub struct SeenText {
     pub string: String,
     /// Its place, mm on the sheet.
     pub at: MmPoint,
+    /// The box around it, about: how broad its letters are is not known.
+    pub extent: MmRect,
     /// The line of the file in which its element begins.
     pub row: u32,
     /// Whether it is written in braille where the page is rendered.
     pub is_written: bool,
 }
 
-/// Where texts are shown and how many mm one of their units has, by their keys.
-type Places = HashMap<String, (MmPoint, f32)>;
+/// Where texts are shown, by their keys.
+type Places = HashMap<String, TextPlace>;
+
+/// Measures of letters as shares of their size, as most fonts have them: how broad one is, how far it reaches above and
+/// below its line, and how far one line is from the next.
+const BROAD: f32 = 0.55;
+const ABOVE: f32 = 0.75;
+const BELOW: f32 = 0.25;
+const LINES: f32 = 1.2;
+
+/// The box around a text, about. No fonts are loaded, so that it is the same on all machines.
+fn extent(text: &TypedElement<'_>, place: &TextPlace) -> MmRect {
+    let size = font_size(text.node, place.unit);
+    let (lines, letters) = lines_of(text.node);
+    let width = BROAD * size * letters as f32;
+    let left = -anchor(text.node, text.shown_by) * width;
+    let (top, bottom) = (-ABOVE * size, (BELOW + LINES * lines.saturating_sub(1) as f32) * size);
+    let [along, down] = place.axes;
+    let corners = [(left, top), (left + width, top), (left, bottom), (left + width, bottom)];
+    MmRect::from_points(corners.map(|(x, y)| place.at + along * x + down * y))
+}
 
 /// The texts that are shown, but for words in print that are too light to rise.
 pub(super) fn seen(texts: &[TypedElement<'_>], places: &Places) -> Vec<SeenText> {
     let seen = |text: &TypedElement<'_>| {
-        let &(at, _) = places.get(&text.key)?;
+        let place = places.get(&text.key)?;
         let row = text.node.document().text_pos_at(text.shown_by.range().start).row;
         let is_written = text.is_label || is_braille(&text.string);
         let is_light_print = is_print_words(text.shown_by) && is_light(text.node);
-        (!is_light_print).then(|| SeenText { string: text.string.clone(), at, row, is_written })
+        let (string, extent) = (text.string.clone(), extent(text, place));
+        (!is_light_print).then_some(SeenText { string, at: place.at, extent, row, is_written })
     };
     texts.iter().filter_map(seen).collect()
 }
@@ -70,7 +93,7 @@ pub fn is_braille(text: &str) -> bool {
 pub(super) fn sorted(texts: Vec<TypedElement<'_>>, places: &Places) -> (Vec<TypedText>, Vec<PrintText>, Option<Note>) {
     let (mut written, mut print, mut left) = (Vec::new(), Vec::new(), Vec::new());
     for TypedElement { key, node, shown_by, string, is_label } in texts {
-        let Some(&(at, unit)) = places.get(&key) else { continue };
+        let Some(&TextPlace { at, unit, .. }) = places.get(&key) else { continue };
         let is_braille = is_braille(&string);
         if is_print_words(shown_by) {
             print.push(PrintText { string, at, size: clean(font_size(node, unit)) });
