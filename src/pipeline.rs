@@ -266,7 +266,7 @@ fn compose(
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
-    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
+    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }

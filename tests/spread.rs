@@ -180,3 +180,17 @@ fn what_cannot_be_on_several_sheets_is_told() {
     let refused = convert_to_sheets(page.as_bytes(), None, &Options::new(profile("swell-a4", &[])));
     assert_eq!(refused.err(), Some(tactograph::Error::IsAPage));
 }
+
+#[test]
+fn remarks_with_a_place_name_its_sheet_and_count_from_the_edges_of_that() {
+    let made = sheets("coffee.png", "2x2", &Options::new(profile("index-basic-d", &[])));
+    let told: Vec<String> = made.notes.iter().map(ToString::to_string).collect();
+    let line = told.iter().find(|told| told.contains("1 line as a whole")).expect("a line has no room");
+    assert!(line.contains("mm from the left and the top of sheet "), "{line}");
+    let shape = told.iter().find(|told| told.contains("1 small closed shape")).expect("a shape has no room");
+    assert!(shape.contains(" mm on sheet "), "{shape}");
+    let numbers = line.split_once("around ").and_then(|(_, place)| place.split_once(" mm")).expect("a place").0;
+    let numbers: Vec<f32> = numbers.split(", ").map(|number| number.parse().expect("a number")).collect();
+    let [width, height] = made.pages[0].sheet;
+    assert!(numbers[0] <= width && numbers[1] <= height, "{line}");
+}

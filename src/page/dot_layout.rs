@@ -44,7 +44,8 @@ pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, med
         Run::stroke(mark.width, mark_on_grid(moved, &medium.area))
     });
     let heading = heading.map(|heading| heading.translated(usable.min.to_vector()));
-    Layout { sheet: size, figure, room: figure, overview, mark, heading, medium: Medium::Dots(medium) }
+    let medium = Medium::Dots(medium);
+    Layout { sheet: size, figure, room: figure, overview, mark, heading, medium, sheets: None }
 }
 
 /// The band that a frame takes: one dot, and half a pitch for the grid, whose rows and columns are where they are.

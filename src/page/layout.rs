@@ -55,7 +55,8 @@ fn fit_print(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params,
     let at = sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest));
     let medium = Medium::Print(print);
     let (figure, room) = (at.figure, at.figure);
-    Layout { sheet: sheet.size, figure, room, overview: at.overview, mark: at.mark, heading, medium }
+    let (overview, mark) = (at.overview, at.mark);
+    Layout { sheet: sheet.size, figure, room, overview, mark, heading, medium, sheets: None }
 }
 
 /// The same for dots. On a sheet that the device takes in none of the orientations allowed, the figure is empty.
@@ -84,6 +85,7 @@ fn fit_dots(
         mark: None,
         heading: None,
         medium: Medium::Dots(DotMedium::without_dots(device, pitch)),
+        sheets: None,
     })
 }
 

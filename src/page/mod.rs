@@ -14,6 +14,7 @@ mod names;
 mod origin;
 mod parts;
 mod sheet;
+pub mod sheet_windows;
 pub mod spread;
 mod spread_layout;
 mod text;

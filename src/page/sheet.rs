@@ -6,6 +6,7 @@ use super::cells::CellGrid;
 use super::heading::{Heading, HeadingParams};
 use super::medium::{Medium, MediumParams};
 use super::parts::Run;
+use super::sheet_windows::{SheetWindows, place_in_words};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Which way up a sheet lies.
@@ -103,9 +104,21 @@ pub struct Layout {
     pub heading: Option<Heading>,
     /// What the page is made for.
     pub medium: Medium,
+    /// Where the figure is spread over several sheets: which of them shows what.
+    pub sheets: Option<SheetWindows>,
 }
 
 impl Layout {
+    /// A figure alone at its place on a sheet.
+    pub fn of_figure(sheet: [f32; 2], figure: MmRect, medium: Medium) -> Self {
+        Self { sheet, figure, room: figure, overview: None, mark: None, heading: None, medium, sheets: None }
+    }
+
+    /// A place of the figure in words, as `20, 30 mm` or `20, 30 mm on sheet b1`.
+    pub fn place_in_words(&self, at: MmPoint) -> String {
+        place_in_words(at, self.sheets.as_ref())
+    }
+
     /// The largest overview that there is room for below the figure as things are, up to this share of the figure's
     /// width and height, in hundredths; none if the own one is as large.
     pub fn largest_overview(&self, most: f32, params: &Params) -> Option<MmRect> {

@@ -18,6 +18,7 @@ use super::heading::Heading;
 use super::medium::{Medium, MediumParams, Print};
 use super::parts::{BrailleText, Dots, Figure, Glyph, Line, Pen, Run, Texture};
 use super::sheet::{self, Layout, Orientation, Params, beside};
+use super::sheet_windows::{SheetWindows, sheet_name};
 use super::spread_layout::{GAP, SpreadPicture, TICK, above};
 use crate::braille::{self, CellSize};
 use crate::devices::DotArea;
@@ -136,7 +137,14 @@ impl Spread {
     /// A sheet by itself, for its title and its page number.
     pub fn layout_of_sheet(&self) -> Layout {
         let (mark, heading, medium) = (self.mark.clone(), self.heading, self.medium.clone());
-        Layout { sheet: self.sheet, figure: self.first, room: self.first, overview: None, mark, heading, medium }
+        let (figure, room) = (self.first, self.first);
+        Layout { sheet: self.sheet, figure, room, overview: None, mark, heading, medium, sheets: None }
+    }
+
+    /// Which sheet shows what.
+    pub fn windows(&self) -> SheetWindows {
+        let Self { step, half, corner, .. } = *self;
+        SheetWindows { counts: [self.grid.across, self.grid.down], first: self.first.min, step, half, corner }
     }
 
     /// Whether something of the picture lies on a sheet.
@@ -201,7 +209,7 @@ impl Spread {
             ticks: self.ticks(column, row, figure.place),
             label: label_at(self.label, [row, column].map(|number| number as usize), &self.medium),
             braille: braille.iter().filter(|text| whole(&text.dots)).map(of_label).collect(),
-            name: format!("{}{}", char::from(b'a' + row as u8), column + 1),
+            name: sheet_name(column, row),
         }
     }
 

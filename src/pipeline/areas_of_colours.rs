@@ -119,12 +119,10 @@ fn without_remnants(classes: &mut Classes, boxes: &[[f32; 4]], layout: &Layout, 
     let first = *parts[*small.first()?].first()?;
     blank_cells(classes, |cell, _| small.binary_search(&parts.of(cell)).is_ok());
     let at = layout.figure.min + MmVector::new((first % width) as f32, (first / width) as f32) * mm_per_cell;
+    let at = layout.place_in_words(at);
     let (areas, it_is) = match small.len() {
-        1 => (format!("the texture of what is left of 1 area (at {:.0}, {:.0} mm)", at.x, at.y), "it is"),
-        count => (
-            format!("the textures of what is left of {count} areas (the first at {:.0}, {:.0} mm)", at.x, at.y),
-            "each is",
-        ),
+        1 => (format!("the texture of what is left of 1 area (at {at})"), "it is"),
+        count => (format!("the textures of what is left of {count} areas (the first at {at})"), "each is"),
     };
     let why = format!("beside what is erased {it_is} smaller than {least} square mm (colours.min_area)");
     Some(Note::NotOnPage(About::Areas, Reason::AreaCut, format!("{areas}, as {why}, in which fingers tell a texture")))

@@ -63,7 +63,7 @@ pub(super) fn told(
             (format!("{count} of the {all} areas that are closed in the figure are"), "run into others", "the first is")
         }
     };
-    let at = format!("{at} around {:.0}, {:.0} mm in the figure", first.x, first.y);
+    let at = format!("{at} around {} in the figure", layout.place_in_words(first));
     let what = format!("in the overview {they} open, or {runs}, as there is no room ({at})");
     (missing.len() > told).then_some(Note::TakenAs(About::Overview, Reason::AreaNotInOverview, what))
 }

@@ -226,7 +226,7 @@ fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, 
     let left_out = told_of_lost(drawn, edges, texts, layout);
     let has_lines = plan.profile().figure.lines;
     let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
-    left_out.chain(lost_marks::told(&drawn.lost, plan)).chain(otherwise).collect()
+    left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).collect()
 }
 
 /// What the maker is told of areas of the figure, of lines between its shapes, and of the first of its regions, that

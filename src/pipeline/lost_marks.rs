@@ -14,6 +14,7 @@ use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::{Lines, Lost, LostMarks, LostScale};
 use crate::listing::list;
+use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note, Reason};
@@ -236,14 +237,15 @@ fn is_around_vertex(points: &[MmPoint], [one, other]: [MmVector; 2]) -> bool {
 }
 
 /// What the maker is told of them.
-pub(super) fn told(lost: &Lost, plan: &Plan) -> Vec<Note> {
-    told_of_marks(&lost.marks, plan).into_iter().chain(lost.scales.iter().map(told_of_scale)).collect()
+pub(super) fn told(lost: &Lost, sheets: Option<&SheetWindows>, plan: &Plan) -> Vec<Note> {
+    let of_scales = lost.scales.iter().map(|scale| told_of_scale(scale, sheets));
+    told_of_marks(&lost.marks, sheets, plan).into_iter().chain(of_scales).collect()
 }
 
 /// What the maker is told of a scale of which some ticks are not drawn.
-fn told_of_scale(scale: &LostScale) -> Note {
+fn told_of_scale(scale: &LostScale, sheets: Option<&SheetWindows>) -> Note {
     let LostScale { ticks, lost, every, first } = *scale;
-    let at = format!("the first at {:.0}, {:.0} mm", first.x, first.y);
+    let at = format!("the first at {}", place_in_words(first, sheets));
     let told = match (every, ticks - lost) {
         (1, 0) => format!(
             "all {ticks} ticks of a scale, or other marks across one line ({at}): there is no room for fingers between \
@@ -303,9 +305,9 @@ fn listed(marks: &LostMarks) -> Option<String> {
     (!all.is_empty()).then(|| list(&all, "and"))
 }
 
-fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {
+fn told_of_marks(marks: &LostMarks, sheets: Option<&SheetWindows>, plan: &Plan) -> Option<Note> {
     let (first, all) = (marks.first?, listed(marks)?);
-    let (at, least) = (format!("the first at {:.0}, {:.0} mm", first.x, first.y), plan.lines().min_length);
+    let (at, least) = (format!("the first at {}", place_in_words(first, sheets)), plan.lines().min_length);
     let why = format!(
         "marks shorter than {least:.0} mm are too short for fingers; say in a label what they mean, draw them longer, \
          or make the figure larger"

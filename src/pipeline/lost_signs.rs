@@ -12,6 +12,7 @@ use crate::geom::polyline;
 use crate::labels::NEAR;
 use crate::lines::{Line, Lines, LostSign, SignKind, is_triangle};
 use crate::page::Figure;
+use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason};
 
@@ -156,7 +157,13 @@ pub(super) fn extent(line: &Line) -> MmRect {
 
 /// What is told of small rings that are not on a page, or not whole, by the texts whose leader lines end there and the
 /// labels and texts beside them, and of arrowheads by themselves.
-pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure: &Figure) -> Vec<Note> {
+pub(super) fn told(
+    lost: &[LostSign],
+    texts: &[Text],
+    words: &Words<'_>,
+    figure: &Figure,
+    sheets: Option<&SheetWindows>,
+) -> Vec<Note> {
     let read = || texts.iter().filter(|text| text.is_read());
     let tips: Vec<(&str, MmPoint)> = read().filter_map(|text| Some((text.string.as_str(), text.tip()?))).collect();
     let texts = read().map(|text| (text.string.as_str(), text.place));
@@ -176,14 +183,18 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
             "there is no room for {them} beside other lines; say in the title or a label which way {line_leads}, or \
              make the figure larger"
         );
-        Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, format!("{heads} ({}): {why}", places(&heads_lost)))
+        Note::NotOnPage(
+            About::Lines,
+            Reason::NoRoomForArrowhead,
+            format!("{heads} ({}): {why}", places(&heads_lost, sheets)),
+        )
     });
-    let points = told_of_points(&of(SignKind::Point));
-    told_of_shapes(&others, (&all, &tips), are_labels).into_iter().chain(points).chain(arrows).collect()
+    let points = told_of_points(&of(SignKind::Point), sheets);
+    told_of_shapes(&others, (&all, &tips), are_labels, sheets).into_iter().chain(points).chain(arrows).collect()
 }
 
 /// What is told of points of a cloud that have no room.
-fn told_of_points(lost: &[LostSign]) -> Option<Note> {
+fn told_of_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Option<Note> {
     let (points, they_are) = match lost.len() {
         0 => return None,
         1 => ("1 point".to_owned(), "it is"),
@@ -193,18 +204,22 @@ fn told_of_points(lost: &[LostSign]) -> Option<Note> {
         "{they_are} too near to other points or lines for fingers to tell apart; say in a label how many lie there, or \
          make the figure larger"
     );
-    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{points} ({}): {why}", places(lost))))
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{points} ({}): {why}", places(lost, sheets))))
 }
 
 /// So many places of signs are told.
 const PLACES: usize = 6;
 
 /// The places of signs, the first of them if they are many.
-fn places(signs: &[LostSign]) -> String {
-    let places: Vec<String> =
-        signs.iter().take(PLACES).map(|sign| format!("{:.0}, {:.0}", sign.at.x, sign.at.y)).collect();
+fn places(signs: &[LostSign], sheets: Option<&SheetWindows>) -> String {
+    let place = |sign: &LostSign| match sheets {
+        Some(_) => place_in_words(sign.at, sheets),
+        None => format!("{:.0}, {:.0}", sign.at.x, sign.at.y),
+    };
+    let places: Vec<String> = signs.iter().take(PLACES).map(place).collect();
+    let unit = if sheets.is_some() { "" } else { " mm" };
     let more = if signs.len() > PLACES { "; and others" } else { "" };
-    format!("at {} mm{more}", places.join("; "))
+    format!("at {}{unit}{more}", places.join("; "))
 }
 
 /// A text, and where the leader line ends that leads from it.
@@ -215,6 +230,7 @@ fn told_of_shapes(
     lost: &[LostSign],
     (all, tips): (&[(&str, MmRect)], &[LeaderTip<'_>]),
     are_labels: bool,
+    sheets: Option<&SheetWindows>,
 ) -> Option<Note> {
     let first = lost.first()?.at;
     let led = |at: MmPoint| {
@@ -239,7 +255,7 @@ fn told_of_shapes(
     let by = |how: &str, names: &[&str]| (!names.is_empty()).then(|| format!("{which} {how} {}; ", named(names)));
     let names: String = [by("of", &of), by("beside", &beside)].into_iter().flatten().collect();
     let labelled = if are_labels && !names.is_empty() { ", so a label may name what is not felt" } else { "" };
-    let what = format!("{shapes} ({names}{at} {:.0}, {:.0} mm), in part or as a whole", first.x, first.y);
+    let what = format!("{shapes} ({names}{at} {}), in part or as a whole", place_in_words(first, sheets));
     let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger");
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{what}: {why}")))
 }

@@ -65,15 +65,7 @@ pub fn key_of_page(
     let legend = if when == KeySheets::Never { Vec::new() } else { legend::of_page(page) };
     let words = Words { key: when, translate, ..redraw::words(page, &legend) };
     let written = WrittenWords::new(&words, request.plan);
-    let layout = Layout {
-        sheet: page.sheet,
-        figure: page.figure.place,
-        room: page.figure.place,
-        overview: None,
-        mark: None,
-        heading: None,
-        medium: page.medium.clone(),
-    };
+    let layout = Layout::of_figure(page.sheet, page.figure.place, page.medium.clone());
     // an overview has the next sheet to itself
     let before = 1 + u32::from(InSet::of(page) == Some(InSet::Followed));
     let mut key = written.key(&words, &page.braille, &page.figure, before, &layout, request)?;

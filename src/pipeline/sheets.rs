@@ -73,7 +73,7 @@ pub fn convert<'p>(
     let lost_points = lost_signs::points(&lost_signs, &legend);
     let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
-    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
+    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
@@ -155,7 +155,8 @@ fn together(laid: &Laid) -> Layout {
     let (mark, medium) = (spread.mark.clone(), spread.together.clone());
     let overview = overview.as_ref().map(|overview| overview.figure);
     let (figure, room) = (spread.figure, spread.figure);
-    Layout { sheet: spread.sheet, figure, room, overview, mark, heading: None, medium }
+    let sheets = Some(spread.windows());
+    Layout { sheet: spread.sheet, figure, room, overview, mark, heading: None, medium, sheets }
 }
 
 fn aspect(size: Size) -> f32 {

@@ -187,12 +187,13 @@ fn bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], place: Mm
 }
 
 /// How many areas have a colour and no texture, and where the first is, in words; nothing of none.
-fn counted_bare(bare: &[usize], classes: &Classes, place: MmRect) -> Option<String> {
+fn counted_bare(bare: &[usize], classes: &Classes, layout: &Layout) -> Option<String> {
+    let place = layout.figure;
     let width = classes.size.width as usize;
     let first = *bare.first()?;
     let cell = MmVector::new((first % width) as f32, (first / width) as f32);
     let at = place.min + cell * (place.width() / width as f32);
-    let at = format!("at {:.0}, {:.0} mm", at.x, at.y);
+    let at = format!("at {}", layout.place_in_words(at));
     Some(match bare.len() {
         1 => format!("1 area ({at})"),
         count => format!("{count} areas (the first {at})"),
@@ -202,7 +203,7 @@ fn counted_bare(bare: &[usize], classes: &Classes, place: MmRect) -> Option<Stri
 /// What the maker is told of those areas on paper.
 fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layout: &Layout) -> Option<Note> {
     let bare = bare_areas(classes, textures, lines, layout.figure);
-    let areas = counted_bare(&bare, classes, layout.figure)?;
+    let areas = counted_bare(&bare, classes, layout)?;
     let (texture, they_are) = if bare.len() == 1 { ("texture", "it is") } else { ("textures", "they are") };
     let told = format!(
         "the {texture} of {areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; \
@@ -246,7 +247,7 @@ fn told_bare_on_dots(
     let share = coloured as f32 / classes.size.area() as f32 - drawn;
     let (percent, rows) = ((100.0 * share).round(), plan.profile().dots.texture_rows);
     let of_figure = (share >= BARE).then(|| format!("{percent} percent of the figure"));
-    let what = match (counted_bare(bare, classes, layout.figure), of_figure) {
+    let what = match (counted_bare(bare, classes, layout), of_figure) {
         (Some(areas), Some(of_figure)) => format!("{of_figure}, {areas}"),
         (areas, of_figure) => areas.or(of_figure)?,
     };

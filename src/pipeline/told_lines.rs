@@ -11,6 +11,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::{ALONG, nearest_on_segment, polyline};
 use crate::lines::{Beyond, Line, Lines, Lost, LostLine};
 use crate::page::layout::Layout;
+use crate::page::sheet_windows::{SheetWindows, place_from_edges};
 use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
@@ -79,12 +80,12 @@ pub(super) fn told_of_lost(
     texts: &[Text],
     layout: &Layout,
 ) -> impl Iterator<Item = Note> {
-    let (lost, sheet) = (&drawn.lost, layout.medium.name_of_sheet());
+    let (lost, sheets) = (&drawn.lost, Places::of(layout));
     let is_all = is_all_of_torn(lost, least_told(&layout.medium, lost.wanted));
     let left_out = told_left_out(drawn, edges, layout);
     let left_out = left_out.filter(|note| !(is_all && matches!(note, Note::LinesLeftOut { .. })));
-    let whole = told_gone(lost, &drawn.lines, texts, sheet).into_iter();
-    let whole = whole.chain(told_gaps(lost, sheet)).chain(told_torn(lost, texts, sheet));
+    let whole = told_gone(lost, &drawn.lines, texts, sheets).into_iter().chain(told_gaps(lost, sheets));
+    let whole = whole.chain(told_torn(lost, texts, sheets));
     left_out.into_iter().chain(whole).chain(told_gridlines(lost))
 }
 
@@ -127,9 +128,24 @@ fn near_text(line: &LostLine, texts: &[Text]) -> String {
     nearest.map_or_else(String::new, |text| format!(", near {}", named(&[text.string.as_str()])))
 }
 
-/// Where on the sheet, or on the display, a line has its middle.
-fn around(at: MmPoint, sheet: &str) -> String {
-    format!("around {:.0}, {:.0} mm from the left and the top of the {sheet}", at.x, at.y)
+/// What places are told on.
+#[derive(Debug, Clone, Copy)]
+struct Places<'a> {
+    /// The windows of several sheets.
+    windows: Option<&'a SheetWindows>,
+    /// What one is called.
+    name: &'a str,
+}
+
+impl<'a> Places<'a> {
+    fn of(layout: &'a Layout) -> Self {
+        Self { windows: layout.sheets.as_ref(), name: layout.medium.name_of_sheet() }
+    }
+}
+
+/// Where on the sheet or display, or on which of several sheets, a line has its middle.
+fn around(at: MmPoint, sheets: Places<'_>) -> String {
+    format!("around {}", place_from_edges(at, sheets.windows, sheets.name))
 }
 
 /// What an open line is, in the words of a page that has it: `a bent line from lower left to upper right, `; nothing of
@@ -148,7 +164,7 @@ fn kind(line: &LostLine) -> String {
 }
 
 /// What the maker is told of lines of a drawing of which nothing is on the page; small closed shapes are told as such.
-fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text], sheet: &str) -> Option<Note> {
+fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text], sheets: Places<'_>) -> Option<Note> {
     let gone = || lost.gone.iter().filter(|line| !(line.closed && is_small(line.extent)));
     let longest = gone().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
@@ -165,12 +181,12 @@ fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text], sheet: &str) -> Option
         _ => format!("; the texts {} beside them name nothing on the page", named(&beside)),
     };
     let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
-    let told = format!("{lines} ({which}{mm:.0} mm long, {}){named}: {why}", around(at, sheet));
+    let told = format!("{lines} ({which}{mm:.0} mm long, {}){named}: {why}", around(at, sheets));
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told))
 }
 
 /// What the maker is told of closed outlines of a drawing that are open on the page; small ones are told as lost.
-fn told_gaps(lost: &Lost, sheet: &str) -> Option<Note> {
+fn told_gaps(lost: &Lost, sheets: Places<'_>) -> Option<Note> {
     let longest = lost.gaps.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm) = (longest.extent.center(), longest.length);
     let (pieces, which, is_open) = match lost.gaps.len() {
@@ -180,13 +196,13 @@ fn told_gaps(lost: &Lost, sheet: &str) -> Option<Note> {
     let told = format!(
         "{pieces} ({which}{mm:.0} mm long, {}), so that {is_open} on the page: there is no room beside other lines; \
          make the figure larger, or say it in a label",
-        around(at, sheet)
+        around(at, sheets)
     );
     Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
 }
 
 /// What the maker is told of open lines of a drawing of which pieces are on the page.
-fn told_torn(lost: &Lost, texts: &[Text], sheet: &str) -> Option<Note> {
+fn told_torn(lost: &Lost, texts: &[Text], sheets: Places<'_>) -> Option<Note> {
     let longest = lost.torn.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     let (at, mm, near) = (longest.extent.center(), longest.length, near_text(longest, texts));
     let (pieces, which, them, goes_on) = match lost.torn.len() {
@@ -199,7 +215,7 @@ fn told_torn(lost: &Lost, texts: &[Text], sheet: &str) -> Option<Note> {
     let told = format!(
         "{pieces} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines; make the figure \
          larger, or say in a label how {goes_on}",
-        around(at, sheet)
+        around(at, sheets)
     );
     Some(Note::NotOnPage(About::Lines, Reason::LineInPieces, told))
 }
@@ -232,9 +248,9 @@ pub(super) fn told_overlaid(edges: &Edges, layout: &Layout) -> Option<Note> {
         count => (format!("{count} strokes lie on lines of other colours"), "the first ", "them"),
     };
     let told = format!(
-        "{strokes} ({first}around {:.0}, {:.0} mm), as a window in a wall, and fingers cannot tell the two apart; say \
-         in a label what is there, or draw {them} beside the line or with an outline",
-        at.x, at.y
+        "{strokes} ({first}around {}), as a window in a wall, and fingers cannot tell the two apart; say in a label \
+         what is there, or draw {them} beside the line or with an outline",
+        layout.place_in_words(at)
     );
     Some(Note::TakenAs(About::Lines, Reason::OnOtherLine, told))
 }
@@ -257,7 +273,7 @@ pub(super) fn told_beside_added(
     let told = format!(
         "{lines} ({which}{mm:.0} mm long, {}) {run} beside lines that you drew and added, and may be what these \
          replace: take the lines of the corrected page in place of those that are found, or erase that part",
-        around(at, layout.medium.name_of_sheet())
+        around(at, Places::of(layout))
     );
     Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
 }
@@ -296,9 +312,9 @@ pub(super) fn told_opened(
         count => (format!("pieces of {count} closed lines"), "the longest ", "they are"),
     };
     let told = format!(
-        "{pieces} ({which}{mm:.0} mm long, around {:.0}, {:.0} mm), so that {they_are} open on the page: what is found \
-         gives way along lines that are added; draw yours up to it or across, or end it farther off",
-        at.x, at.y
+        "{pieces} ({which}{mm:.0} mm long, around {}), so that {they_are} open on the page: what is found gives way \
+         along lines that are added; draw yours up to it or across, or end it farther off",
+        layout.place_in_words(at)
     );
     Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
 }
@@ -349,7 +365,7 @@ pub(super) fn told_cut(
     let told = format!(
         "{mm:.0} mm of the lines that you drew and added ({}): too near to others or to one another; move them apart, \
          or erase what is found there",
-        around(at, layout.medium.name_of_sheet())
+        around(at, Places::of(layout))
     );
     (mm >= least_told(&layout.medium, all)).then_some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
 }

@@ -76,8 +76,7 @@ pub(super) fn write(
         ..Words::default()
     };
     let written = WrittenWords::new(&words, plan);
-    let layout =
-        Layout { sheet: parts.sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
+    let layout = Layout::of_figure(parts.sheet, place, medium);
     let OnPage { mut braille, notes, lines } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     *names = lines.into_iter().map(|line| names[line].clone()).collect();
     braille.retain(|text| text.role == TextRole::Label);

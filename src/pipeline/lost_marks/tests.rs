@@ -57,11 +57,11 @@ fn an_axis_is_not_the_tick_that_crosses_it() {
 fn what_is_lost_is_counted() {
     let plan = Plan::new(&crate::profile::Profile::named("swell-a4").expect("it is built in")).expect("a plan");
     let marks = LostMarks { corners: 1, first: Some(MmPoint::new(20.0, 30.2)), ticks: 60, ..LostMarks::default() };
-    let told = told_of_marks(&marks, &plan).expect("a note").to_string();
+    let told = told_of_marks(&marks, None, &plan).expect("a note").to_string();
     let wanted = "left out of the page: 60 short ticks and 1 mark of a right angle (the first at 20, 30 mm): marks \
                       shorter than 8 mm";
     assert!(told.starts_with(wanted), "{told}");
-    assert_eq!(super::told(&Lost::default(), &plan), []);
+    assert_eq!(super::told(&Lost::default(), None, &plan), []);
     let of_overview = |marks: &LostMarks| told_not_in_overview(marks, &LostMarks::default());
     let in_overview = of_overview(&marks).expect("a note").to_string();
     let wanted = "1 mark of a right angle is in the figure only, as it is too short for fingers in the overview";
@@ -72,7 +72,7 @@ fn what_is_lost_is_counted() {
     assert_eq!(all, "60 short ticks, 1 mark of a right angle and 2 pieces of small rings");
     assert_eq!(of_overview(&LostMarks { pieces: 2, ..LostMarks::default() }), None, "nor are pieces of rings");
     let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
-    let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
+    let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every), None).to_string();
     assert!(
         told(48, 5).contains("48 of the 60 ticks of a scale (the first at 20, 30 mm)")
             && told(48, 5).contains("every 5th")

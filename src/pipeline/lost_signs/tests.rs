@@ -18,7 +18,8 @@ fn arrowheads_and_points_are_told_by_themselves() {
     };
     let (head, point) = (SignKind::Arrowhead, SignKind::Point);
     let lost = [sign(50.0, head), sign(20.0, SignKind::Ring), sign(80.0, head), sign(60.0, point), sign(62.0, point)];
-    let told: Vec<String> = told(&lost, &[], &Words::default(), &figure).iter().map(ToString::to_string).collect();
+    let told: Vec<String> =
+        told(&lost, &[], &Words::default(), &figure, None).iter().map(ToString::to_string).collect();
     assert_eq!(told.len(), 3);
     assert!(told[0].contains("1 small closed shape (at 20, 0 mm)"), "{}", told[0]);
     assert!(told[1].contains("2 points (at 60, 0; 62, 0 mm): they are too near to other points"), "{}", told[1]);
@@ -31,7 +32,7 @@ fn a_lost_shape_is_told_by_the_text_whose_leader_line_ends_there() {
     let place = |x: f32| MmRect::new(MmPoint::new(x, 50.0), MmPoint::new(x + 20.0, 56.0));
     let all = [("anther", place(100.0)), ("petal", place(55.0))];
     let told = |signs: &[LostSign], tips: &[(&str, MmPoint)]| {
-        told_of_shapes(signs, (&all, tips), true).map(|note| note.to_string()).unwrap_or_default()
+        told_of_shapes(signs, (&all, tips), true, None).map(|note| note.to_string()).unwrap_or_default()
     };
     let tip = [("anther", MmPoint::new(53.0, 48.0))];
     // "petal" stands nearer, and the line of "anther" ends there

@@ -6,6 +6,8 @@ use crate::pipeline::request::{Fit, OverviewSize};
 use crate::profile::Profile;
 use crate::units::{MmRect, Size};
 
+const SHEET: Places<'_> = Places { windows: None, name: "sheet" };
+
 #[test]
 fn closed_outlines_that_are_open_on_the_page_are_told() {
     let gap = |x: f32, length: f32| LostLine {
@@ -15,7 +17,7 @@ fn closed_outlines_that_are_open_on_the_page_are_told() {
         is_faint: false,
         form: None,
     };
-    let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }, "sheet").map(|note| note.to_string());
+    let told = |gaps: Vec<LostLine>| told_gaps(&Lost { gaps, ..Lost::default() }, SHEET).map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
     let one = told(vec![gap(20.0, 8.0)]).expect("a chamber");
     let place = "around 24, 40 mm from the left and the top of the sheet";
@@ -34,7 +36,7 @@ fn pieces_that_are_missing_of_open_lines_are_told_and_not_once_more_by_their_len
         form: None,
     };
     let told =
-        |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[], "sheet").map(|note| note.to_string());
+        |torn: Vec<LostLine>| told_torn(&Lost { torn, ..Lost::default() }, &[], SHEET).map(|note| note.to_string());
     assert_eq!(told(vec![]), None);
     let one = told(vec![piece(20.0, 16.0)]).expect("a curve");
     let place = "around 28, 50 mm from the left and the top of the sheet";
@@ -60,7 +62,7 @@ fn a_pin_display_is_no_sheet() {
         layout.medium.name_of_sheet()
     };
     assert_eq!(["swell-a4", "index-basic-d", "monarch"].map(name), ["sheet", "sheet", "display"]);
-    let at = around(MmPoint::new(24.0, 40.0), "display");
+    let at = around(MmPoint::new(24.0, 40.0), Places { name: "display", ..SHEET });
     assert_eq!(at, "around 24, 40 mm from the left and the top of the display");
 }
 
@@ -75,7 +77,7 @@ fn a_line_that_is_gone_is_told_however_short_it_is_beside_all_others() {
     };
     let told = |gone: Vec<LostLine>| {
         let lost = Lost { wanted: 10_000.0, lost: 50.0, gone, ..Lost::default() };
-        told_gone(&lost, &[], &[], "sheet").map(|note| note.to_string())
+        told_gone(&lost, &[], &[], SHEET).map(|note| note.to_string())
     };
     assert_eq!(told(vec![]), None);
     assert_eq!(told(vec![line(20.0, 9.0, true)]), None, "small closed shapes are told by the labels beside them");
@@ -94,7 +96,7 @@ fn a_line_that_is_gone_is_told_with_its_form() {
     };
     let told = |gone: Vec<LostLine>| {
         let lost = Lost { wanted: 1000.0, lost: 100.0, gone, ..Lost::default() };
-        told_gone(&lost, &[], &[], "sheet").map_or_else(String::new, |note| note.to_string())
+        told_gone(&lost, &[], &[], SHEET).map_or_else(String::new, |note| note.to_string())
     };
     let curve = line(&[(20.0, 80.0), (50.0, 74.0), (80.0, 40.0)]);
     let one = told(vec![curve]);
