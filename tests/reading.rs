@@ -241,6 +241,26 @@ fn calibration_sheets_and_sheets_of_a_large_picture_come_back() {
     sheets.expect("there is room").all().for_each(|page| comes_back(page, "a sheet of several"));
 }
 
+/// A sample is as thin as it says, whatever the profile has as the least width.
+#[test]
+fn calibration_sheets_are_rendered_as_they_are() {
+    let widths = |page: &Page| -> Vec<f32> {
+        page.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width).collect()
+    };
+    let profile = Profile::named("swell-a4").expect("it is built in");
+    let mut thinnest = f32::INFINITY;
+    for page in tactograph::calibrate(&profile).expect("there is room").pages {
+        let made = tactograph::render(page.to_svg(), &RenderOptions::new()).expect("it is a page");
+        let (before, after) = (widths(&page), widths(&made.page));
+        assert_eq!(before.len(), after.len(), "{:?}", made.notes);
+        let is_kept = |(a, b): (&f32, &f32)| (a - b).abs() < 0.006;
+        assert!(before.iter().zip(&after).all(is_kept), "{before:?} {after:?}");
+        assert!(!made.notes.iter().any(|note| note.to_string().contains("range of the profile")), "{:?}", made.notes);
+        thinnest = after.into_iter().fold(thinnest, f32::min);
+    }
+    assert!(thinnest < 0.5, "there are samples that the profile would not draw: {thinnest}");
+}
+
 /// A page of a coffee cup, as an editor gets it.
 fn coffee() -> String {
     page::of_sample("coffee.png", "swell-a4").page.to_svg()

@@ -1,7 +1,7 @@
 //! The words of sheets: their titles, what stands above sections and beside samples, and what is said of them.
 
 use crate::braille::{self, Code, Divide};
-use crate::page::MediumParams;
+use crate::page::{MediumParams, SAMPLES};
 use crate::profile::Plan;
 
 /// Blank between a sample and its label, mm: as other programs leave around braille on graphics.
@@ -45,7 +45,7 @@ pub(super) fn words_of(
     };
     let mut origin = vec![
         ("program".into(), concat!("tactograph ", env!("CARGO_PKG_VERSION")).into()),
-        ("calibration sheet".into(), format!("{number} of {count}")),
+        (SAMPLES.to_owned(), format!("{number} of {count}")),
         ("profile".into(), profile.name.clone()),
     ];
     origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));

@@ -22,7 +22,7 @@ mod transform;
 
 pub use medium::{DotMedium, Medium, MediumParams, Print};
 pub use names::{Names, area_name, line_name, overview_line_name, text_name};
-pub use origin::{InSet, LeftOut, PartShown, ToldInKey};
+pub use origin::{InSet, LeftOut, PartShown, SAMPLES, ToldInKey};
 pub use parts::*;
 
 pub(crate) use crate::geom::gridlines::{which_are_gridlines, without_treads};

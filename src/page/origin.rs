@@ -1,7 +1,7 @@
 //! What a page says of itself among the entries of how it was made, so that whoever checks or describes it later can
 //! tell: what was left out of it, which of several sheets it is, and what its key tells.
 
-use super::parts::{Class, Page, TextRole};
+use super::parts::{Class, Page, Parts, TextRole};
 use crate::geom::ninths::most_of;
 use crate::units::Size;
 
@@ -84,6 +84,16 @@ impl LeftOut {
     /// The ninth of the figure in which most of it is, if there is one and that is known.
     pub fn most_in(&self) -> Option<usize> {
         most_of(self.by_place?.map(|mm| mm as f32))
+    }
+}
+
+/// The entry of a sheet of samples, which says its number and that of all.
+pub const SAMPLES: &str = "calibration sheet";
+
+impl Parts {
+    /// Whether it is a sheet of samples, which are as they are on purpose.
+    pub(crate) fn has_samples(&self) -> bool {
+        self.origin.iter().any(|(name, _)| name == SAMPLES)
     }
 }
 

@@ -182,8 +182,11 @@ fn told_of_signs(page: &Page, names: &[String], all: &PageAreas, [drawn, bare, c
     told_drawn.into_iter().chain(told_bare).chain(areas::told_lost(page, all, names, covered)).collect()
 }
 
-/// Brings the widths of printed lines into the range of the profile; tells of how many.
+/// Brings the widths of printed lines into the range of the profile; tells of how many. Of samples they are meant.
 fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
+    if parts.has_samples() {
+        return None;
+    }
     let params = plan.lines();
     let range = [params.width_min - swell, params.width_max - swell];
     let overview = parts.overview.iter_mut().flat_map(|overview| &mut overview.lines);
