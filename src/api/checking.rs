@@ -12,7 +12,7 @@ use crate::raster::decode::{check_canvases, checked_document, tree_of};
 use crate::reading::Reading;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 use crate::wording::Wording;
-use crate::{Error, pipeline, reading};
+use crate::{Error, Note, Reason, pipeline, reading};
 
 /// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`](crate::Page::to_svg) writes it
 /// or as somebody changed it in an editor. A drawing that has no layers of a page is judged as ink. What
@@ -83,6 +83,8 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     let mut notes = read.notes.clone();
     if options.profile.is_none() {
         notes.extend(refused);
+    } else {
+        notes.retain(|note| !matches!(note, Note::TakenAs(_, Reason::NoMetadata, _)));
     }
     // strokes are judged as the dots that the device presses for them
     let as_dots = pipeline::with_strokes_as_dots(read, &Plan::new(&own)?)?;

@@ -49,6 +49,10 @@ reasons! {
     Elsewhere => "elsewhere",
     /// The layer of the figure is gone, so that its place is not known.
     NoFigure => "no-figure",
+    /// A page does not say how it was made, and is taken as one of the default profile.
+    NoMetadata => "no-metadata",
+    /// A page does not say how large its sheet is.
+    NoSize => "no-size",
     /// Marks lie beyond the sheet.
     OffSheet => "off-sheet",
     /// Clip paths, masks and filters are not taken: what they cut off is there.

@@ -7,7 +7,7 @@ use std::ops::Range;
 use usvg::roxmltree::{Document, Node};
 
 use super::style::{is_definition, is_shown};
-use super::{cuts, entities, texts};
+use super::{cuts, entities, sized, texts};
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::page::Class;
@@ -34,7 +34,7 @@ pub(super) fn not_a_page(why: &'static str) -> Error {
     Error::NotAPage { why, remedy: "give the SVG of a page that tactograph made" }
 }
 
-/// The text of an SVG, without what a check marked in it.
+/// The text of an SVG, without what a check marked in it, and of a page with its size.
 ///
 /// # Errors
 /// [`Error::NotAPage`] if the bytes are plainly something else, which is called by its name.
@@ -56,7 +56,17 @@ pub fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, Error> {
     }
     let text = std::str::from_utf8(bytes).map_err(|_| not_a_page("it is no text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
-    if text.trim_start().starts_with('<') { Ok(without_findings(text)) } else { Err(not_a_page("it is no SVG")) }
+    if !text.trim_start().starts_with('<') {
+        return Err(not_a_page("it is no SVG"));
+    }
+    let text = without_findings(text);
+    let edits = sized::edits(&text);
+    Ok(if edits.is_empty() { text } else { edited(&text, edits).into() })
+}
+
+/// Whether a text is that of a page of which the file does not say how large its sheet is, but [`text_of`] does.
+pub(super) fn says_no_size(bytes: &[u8]) -> bool {
+    std::str::from_utf8(bytes).is_ok_and(|text| !sized::edits(text.trim_start_matches('\u{feff}')).is_empty())
 }
 
 /// The same text as it was before a check marked it, to the byte, if nobody has saved it since.

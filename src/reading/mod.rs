@@ -27,6 +27,7 @@ mod names;
 mod print;
 mod said;
 mod shapes;
+mod sized;
 mod style;
 mod subpath;
 mod tally;
@@ -147,6 +148,10 @@ fn read_as(svg: &[u8], needs_layers: bool) -> Result<Reading, Error> {
     let Built { page, names, mut notes, areas, moved_texts } =
         build::page((marks, print, file), words, &elements, sheet)?;
     notes.extend(told);
+    notes.extend(document::says_no_size(svg).then(|| tally::told_no_size(sheet)));
+    if needs_layers {
+        notes.extend(tally::told_no_metadata(&page, &elements));
+    }
     let is_changed = !svg::is_as_written(given.as_bytes());
     Ok(Reading { page, names, notes, areas, is_changed, moved_texts, texts, letters })
 }

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use super::areas::LEAST;
 use super::document::Elements;
+use super::said::source;
 use crate::listing::counted;
 use crate::output::layer::Layer;
+use crate::page::{Page, Shape};
 use crate::units::MmPoint;
 use crate::{About, Note, Reason};
 
@@ -102,6 +104,30 @@ pub(super) fn told_renamed(elements: &Elements<'_>) -> impl Iterator<Item = Note
         let told = format!("the layer \"{layer}\" was that of {}: the areas in it are {class} now", before.name());
         Note::TakenAs(About::Areas, Reason::LayerRenamed, told)
     })
+}
+
+/// What is told of a page of which the file does not say how large its sheet is.
+pub(super) fn told_no_size([width, height]: [f32; 2]) -> Note {
+    let told = format!("the file does not say how large its sheet is, which is taken as {width} x {height} mm");
+    Note::TakenAs(About::Marks, Reason::NoSize, told)
+}
+
+/// What is told of a page that does not say how it was made; if all of its marks are dots it may be one for a device.
+pub(super) fn told_no_metadata(page: &Page, elements: &Elements<'_>) -> Option<Note> {
+    let lines = page.overview.iter().flat_map(|overview| &overview.lines).chain(&page.figure.lines);
+    let mut glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
+    let has_dots = !page.labels.is_empty() || !page.figure.textures.is_empty();
+    let are_dots = lines.count() == 0 && has_dots && glyphs.all(|glyph| matches!(glyph.shape, Shape::Dot { .. }));
+    let dots = match are_dots {
+        true => "; all its marks are dots, so that it looks like a page for an embosser or a pin display",
+        false => "",
+    };
+    let told = format!(
+        "the file does not say how its page was made, as its metadata are gone: it is taken as printed, by the default \
+         profile{dots}; save it with its metadata, or ask with another profile"
+    );
+    let is_gone = page.origin.is_empty() && source(elements).is_some();
+    is_gone.then_some(Note::TakenAs(About::Marks, Reason::NoMetadata, told))
 }
 
 impl Tally {

@@ -208,3 +208,45 @@ fn render_and_check_know_one_black_and_one_white() {
         assert_eq!(found(&line, "", "black-only").len(), coloured, "{channels}");
     }
 }
+
+/// Tools that make files small leave out the metadata, and those for the web the size of the sheet.
+#[test]
+fn a_page_that_says_neither_how_it_was_made_nor_its_size_is_told() {
+    const MADE: &str = "<metadata>profile = swell-a4\npage.width = 210\npage.height = 297\n</metadata>";
+    const LINE: &str = "<path d='M30,30h40'/>";
+    const SIZED: &str = "width='210mm' height='297mm' viewBox='0 0 210 297'";
+    let ours = |root: &str, metadata: &str, marks: &str| {
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' {root}>{metadata}<g id='figure' data-box='20 20 160 200' \
+             data-source='320 400'><g id='lines' fill='none' stroke='#000'>{marks}</g></g></svg>"
+        );
+        read(svg.as_bytes()).expect("it is a page")
+    };
+    let told = |root: &str, metadata: &str, marks: &str| told(&ours(root, metadata, marks).notes);
+    assert_eq!(told(SIZED, MADE, LINE), "");
+    let gone = told(SIZED, "", LINE);
+    assert!(gone.contains("metadata are gone") && !gone.contains("all its marks are dots"), "{gone}");
+    let dots = told(SIZED, "", "<circle cx='40' cy='40' r='0.75' fill='#000' stroke='none'/>");
+    assert!(dots.contains("it looks like a page for an embosser"), "{dots}");
+    for (root, metadata) in [
+        ("viewBox='0 0 210 297'", MADE),
+        ("width='100%' height='100%' viewBox='0 0 210 297'", MADE),
+        ("viewBox='0 0 210 297'", ""),
+        ("height='297mm' viewBox='0,0,210,297'", ""),
+        // in points
+        ("viewBox='0 0 595.28 841.89'", MADE),
+    ] {
+        assert_eq!(ours(root, metadata, LINE).page.sheet, [210.0, 297.0], "{root}");
+        assert!(told(root, metadata, LINE).contains("taken as 210 x 297 mm"), "{root}");
+    }
+    let across = ours("viewBox='0 0 297 210'", MADE, "");
+    assert_eq!(across.page.sheet, [297.0, 210.0], "as the sheet lies");
+    let checked = |profile: Option<&str>| {
+        let named = profile.map(|name| crate::Profile::named(name).expect("it is built in"));
+        let options = named.map_or_else(PageOptions::new, |profile| PageOptions::new().profile(profile));
+        let svg = page(LINE, "").replace("data-box", "data-source='320 400' data-box");
+        crate::check(svg, &options).expect("it is a page").notes
+    };
+    assert!(self::told(&checked(None)).contains("metadata are gone"));
+    assert!(!self::told(&checked(Some("swell-a3"))).contains("metadata are gone"), "a profile is asked for");
+}

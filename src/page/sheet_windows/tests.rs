@@ -20,7 +20,7 @@ fn a_place_is_called_by_its_sheet_and_counted_from_the_edges_of_that() {
     assert_eq!(place(189.0, 389.0), "119, 239 mm on sheet b2");
     assert_eq!(place(500.0, -3.0), "430, 37 mm on sheet a2", "beyond the last window there is no other");
     assert_eq!(place_in_words(MmPoint::new(96.0, 50.0), None), "96, 50 mm");
-    let edges = |sheets| place_from_edges(MmPoint::new(96.0, 50.0), sheets);
+    let edges = |sheets| place_from_edges(MmPoint::new(96.0, 50.0), sheets, "sheet");
     assert_eq!(edges(Some(&sheets)), "26, 90 mm from the left and the top of sheet a2");
     assert_eq!(edges(None), "96, 50 mm from the left and the top of the sheet");
 }
