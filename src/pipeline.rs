@@ -73,6 +73,7 @@ pub use redraw::{OldPage, dots_left_out};
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;
+pub use told_given::told_no_lines;
 pub use words::Words;
 
 use std::cell::Cell;
@@ -291,7 +292,7 @@ fn compose(
     notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
     if page.is_empty() {
         told_empty(&mut notes, facts.all_erased);
-    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !facts.is_flat {
+    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !facts.none_sought {
         notes.push(Note::NoLines);
     }
     match &layout.medium {

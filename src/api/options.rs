@@ -374,6 +374,9 @@ impl Options {
         let names = LineName::of(&read.names);
         let lines = HandLines::of_figure(page, &plan).called(names).beside_areas(read.areas);
         notes.extend(lines.told_outside());
+        if page.figure.lines.is_empty() {
+            notes.push(pipeline::told_no_lines("draw some in a layer that is called Lines, and show it"));
+        }
         Ok((lines, notes))
     }
 

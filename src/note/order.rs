@@ -1,6 +1,6 @@
 //! In which order remarks are told: what makes a page wrong first, as a long list is not read to its end.
 
-use super::{About, Note};
+use super::{About, Note, Reason};
 
 /// So much of the contours of a drawing is more than a few places where lines meet, percent.
 const MUCH: u32 = 5;
@@ -20,6 +20,7 @@ impl Note {
             Self::NoBrailleCode(_) => 0,
             // it may be another page than is wanted
             Self::FirstPageOnly { .. } => 0,
+            Self::TakenAs(_, Reason::NoLinesGiven | Reason::NoDrawing, _) => 0,
             Self::Faulty(..) | Self::TooDense { .. } => 1,
             // of an overview only, which a reader has beside the figure
             Self::NotOnPage(About::Overview, ..)

@@ -128,6 +128,10 @@ reasons! {
     OtherPicture => "other-picture",
     /// Lines that are given are too short in this figure.
     TooShort => "too-short",
+    /// In a file that is given as lines there are none.
+    NoLinesGiven => "no-lines-given",
+    /// What is given as a picture of lines looks like a photograph.
+    NoDrawing => "no-drawing",
     /// Lines that are found run beside those that were added.
     BesideAdded => "beside-added",
     /// An area that was drawn is filled with the texture of its colour.

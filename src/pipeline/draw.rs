@@ -30,7 +30,7 @@ use super::subject;
 use super::texts::{self, Text, placed};
 use super::thing_of_overview;
 use super::told_bars::{self, BarStyle};
-use super::told_given::{told_short, told_words};
+use super::told_given::{told_no_drawing, told_no_lines, told_short, told_words};
 use super::told_lines::{
     left_out, told_beside_added, told_cut, told_dashed, told_of_lost, told_opened, told_overlaid, told_simplified,
 };
@@ -44,7 +44,7 @@ use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
-use crate::{About, Error, Note, Reason};
+use crate::{About, Error, GivenFile, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct DrawnMarks {
@@ -155,7 +155,8 @@ pub(super) fn find(
     let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
-    let facts = PictureFacts { is_flat: content.is_uniform(), all_erased, coloured_ground: false };
+    let none_sought = content.is_uniform() || given.lines.is_some();
+    let facts = PictureFacts { none_sought, all_erased, coloured_ground: false };
     Ok(Found { picture, facts, layout, texts, edges, decisions, legend, overview, notes })
 }
 
@@ -274,7 +275,7 @@ pub(super) struct Contours {
     pub(super) edges: Edges,
     pub(super) decisions: Decisions,
     /// What is told of those that were given.
-    pub(super) told: Option<Note>,
+    pub(super) told: Vec<Note>,
     /// Whether there were some, and all were erased.
     pub(super) all_erased: bool,
 }
@@ -293,12 +294,12 @@ pub(super) fn contours_of(
     find: impl FnOnce() -> Edges,
 ) -> Result<Contours, Error> {
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
-    let mut told = None;
+    let mut told = Vec::new();
     let mut edges = match &given.lines {
         Some(GivenLines::Vectors(lines)) => lines.contours(size)?,
         Some(GivenLines::Picture(bytes)) => {
-            let (edges, of_texts) = edges_of_drawn(bytes, size, request, px_per_mm)?;
-            told = of_texts;
+            let (edges, of_drawn) = edges_of_drawn(bytes, size, request, px_per_mm)?;
+            told = of_drawn;
             edges
         }
         None => find(),
@@ -327,14 +328,14 @@ pub(super) fn lines_of<'a>(given: &Given, regions: Option<&'a Chosen>, decisions
 /// and where they branch, strokes measure more than they are: those of 11 mm are one line, some of 12 mm are not.
 const WIDEST_STROKE: f32 = 13.0;
 
-/// The lines of a picture of lines, as contours of a picture of this size, and what is told of texts of a document,
-/// which are left out as those of any picture.
+/// The lines of a picture of lines, as contours of a picture of this size, and what is told: of texts of a document,
+/// which are left out as those of any picture, and of what has no lines or is no picture of them.
 fn edges_of_drawn(
     bytes: &[u8],
     size: Size,
     request: &Request<'_>,
     px_per_mm: f32,
-) -> Result<(Edges, Option<Note>), Error> {
+) -> Result<(Edges, Vec<Note>), Error> {
     let working_size = |source: Header| {
         let shape = |size: Size| size.width as f32 / size.height as f32;
         enough_pixels(source.size)?;
@@ -353,7 +354,14 @@ fn edges_of_drawn(
     let params = edges::Params { dark_lines: Some(WIDEST_STROKE * px_per_mm), ..request.plan.edges(px_per_mm) };
     let mut edges = edges_of(&picture, &content, &params, None, &mut |_| ());
     weaken_thin_strokes(&mut edges, WIDEST_STROKE * px_per_mm, request.plan);
-    Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told))))
+    let of_texts = (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told));
+    let is_photograph = content.kind().is_some_and(|kind| !kind.is_drawing);
+    let of_file = match edges.is_empty() {
+        true => Some(told_no_lines("none of its strokes is black on white, or white on black, and long enough")),
+        false => is_photograph.then(told_no_drawing),
+    };
+    let of_file = of_file.map(|note| Note::OfFile(GivenFile::Lines, Box::new(note)));
+    Ok((edges, of_texts.into_iter().chain(of_file).collect()))
 }
 
 /// How large the overview of a picture is laid out.

@@ -27,8 +27,8 @@ pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, 
 /// What is known of a picture beside its marks.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct PictureFacts {
-    /// Whether it is of one colour.
-    pub(super) is_flat: bool,
+    /// Whether no contours were looked for, as it is of one colour or a person gave its lines.
+    pub(super) none_sought: bool,
     /// Whether all its contours were erased.
     pub(super) all_erased: bool,
     /// Whether its ground has a colour that has no texture on the page.

@@ -99,7 +99,7 @@ pub fn convert<'p>(
     let of_picture = || sheets.overview.iter().chain(&sheets.pages);
     if of_picture().all(Page::is_empty) {
         told_empty(&mut notes, facts.all_erased);
-    } else if plan.profile().figure.lines && figure.lines.is_empty() && !facts.is_flat {
+    } else if plan.profile().figure.lines && figure.lines.is_empty() && !facts.none_sought {
         notes.push(Note::NoLines);
     }
     match &sheet.medium {

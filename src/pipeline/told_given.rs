@@ -7,6 +7,26 @@ use crate::profile::Plan;
 use crate::units::MmVector;
 use crate::{About, Note, Reason};
 
+/// What the maker is told of a file of lines in which there are none: why, or what to do.
+pub fn told_no_lines(why: &str) -> Note {
+    Note::TakenAs(About::Lines, Reason::NoLinesGiven, format!("it has no lines: {why}"))
+}
+
+/// Whether it is said that a file of lines has none.
+pub(super) fn says_no_lines(note: &Note) -> bool {
+    match note {
+        Note::OfFile(_, note) => says_no_lines(note),
+        Note::TakenAs(_, reason, _) => *reason == Reason::NoLinesGiven,
+        _ => false,
+    }
+}
+
+/// What the maker is told of a photograph that is given as a picture of lines.
+pub(super) fn told_no_drawing() -> Note {
+    let told = "it looks like no picture of lines, black on white: what is drawn are the edges of what it shows";
+    Note::TakenAs(About::Lines, Reason::NoDrawing, told.to_owned())
+}
+
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.
 pub(super) fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
     let texts = given.texts_of_page;
@@ -36,6 +56,6 @@ pub(super) fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<
     let name = name.map_or_else(String::new, |name| format!("{name}, "));
     let at = figure.min + figure.size().to_vector().component_mul(MmVector::new(x, y));
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-    let told = format!("{lines} of those given ({the_first}{name}at {:.0}, {:.0} mm), as {why}", at.x, at.y);
+    let told = format!("{lines} of those given ({the_first}{name}at {}), as {why}", layout.place_in_words(at));
     Some(Note::NotOnPage(About::Lines, Reason::TooShort, told))
 }

@@ -11,6 +11,7 @@ use super::read::{Read, read};
 use super::request::{Fit, OverviewSize, Request, enough_pixels, working_size};
 use super::subject;
 use super::told_bars;
+use super::told_given::says_no_lines;
 use super::told_lines::told_left_out;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
@@ -147,7 +148,7 @@ pub fn trace<'p>(
     };
     if tracing.target == Target::Lines && !plan.profile().figure.lines {
         notes.push(Note::LinesOff);
-    } else if trace.polylines.is_empty() {
+    } else if trace.polylines.is_empty() && !notes.iter().any(says_no_lines) {
         notes.push(Note::NoContours);
     }
     Ok(Traced { trace, notes })

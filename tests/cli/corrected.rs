@@ -218,3 +218,36 @@ fn what_render_finds_wrong_and_what_lines_of_a_page_leave_behind_is_told() {
     let told = done(&place, &[&again[..], &["titled.svg", "--title", "Rain"]].concat());
     assert!(!told.contains("that the lines are of"), "{told}");
 }
+
+#[test]
+fn a_file_of_lines_without_lines_is_told_and_a_photograph_too() {
+    let place = Place::new();
+    place.put("cup.png", &samples::read("coffee.png"));
+    place.put("white.png", &png(600, 400, &vec![255; 600 * 400 * 3]));
+    place.put("black.png", &png(600, 400, &vec![0; 600 * 400 * 3]));
+    let svg = |around: &str| {
+        format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 315 216'><g id='lines' fill='none' stroke='#000' \
+             {around}><path d='M20 20H280'/></g></svg>"
+        )
+    };
+    place.put("hidden.svg", svg("style='display:none'").as_bytes());
+    place.put("shown.svg", svg("").as_bytes());
+    let told = |option: &str, file: &str| {
+        let run = place.run(&["convert", "cup.png", option, file, "-o", "page.svg", "--force"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        run.err
+    };
+    for (option, file) in
+        [("--lines", "white.png"), ("--lines", "black.png"), ("--lines", "hidden.svg"), ("--add-lines", "hidden.svg")]
+    {
+        let told = told(option, file);
+        assert!(told.contains("it has no lines") && !told.contains("edges.high"), "{option} {file}: {told}");
+    }
+    let photograph = told("--lines", "cup.png");
+    assert!(photograph.contains("it looks like no picture of lines"), "{photograph}");
+    for (option, file) in [("--lines", "shown.svg"), ("--add-lines", "shown.svg")] {
+        let told = told(option, file);
+        assert!(!told.contains("it has no lines") && !told.contains("no picture of lines"), "{option} {file}: {told}");
+    }
+}
