@@ -9,7 +9,7 @@ use usvg::{Group, Paint, Path, Tree};
 
 use super::finding::{FoundBreach, InFile};
 use super::limits::{MediumLimits, RuleLimits};
-use super::rules::{BLACK_ONLY, BRAILLE_CELL, LETTERS, MARGIN, PICTURE, Rule};
+use super::rules::{BLACK_ONLY, BRAILLE_CELL, ELSEWHERE, LETTERS, MARGIN, PICTURE, Rule};
 use crate::geom::polygon::exit;
 use crate::reading::{SeenText, UnreadKind, UnreadObject, in_mm, is_black, is_braille, is_white, unread_of};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
@@ -35,7 +35,7 @@ pub(super) fn findings(
     // of dots the device says how far they may reach, and there is no number
     let is_printed = matches!(limits.medium, MediumLimits::Print { .. });
     found.extend(seen.beyond.into_iter().map(|beyond| if is_printed { beyond } else { beyond.unmeasured() }));
-    found.extend(unread_of(document).iter().filter_map(|object| picture(object, sheet)));
+    found.extend(unread_of(document).iter().flat_map(|object| unread(object, sheet)));
     found.extend(texts.iter().map(|text| letters(text, sheet)));
     found
 }
@@ -154,10 +154,31 @@ fn of_colours(colours: Coloured) -> Vec<FoundBreach> {
     all.into_iter().map(one).chain(others).collect()
 }
 
-/// A picture of pixels that is shown.
-fn picture(object: &UnreadObject, sheet: MmRect) -> Option<FoundBreach> {
-    let what = "a picture of pixels lies on the page".to_owned();
-    (object.kind == UnreadKind::Picture).then(|| of_object(PICTURE, what, object, sheet))
+/// What is shown and is no mark: pictures of pixels, and what is not read, with the letters in it.
+fn unread(object: &UnreadObject, sheet: MmRect) -> Vec<FoundBreach> {
+    let found = |rule: Rule, what: String| of_object(rule, what, object, sheet);
+    match &object.kind {
+        UnreadKind::Picture => vec![found(PICTURE, "a picture of pixels lies on the page".to_owned())],
+        UnreadKind::Clone(of) => {
+            let of = if of.is_empty() { "nothing".to_owned() } else { format!("\"{}\"", short(of)) };
+            vec![found(ELSEWHERE, format!("a clone of {of}, which is not in this file, and render leaves it out"))]
+        }
+        UnreadKind::Foreign(words) => {
+            let lost = found(ELSEWHERE, "an object that SVG does not draw, and render leaves it out".to_owned());
+            let letters = (!words.is_empty()).then(|| found(LETTERS, in_letters(words)));
+            std::iter::once(lost).chain(letters).collect()
+        }
+    }
+}
+
+/// The beginning of a text.
+fn short(text: &str) -> String {
+    text.chars().take(40).collect()
+}
+
+/// What is told of a text in letters.
+fn in_letters(text: &str) -> String {
+    format!("\"{}\" is written in letters, which fingers do not read", short(text))
 }
 
 /// A breach by something that is no mark.
@@ -175,10 +196,12 @@ fn on_sheet(extent: MmRect, sheet: MmRect) -> MmRect {
 
 /// Texts that are written in letters and shown.
 fn letters(text: &SeenText, sheet: MmRect) -> FoundBreach {
-    let short: String = text.string.chars().take(40).collect();
     let (rule, what) = match is_braille(&text.string) {
-        true => (BRAILLE_CELL, format!("\"{short}\" is braille in a font, whose dots are not those of standard cells")),
-        false => (LETTERS, format!("\"{short}\" is written in letters, which fingers do not read")),
+        true => {
+            let short = short(&text.string);
+            (BRAILLE_CELL, format!("\"{short}\" is braille in a font, whose dots are not those of standard cells"))
+        }
+        false => (LETTERS, in_letters(&text.string)),
     };
     let (at, extent, in_file) = (Some(text.at), Some(on_sheet(text.extent, sheet)), InFile::Row(text.row));
     FoundBreach { rule, what, at, extent, measured: None, becomes_braille: text.is_written, in_file }

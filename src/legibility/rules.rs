@@ -292,6 +292,14 @@ pub(super) const LETTERS: Rule = Rule {
     remedy: "delete them, and write them as a label in braille",
     number: none,
 };
+pub(super) const ELSEWHERE: Rule = Rule {
+    id: "elsewhere",
+    asks: "All that the page shows is in its own file, and in SVG.",
+    severity: Severity::Warning,
+    source: "render reads no other files, and no HTML within a page",
+    remedy: "put what is shown there on the page, as lines, areas or braille, or delete it",
+    number: none,
+};
 pub(super) const FILLED: Rule = Rule {
     id: "filled",
     asks: "No large area is all black.",
@@ -355,6 +363,7 @@ pub const RULES: &[Rule] = &[
     LINES_AMONG_ROWS,
     LABEL_LINE,
     BLACK,
+    ELSEWHERE,
     LEFT_OUT,
     BROKEN_LINE,
     OVERVIEW,

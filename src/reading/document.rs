@@ -264,6 +264,12 @@ fn is_drawn(node: Node<'_, '_>) -> bool {
     is_shown(&node) && !is_definition(node)
 }
 
+/// Whether an element lies in a switch that has something else, which programs show that do not know the first.
+fn is_replaced(node: Node<'_, '_>) -> bool {
+    let in_switch = node.parent().filter(|around| around.tag_name().name() == "switch");
+    in_switch.is_some_and(|around| around.children().filter(Node::is_element).count() > 1)
+}
+
 /// Whether what an element has of clip paths, masks and filters would be seen: it is drawn, or it is a style sheet.
 fn is_cut(node: Node<'_, '_>) -> bool {
     node.tag_name().name() == "style" || is_drawn(node)
@@ -324,7 +330,8 @@ impl<'a> Elements<'a> {
     /// there, or content of another language than SVG.
     pub(super) fn is_elsewhere(&self, node: Node<'a, 'a>) -> bool {
         let is_lost = match node.tag_name().name() {
-            "foreignObject" => true,
+            // a switch shows what it has beside it in place of it
+            "foreignObject" => !is_replaced(node),
             "use" => self.shown_by(node).is_none(),
             _ => false,
         };

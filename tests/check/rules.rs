@@ -59,6 +59,7 @@ fn broken(rule: &str) -> String {
             and(&with("bars.svg", |_| ()), &format!("<image x=\"60\" y=\"240\" width=\"20\" height=\"20\" {href}/>"))
         }
         "letters" => and(&with("bars.svg", |_| ()), "<text x=\"30\" y=\"40\">Rain</text>"),
+        "elsewhere" => and(&with("bars.svg", |_| ()), "<use href=\"other.svg#cup\" x=\"60\" y=\"240\"/>"),
         "filled" => and(&with("bars.svg", |_| ()), "<path d=\"M40,235 h60 v20 h-60 z\" fill=\"#000\"/>"),
         "line-gap" => with_lines(&["M60,250 H120", "M60,252 H120"]),
         "line-width" => with_lines(&["M60,250 H120"]).replace("stroke-width=\"1\"", "stroke-width=\"0.2\""),

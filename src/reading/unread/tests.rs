@@ -63,3 +63,26 @@ fn letters_have_the_box_of_their_text() {
     let [left, _, right, bottom] = extent(&checked(&format!("{lines}</text>")), "letters");
     assert!(right - left < 25 && bottom > 70, "three lines of three letters");
 }
+
+#[test]
+fn what_is_left_out_is_found_with_its_place_and_its_letters() {
+    let clone = checked("<g transform='translate(10 5)'><use href='other.svg#cup' x='60' y='240'/></g>");
+    let found = of(&clone, "elsewhere");
+    assert!(found.len() == 1 && !found[0].is_error(), "{clone}");
+    assert!(found[0].what.starts_with("a clone of \"other.svg#cup\", which is not in this file"), "{clone}");
+    assert_eq!(extent(&clone, "elsewhere")[..2], [70, 245]);
+    assert_eq!(of(&checked("<use href='#gone'/>"), "elsewhere").len(), 1);
+    assert!(
+        of(&checked("<path id='here' d='M30,240h40' stroke='#000'/><use href='#here' y='20'/>"), "elsewhere")
+            .is_empty()
+    );
+    let html = "<foreignObject x='40' y='230' width='50' height='20'><p xmlns='http://www.w3.org/1999/xhtml'>A cup\
+                <b>of tea</b></p></foreignObject>";
+    let foreign = checked(html);
+    assert_eq!(extent(&foreign, "elsewhere"), [40, 230, 90, 250]);
+    assert_eq!(extent(&foreign, "letters"), [40, 230, 90, 250]);
+    assert!(of(&foreign, "letters")[0].what.starts_with("\"A cup of tea\" is written in letters"), "{foreign}");
+    let replaced = checked(&format!("<switch>{html}<text x='40' y='240'>A cup</text></switch>"));
+    assert!(of(&replaced, "elsewhere").is_empty(), "{replaced}");
+    assert_eq!(of(&replaced, "letters").len(), 1, "those that are shown in its place");
+}
