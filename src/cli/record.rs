@@ -101,15 +101,24 @@ impl Record {
     }
 }
 
-/// What `tactograph check` says of a page, as it says it with `--format json`, with the page's title.
+/// What `tactograph check` says of a page, as it says it with `--format json`, with the page's title, if it was given one.
 pub(super) fn checked(page: &Page) -> Value {
     let read = |checked: Checked| serde_json::from_str(&checked.to_json()).unwrap_or(Value::Null);
     let mut sheet = match check(page.to_svg(), &PageOptions::new()) {
         Ok(checked) => read(checked),
         Err(error) => json!({ "verdict": null, "why": error.to_string() }),
     };
-    sheet["title"] = json!(page.title);
+    sheet["title"] = json!(given_title(page));
     sheet
+}
+
+/// The title of a page; none of one that is called as the file of its picture, as nobody gave it a title.
+fn given_title(page: &Page) -> Option<&str> {
+    let picture = page.origin.iter().find(|(name, _)| name == "picture").map(|(_, file)| file.as_str());
+    // a sheet of several, an overview and a key say what they are behind it
+    let rest = picture.and_then(|file| page.title.strip_prefix(file));
+    let is_file = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", "));
+    (!is_file).then_some(page.title.as_str())
 }
 
 fn milliseconds(took: Duration) -> f64 {

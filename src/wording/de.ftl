@@ -107,6 +107,7 @@ points-hollow = { $count ->
    *[other] { $count } hohle Punkte liegen auf Linien.
 }
 
+colours-are-names = yes
 area = Die Farbe { $colour } bedeckt { $share } der Abbildung{ $areas ->
     [one] , vor allem { $place }
    *[other] {" "}in { $areas } Flächen, die größte { $place }

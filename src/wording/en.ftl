@@ -117,6 +117,8 @@ points-hollow = { $count ->
    *[other] { $count } hollow points lie on lines.
 }
 
+# yes where the name of a colour has a capital letter, as a name
+colours-are-names = no
 area = The colour { $colour } covers { $share } of the figure{ $areas ->
     [one] , mainly { $place }
    *[other] {" "}in { $areas } areas, the largest { $place }

@@ -107,6 +107,7 @@ points-hollow = { $count ->
    *[other] { $count } puntos huecos en líneas.
 }
 
+colours-are-names = no
 area = El color { $colour } cubre { $share } de la figura{ $areas ->
     [one] , sobre todo { $place }
    *[other] {" "}en { $areas } superficies, la mayor { $place }

@@ -53,13 +53,13 @@ line-upright = Une ligne droite verticale { $place }, longue de { $length } mm{ 
 }.
 line-slanting = Une ligne droite oblique { $place }, longue de { $length } mm.
 line-bent = Une ligne courbe { $place }, longue de { $length } mm.
-line-bowed = Une ligne courbe { $place }, longue de { $length } mm, jusqu'à { $off } mm { $way ->
+line-bowed = Une ligne courbe { $place }, longue de { $length } mm, jusqu’à { $off } mm { $way ->
     [left] à gauche
     [up] au-dessus
     [right] à droite
    *[down] au-dessous
 } de la droite entre ses extrémités.
-line-winding = Une ligne sinueuse { $place }, longue de { $length } mm, jusqu'à { $off } mm de la droite
+line-winding = Une ligne sinueuse { $place }, longue de { $length } mm, jusqu’à { $off } mm de la droite
     entre ses extrémités.
 arrow = Une flèche { $place }, longue de { $length } mm, dont la pointe est dirigée { $way ->
     [left] vers la gauche
@@ -107,6 +107,7 @@ points-hollow = { $count ->
    *[other] { $count } points creux sur des lignes.
 }
 
+colours-are-names = no
 area = La couleur { $colour } couvre { $share } de la figure{ $areas ->
     [one] , surtout { $place }
    *[other] {" "}en { $areas } surfaces, la plus grande { $place }
@@ -166,4 +167,4 @@ verdict-textures-few = seulement { $judged } des textures sont à { $from } mm o
 verdict-textures-near = toutes les textures sont à moins de { $from } mm de lignes ou de bords, qu’un bout de doigt
     sent aussi ; on ne sait pas comment il les lit : une figure plus grande, ou avec moins de lignes, a des surfaces
     plus larges
-verdict-textures-large = les textures n'ont pas pu être jugées, car la page est trop grande pour le modèle d'un bout de doigt
+verdict-textures-large = les textures n’ont pas pu être jugées, car la page est trop grande pour le modèle d’un bout de doigt

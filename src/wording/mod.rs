@@ -99,9 +99,15 @@ impl Wording {
         self.say("percent", &[("size", size.into()), ("percent", percent.round().into())])
     }
 
-    /// A colour, by its English name.
-    pub(crate) fn colour<'a>(&'a self, name: &'a str) -> &'a str {
-        self.table.as_ref().map_or(name, |table| table.word(name))
+    /// A colour, by its English name. The tables of braille have it as a word by itself; in a sentence it is a noun
+    /// where the language says so.
+    pub(crate) fn colour(&self, name: &str) -> String {
+        let word = self.table.as_ref().map_or(name, |table| table.word(name));
+        let mut letters = word.chars();
+        match (self.say("colours-are-names", &[]).as_str(), letters.next()) {
+            ("yes", Some(first)) => first.to_uppercase().chain(letters).collect(),
+            _ => word.to_owned(),
+        }
     }
 }
 

@@ -107,6 +107,7 @@ points-hollow = { $count ->
    *[other] { $count } pustych punktów na liniach.
 }
 
+colours-are-names = no
 area = Kolor { $colour } zajmuje { $share } rysunku{ $areas ->
     [one] , głównie { $place }
     [few] {" "}w { $areas } polach, największe { $place }

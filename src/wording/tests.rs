@@ -74,3 +74,29 @@ fn places_are_named_as_everywhere() {
         assert_eq!(Wording::english().place(number), format!("in the {name}"));
     }
 }
+
+#[test]
+fn colours_are_written_as_the_language_does() {
+    let area = |language: &str| {
+        let wording = Wording::nearest(language);
+        let values: [(&'static str, Value<'_>); 4] = [
+            ("colour", wording.colour("green").into()),
+            ("share", "5 %".into()),
+            ("areas", 1.into()),
+            ("place", wording.place(4).into()),
+        ];
+        wording.say("area", &values)
+    };
+    assert_eq!(area("de"), "Die Farbe Grün bedeckt 5 % der Abbildung, vor allem in der Mitte.");
+    assert_eq!(area("en"), "The colour green covers 5 % of the figure, mainly in the middle.");
+    assert_eq!(area("fr"), "La couleur vert couvre 5 % de la figure, surtout au milieu.");
+}
+
+#[test]
+fn apostrophes_are_of_one_kind() {
+    for (language, text) in FILES {
+        let said = text.lines().filter(|line| !line.starts_with('#'));
+        let straight: Vec<&str> = said.filter(|line| line.contains('\'')).collect();
+        assert!(straight.is_empty() || language == "en", "{language}: {straight:?}");
+    }
+}

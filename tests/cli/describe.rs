@@ -42,7 +42,7 @@ fn a_page_is_told_in_other_languages() {
     // a page in German is told in German unless another language is asked for
     let german = told(&[]);
     assert!(german.contains("\nEin geschlossener runder Umriss oben links, "), "{german}");
-    assert!(german.contains("\nDie Farbe blau bedeckt ") && german.contains("\nUrteil: 0 Fehler"), "{german}");
+    assert!(german.contains("\nDie Farbe Blau bedeckt ") && german.contains("\nUrteil: 0 Fehler"), "{german}");
     assert_eq!(told(&["--lang", "de-CH"]), german);
     assert!(place.text("page.svg").contains("<desc xml:lang=\"de\">Ein Blatt im Hochformat, "));
     for (language, colour) in [("en", "blue"), ("es", "azul"), ("fr", "bleu"), ("pl", "niebieski")] {

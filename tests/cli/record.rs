@@ -62,7 +62,12 @@ fn the_report_says_what_became_of_each_picture() {
         for key in ["verdict", "errors", "warnings", "findings"] {
             assert_eq!(sheet[key], checked[key], "{page}: {key}");
         }
+        assert_eq!(sheet["title"], Value::Null, "nobody gave it one");
     }
+    let titled = ["convert", "a.png", "--title", "A cup", "-q", "-o", "t.svg", "--report", "titled.json"];
+    assert_eq!(place.run(&titled).code, 0);
+    let titled: Value = report(&place, "titled.json");
+    assert_eq!(titled["pictures"][0]["sheets"][0]["title"], "A cup");
     // but for the times it is the same again, whatever the report was before
     place.put("run.json", b"something else");
     assert_eq!(place.run(&args).code, 1);
