@@ -280,6 +280,7 @@ fn compose(
         key.tell_of_title(&mut notes);
         key.tell_of_blank(&mut notes);
         notes.extend(key.notes);
+        let said = said.with_words(&notes);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, said, braille, &layout, request)?, None)),
             Medium::Dots(medium) => {

@@ -89,6 +89,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
         sentences.push(("overview", wording.say("overview-follows", &[])));
     }
     sentences.extend(left_out(felt, wording).map(|text| ("left-out", text)));
+    sentences.extend(counts_left_out(felt, wording).into_iter().map(|text| ("left-out", text)));
     sentences
 }
 
@@ -225,6 +226,14 @@ fn left_out(page: &Page, wording: &Wording) -> Option<String> {
         }
         None => wording.say("left-out", &values),
     })
+}
+
+/// The areas and words that were left out when the page was made.
+fn counts_left_out(page: &Page, wording: &Wording) -> Vec<String> {
+    let LeftOut { areas, texts, labels, .. } = LeftOut::of(page);
+    let all = [("areas-left-out", areas), ("texts-left-out", texts), ("labels-left-out", labels)];
+    let told = all.into_iter().filter(|(_, count)| *count > 0);
+    told.map(|(what, count)| wording.say(what, &[("count", count.into())])).collect()
 }
 
 #[cfg(test)]

@@ -31,3 +31,29 @@ fn a_page_that_is_printed_narrower_is_told_as_it_is_felt() {
     assert!(plain[0].contains("has 8 lines"), "{plain:?}");
     assert_eq!(told(0.5), plain);
 }
+
+#[test]
+fn what_was_left_out_is_told_in_every_language() {
+    let place = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let figure = Figure { place, source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
+    let left_out = LeftOut { areas: 1, texts: 9, labels: 2, ..LeftOut::default() };
+    let parts = Parts { origin: left_out.to_origin(), ..Parts::of([150.0, 150.0], figure) };
+    let page = Page::new(parts).expect("it is on the sheet");
+    let told = |language: &str| {
+        let all = marks(&page, Wording::nearest(language)).into_iter();
+        all.filter(|(about, _)| *about == "left-out").map(|(_, text)| text).collect::<Vec<_>>()
+    };
+    let english = [
+        "1 area was too small for a texture when the page was made.",
+        "9 texts of the picture were left out when the page was made.",
+        "2 labels were left out when the page was made.",
+    ];
+    assert_eq!(told("en"), english);
+    assert_eq!(
+        told("pl")[1..],
+        ["Przy tworzeniu strony pominięto 9 tekstów obrazu.", "Przy tworzeniu strony pominięto 2 podpisy.",]
+    );
+    for language in Wording::languages() {
+        assert_eq!(told(language).len(), 3, "{language}");
+    }
+}

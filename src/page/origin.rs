@@ -19,9 +19,12 @@ const CONTOURS: &str = "contours left out in mm";
 const PLACES: &str = "contours left out in mm by ninths";
 const SHAPES: &str = "closed shapes not in the overview";
 const KIND: &str = "contours are those of";
+const TEXTS: &str = "texts left out";
+const LABELS: &str = "labels left out";
+const AREAS: &str = "areas too small for a texture";
 const PHOTOGRAPH: &str = "a photograph";
 
-/// Contours that were worth a line and are not drawn.
+/// What was not drawn when a page was made: contours that were worth a line, areas, and words.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LeftOut {
     /// Their length, whole mm.
@@ -34,6 +37,12 @@ pub struct LeftOut {
     pub shapes: u32,
     /// Whether the picture is a photograph, and no drawing in which every line is meant.
     pub of_photograph: bool,
+    /// Areas of a drawing that are too small for a texture.
+    pub areas: u32,
+    /// Texts of the picture that are neither drawn nor written.
+    pub texts: u32,
+    /// Labels that are not written.
+    pub labels: u32,
 }
 
 impl LeftOut {
@@ -46,7 +55,7 @@ impl LeftOut {
 
     /// As entries of a page's origin; nothing of nothing.
     pub fn to_origin(self) -> Vec<(String, String)> {
-        let Self { millimetres, of, by_place, shapes, of_photograph } = self;
+        let Self { millimetres, of, by_place, shapes, of_photograph, areas, texts, labels } = self;
         let mut origin = Vec::new();
         if millimetres > 0 {
             origin.push((CONTOURS.to_owned(), format!("{millimetres} of {of}")));
@@ -60,6 +69,8 @@ impl LeftOut {
         if shapes > 0 {
             origin.push((SHAPES.to_owned(), shapes.to_string()));
         }
+        let counts = [(AREAS, areas), (TEXTS, texts), (LABELS, labels)].into_iter().filter(|(_, count)| *count > 0);
+        origin.extend(counts.map(|(name, count)| (name.to_owned(), count.to_string())));
         origin
     }
 
@@ -71,9 +82,10 @@ impl LeftOut {
         let (millimetres, of) = contours.and_then(|(a, b)| Some((whole(a)?, whole(b)?))).unwrap_or_default();
         let places = value(PLACES).and_then(|text| text.split(' ').map(whole).collect::<Option<Vec<u32>>>());
         let by_place = places.and_then(|places| places.try_into().ok());
-        let shapes = value(SHAPES).and_then(whole).unwrap_or_default();
+        let count = |name: &str| value(name).and_then(whole).unwrap_or_default();
+        let [shapes, areas, texts, labels] = [SHAPES, AREAS, TEXTS, LABELS].map(count);
         let of_photograph = value(KIND) == Some(PHOTOGRAPH);
-        Self { millimetres, of, by_place, shapes, of_photograph }
+        Self { millimetres, of, by_place, shapes, of_photograph, areas, texts, labels }
     }
 
     /// Share of what was worth a line, 0..=1.

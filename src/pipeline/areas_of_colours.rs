@@ -30,6 +30,8 @@ pub(super) struct AreasOfColours {
     pub(super) bars: Vec<ColouredBar>,
     /// Whether the ground has a colour, and no texture.
     pub(super) coloured_ground: bool,
+    /// How many areas are told to be too small for a texture.
+    pub(super) too_small: usize,
 }
 
 impl AreasOfColours {
@@ -42,7 +44,10 @@ impl AreasOfColours {
         plan: &Plan,
         watch: &mut Watch<'_>,
     ) -> Option<Self> {
-        let of = |classes: Classes| Self { classes, with_small: None, bars: Vec::new(), coloured_ground: false };
+        let of = |classes: Classes| {
+            let (bars, with_small) = (Vec::new(), None);
+            Self { classes, with_small, bars, coloured_ground: false, too_small: 0 }
+        };
         if let Some(areas) = &given.areas {
             return plan.profile().figure.textures.then(|| of(areas.clone()));
         }
@@ -78,13 +83,14 @@ impl AreasOfColours {
         layout: &Layout,
         plan: &Plan,
     ) -> Vec<Note> {
-        let Self { classes, with_small, coloured_ground, .. } = self;
+        let Self { classes, with_small, coloured_ground, too_small, .. } = self;
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
         // what is erased is not there on purpose
         let with_small = with_small.as_ref().filter(|_| decisions.erased.is_empty());
-        let mut notes = Vec::new();
-        notes.extend(with_small.and_then(|fine| small_areas::told(classes, fine, layout, plan)));
+        let told_small = with_small.and_then(|fine| small_areas::told(classes, fine, layout, plan));
+        *too_small = told_small.as_ref().map_or(0, |(_, count)| *count);
+        let mut notes: Vec<Note> = told_small.into_iter().map(|(note, _)| note).collect();
         let outlines = outlines.filter(|_| of_picture);
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, picture, layout, plan)));
         notes.extend(without_remnants(classes, &decisions.erased, layout, plan));

@@ -39,7 +39,7 @@ use super::words::{Words, become_labels};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
-use crate::page::{Figure, Medium};
+use crate::page::{Figure, LeftOut, Medium};
 use crate::profile::Plan;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
@@ -198,7 +198,7 @@ pub(super) fn draw(
         notes.extend(of_colours.fit_to_page(given, &mut decisions, areas.as_ref(), edges.size, &layout, plan));
         facts.coloured_ground = of_colours.coloured_ground;
     }
-    let said = PageSays::of(left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()));
+    let said = said_of(&drawn, &overview, &edges, areas_of_colours.as_ref());
     notes.extend(told_of_overview(&overview, &drawn.lost.marks));
     notes.extend(told_of_shapes((&edges, regions.as_ref(), &decisions), &drawn.lines, &overview, &layout, plan));
     notes.extend(told_of_person((given, &decisions), &drawn.lines, &overview, &layout, plan));
@@ -220,6 +220,12 @@ pub(super) fn draw(
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     let (lost_signs, lost_of_overview, overview) = (drawn.lost.signs, overview.lost.share(), overview.marks);
     Ok(DrawnMarks { figure, overview, layout, lost_of_overview, facts, said, lost_signs, legend, texts, notes })
+}
+
+/// What a page says of what is left out of it.
+fn said_of(drawn: &Lines, overview: &DrawnOverview, edges: &Edges, areas: Option<&AreasOfColours>) -> PageSays {
+    let areas = areas.map_or(0, |of_colours| of_colours.too_small as u32);
+    PageSays::of(LeftOut { areas, ..left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()) })
 }
 
 /// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.

@@ -35,6 +35,9 @@ pub(super) struct PictureFacts {
     pub(super) coloured_ground: bool,
 }
 
+/// So few parts of a picture that were taken for text may be none.
+const MAY_BE_NONE: usize = 2;
+
 /// What a page says of itself, beside how it was made.
 #[derive(Debug, Clone)]
 pub(super) struct PageSays {
@@ -50,6 +53,24 @@ impl PageSays {
     /// That these contours are not drawn.
     pub(super) fn of(left_out: LeftOut) -> Self {
         Self { left_out, in_set: None, label: None }
+    }
+
+    /// The same, with as many texts and labels as these remarks say to be left out. Few parts that were taken for text
+    /// may be none, and do not count.
+    pub(super) fn with_words(self, notes: &[Note]) -> Self {
+        let texts = |note: &Note| match note {
+            Note::TextsLeftOut(texts) => texts.len(),
+            Note::LetteringLeftOut { texts, .. } if *texts > MAY_BE_NONE => *texts,
+            _ => 0,
+        };
+        let labels = |note: &Note| match note {
+            Note::LabelsLeftOut { texts, .. } => texts.len(),
+            _ => 0,
+        };
+        let count = |of: fn(&Note) -> usize| notes.iter().map(of).sum::<usize>() as u32;
+        let before = self.left_out;
+        let left_out = LeftOut { texts: before.texts + count(texts), labels: before.labels + count(labels), ..before };
+        Self { left_out, ..self }
     }
 
     /// As entries of its origin.

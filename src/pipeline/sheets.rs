@@ -84,9 +84,9 @@ pub fn convert<'p>(
         let tiles = laid.spread.tiles();
         let OnPage { braille: labels, notes: of_labels, .. } =
             written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
+        let said = said.with_words(&notes).with_words(&of_labels);
         let mut sheets = assemble((&figure, &labels), overview, said.left_out, &laid, &written, request)?;
-        notes.append(&mut sheets.notes);
-        notes.extend(of_labels);
+        notes.extend(sheets.notes.drain(..).chain(of_labels));
         let before = sheets.all().count() as u32;
         let key = written.key(words, &labels, &figure, before, &sheet, request)?;
         key.tell_of_title(&mut notes);

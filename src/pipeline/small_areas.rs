@@ -44,9 +44,9 @@ pub(super) fn are_told(edges: &Edges, layout: &Layout) -> bool {
     edges.of_drawing() && matches!(layout.medium, Medium::Print(_))
 }
 
-/// What the maker is told of areas that are too small for a texture. `classes` are the sorted colours of the picture,
+/// What the maker is told of areas that are too small for a texture, and how many they are. `classes` are the sorted colours of the picture,
 /// `fine` those with areas from [`LEAST`] on.
-pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Plan) -> Option<Note> {
+pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Plan) -> Option<(Note, usize)> {
     let least = plan.profile().colours.min_area;
     let lost = lost(classes, fine, layout.figure.width() / fine.size.width as f32, least);
     let (first, cell) = *lost.first()?;
@@ -56,7 +56,7 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
     let width = fine.size.width as usize;
     let mm_per_cell = layout.figure.width() / fine.size.width as f32;
     let at = layout.figure.min + MmVector::new((cell % width) as f32, (cell / width) as f32) * mm_per_cell;
-    let at = format!("at {:.0}, {:.0} mm", at.x, at.y);
+    let at = format!("at {}", layout.place_in_words(at));
     let (areas, they_are) = match lost.len() {
         1 => (format!("the texture of 1 area ({}, {at})", fine.regions[first].class.name()), "it is"),
         count => (format!("the textures of {count} areas ({}; the first {at})", colours.join(", ")), "they are"),
@@ -66,7 +66,7 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
         "{areas}, as {why}; say in labels what matters of the colours, as a \
          key names only those that have a texture on the page, or make the figure larger"
     );
-    Some(Note::NotOnPage(About::Areas, Reason::AreaTooSmall, told))
+    Some((Note::NotOnPage(About::Areas, Reason::AreaTooSmall, told), lost.len()))
 }
 
 /// The regions of `fine` that are smaller than `least`, square mm, no strokes, and not in `classes`; each with the cell

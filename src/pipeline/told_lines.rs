@@ -406,7 +406,8 @@ pub(super) fn left_out(lost: &Lost, shapes: usize, of_drawing: bool) -> LeftOut 
     let whole = |mm: f32| mm.max(0.0).round() as u32;
     let by_place = Some(lost.by_place.map(whole));
     let millimetres = whole(of_lines(lost));
-    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes: shapes as u32, of_photograph: !of_drawing }
+    let (shapes, of_photograph) = (shapes as u32, !of_drawing);
+    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes, of_photograph, ..LeftOut::default() }
 }
 
 /// How much of lines is lost, mm: marks that are too short are told by themselves, and no room would help them.

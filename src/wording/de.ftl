@@ -132,6 +132,18 @@ sheet-of-sheets = Dies ist Blatt { $name } von { $sheets } ({ $names }), mit ein
 
 left-out = { $length } mm Konturen, { $share }, hatten keinen Platz und fehlen.
 left-out-most = { $length } mm Konturen, { $share }, hatten keinen Platz und fehlen, die meisten { $place }.
+areas-left-out = { $count ->
+    [one] 1 Fläche war beim Erstellen der Seite zu klein für eine Textur.
+   *[other] { $count } Flächen waren beim Erstellen der Seite zu klein für eine Textur.
+}
+texts-left-out = { $count ->
+    [one] 1 Text des Bildes wurde beim Erstellen der Seite weggelassen.
+   *[other] { $count } Texte des Bildes wurden beim Erstellen der Seite weggelassen.
+}
+labels-left-out = { $count ->
+    [one] 1 Beschriftung wurde beim Erstellen der Seite weggelassen.
+   *[other] { $count } Beschriftungen wurden beim Erstellen der Seite weggelassen.
+}
 
 verdict = Urteil: { $errors ->
     [one] 1 Fehler

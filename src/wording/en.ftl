@@ -143,6 +143,19 @@ sheet-of-sheets = This is sheet { $name } of { $sheets } ({ $names }), with a le
 
 left-out = { $length } mm of contours, { $share }, had no room and are left out.
 left-out-most = { $length } mm of contours, { $share }, had no room and are left out, most of them { $place }.
+# counts when the page was made: somebody may have written labels since
+areas-left-out = { $count ->
+    [one] 1 area was too small for a texture when the page was made.
+   *[other] { $count } areas were too small for a texture when the page was made.
+}
+texts-left-out = { $count ->
+    [one] 1 text of the picture was left out when the page was made.
+   *[other] { $count } texts of the picture were left out when the page was made.
+}
+labels-left-out = { $count ->
+    [one] 1 label was left out when the page was made.
+   *[other] { $count } labels were left out when the page was made.
+}
 
 # $faulty, $lines, $missing, $textures: none, or words
 verdict = Verdict: { $errors ->

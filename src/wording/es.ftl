@@ -132,6 +132,18 @@ sheet-of-sheets = Esta es la hoja { $name } de { $sheets } ({ $names }), con una
 
 left-out = { $length } mm de contornos, { $share }, no tenían sitio y faltan.
 left-out-most = { $length } mm de contornos, { $share }, no tenían sitio y faltan, la mayoría { $place }.
+areas-left-out = { $count ->
+    [one] 1 superficie era demasiado pequeña para una textura al crear la página.
+   *[other] { $count } superficies eran demasiado pequeñas para una textura al crear la página.
+}
+texts-left-out = { $count ->
+    [one] 1 texto de la imagen se omitió al crear la página.
+   *[other] { $count } textos de la imagen se omitieron al crear la página.
+}
+labels-left-out = { $count ->
+    [one] 1 etiqueta se omitió al crear la página.
+   *[other] { $count } etiquetas se omitieron al crear la página.
+}
 
 verdict = Veredicto: { $errors ->
     [one] 1 error

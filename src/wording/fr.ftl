@@ -132,6 +132,18 @@ sheet-of-sheets = Ceci est la feuille { $name } sur { $sheets } ({ $names }), av
 
 left-out = { $length } mm de contours, { $share }, n’avaient pas de place et manquent.
 left-out-most = { $length } mm de contours, { $share }, n’avaient pas de place et manquent, la plupart { $place }.
+areas-left-out = { $count ->
+    [one] { $count } surface était trop petite pour une texture à la création de la page.
+   *[other] { $count } surfaces étaient trop petites pour une texture à la création de la page.
+}
+texts-left-out = { $count ->
+    [one] { $count } texte de l’image a été omis à la création de la page.
+   *[other] { $count } textes de l’image ont été omis à la création de la page.
+}
+labels-left-out = { $count ->
+    [one] { $count } étiquette a été omise à la création de la page.
+   *[other] { $count } étiquettes ont été omises à la création de la page.
+}
 
 verdict = Verdict : { $errors ->
     [one] { $errors } erreur

@@ -134,6 +134,21 @@ sheet-of-sheets = To jest arkusz { $name }; liczba arkuszy: { $sheets } ({ $name
 
 left-out = Na { $length } mm konturów, { $share }, nie było miejsca; brakuje ich.
 left-out-most = Na { $length } mm konturów, { $share }, nie było miejsca; brakuje ich, najwięcej { $place }.
+areas-left-out = { $count ->
+    [one] Przy tworzeniu strony 1 pole było za małe na fakturę.
+    [few] Przy tworzeniu strony { $count } pola były za małe na fakturę.
+   *[other] Przy tworzeniu strony { $count } pól było za małych na fakturę.
+}
+texts-left-out = { $count ->
+    [one] Przy tworzeniu strony pominięto 1 tekst obrazu.
+    [few] Przy tworzeniu strony pominięto { $count } teksty obrazu.
+   *[other] Przy tworzeniu strony pominięto { $count } tekstów obrazu.
+}
+labels-left-out = { $count ->
+    [one] Przy tworzeniu strony pominięto 1 podpis.
+    [few] Przy tworzeniu strony pominięto { $count } podpisy.
+   *[other] Przy tworzeniu strony pominięto { $count } podpisów.
+}
 
 verdict = Ocena: { $errors ->
     [one] 1 błąd

@@ -71,3 +71,18 @@ fn pages_are_told_while_they_are_made() {
         &["--describe writes to standard output, and so does -o -; name a file with -o"],
     );
 }
+
+#[test]
+fn texts_that_are_left_out_are_told() {
+    let place = Place::new();
+    place.put("chart.svg", &crate::common::samples::read("chart.svg"));
+    let told = |labels: &str| {
+        let run = place.run(&["convert", "chart.svg", "-o", "page.svg", "-q", "--force", "--labels", labels]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        place.run(&["describe", "page.svg"]).out
+    };
+    place.put("none.csv", b"20%,35%,rain\n");
+    let without = told("none.csv");
+    assert!(without.contains("\n9 texts of the picture were left out when the page was made.\n"), "{without}");
+    assert!(!told("texts").contains("texts of the picture were left out"));
+}

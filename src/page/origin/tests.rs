@@ -17,6 +17,7 @@ fn what_was_left_out_is_read_as_it_was_said() {
         LeftOut { millimetres: 120, of: 400, of_photograph: true, ..LeftOut::default() },
         LeftOut { millimetres: 45, of: 90, by_place: Some([0, 1, 2, 3, 4, 5, 6, 7, 17]), ..LeftOut::default() },
         LeftOut { shapes: 3, ..LeftOut::default() },
+        LeftOut { areas: 2, texts: 9, labels: 1, ..LeftOut::default() },
     ] {
         assert_eq!(LeftOut::of(&page(left_out.to_origin())), left_out);
     }
