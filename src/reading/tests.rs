@@ -236,11 +236,15 @@ fn a_page_that_says_neither_how_it_was_made_nor_its_size_is_told() {
         // in points
         ("viewBox='0 0 595.28 841.89'", MADE),
     ] {
-        assert_eq!(ours(root, metadata, LINE).page.sheet, [210.0, 297.0], "{root}");
+        assert_eq!(
+            ours(root, metadata, LINE).page.sheet.map(f32::to_bits),
+            [210.0_f32, 297.0].map(f32::to_bits),
+            "{root}"
+        );
         assert!(told(root, metadata, LINE).contains("taken as 210 x 297 mm"), "{root}");
     }
     let across = ours("viewBox='0 0 297 210'", MADE, "");
-    assert_eq!(across.page.sheet, [297.0, 210.0], "as the sheet lies");
+    assert_eq!(across.page.sheet.map(f32::to_bits), [297.0_f32, 210.0].map(f32::to_bits), "as the sheet lies");
     let checked = |profile: Option<&str>| {
         let named = profile.map(|name| crate::Profile::named(name).expect("it is built in"));
         let options = named.map_or_else(PageOptions::new, |profile| PageOptions::new().profile(profile));
