@@ -89,6 +89,7 @@ pub(super) fn entries(
         let middle = index(raster, transform.to_px(place.center()));
         if let (Some(text), Some(middle), true) = (text, middle, is_patch && patches.len() < MOST)
             && !patches.iter().any(known)
+            && !is_on_line(place, edges, &transform)
         {
             patches.push((text, place, middle));
         }
@@ -109,6 +110,18 @@ pub(super) fn entries(
     let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
 }
+
+/// Whether a line ends at a small shape or goes through it: then it is a point of a curve, and the word beside it a
+/// number at an axis. The lines of a grid may lie behind a legend.
+fn is_on_line(place: MmRect, edges: &Edges, transform: &PageTransform) -> bool {
+    let around = place.inflate(OF_POINT, OF_POINT);
+    let lines = edges.chains.iter().filter(|chain| !chain.closed && chain.kind.of_drawing && !chain.kind.faint);
+    let mut places = lines.flat_map(|chain| &edges.edgels[chain.edgels.clone()]).map(|edgel| transform.to_mm(edgel.at));
+    places.any(|at| around.contains(at))
+}
+
+/// A line that is seen up to a point ends no farther from it, mm.
+const OF_POINT: f32 = 0.5;
 
 /// Takes a legend whose words would become labels out of a drawing that has a key: its patches have no room for a
 /// texture, and a blank one beside a word would say that blank areas are what it names; words alone say nothing there.

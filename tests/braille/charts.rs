@@ -184,6 +184,36 @@ fn bars_of_a_series_are_alike_and_the_key_tells_of_blank_ones() {
     }
 }
 
+/// Three curves whose first points lie on the axis, each beside a number: these are no words of a legend.
+#[test]
+fn numbers_beside_the_first_points_of_curves_are_no_legend() {
+    let [left, _, base, _] = AXIS;
+    let mut curves = String::new();
+    for (number, (colour, rise)) in [("#1f77b4", -30.0), ("#d62728", 20.0), ("#2ca02c", -12.0)].into_iter().enumerate()
+    {
+        let y = base - 80.0 * (number as f32 + 1.0);
+        let points: Vec<String> =
+            (0..5).map(|i| format!("{} {}", left + 140.0 * i as f32, y + rise * i as f32)).collect();
+        write!(curves, "<path d='M{}' fill='none' stroke='{colour}' stroke-width='3'/>", points.join("L"))
+            .expect("text");
+        for point in &points {
+            let (x, y) = point.split_once(' ').expect("two numbers");
+            write!(curves, "<circle cx='{x}' cy='{y}' r='5' fill='{colour}'/>").expect("text");
+        }
+        let value = 20 * (number + 1);
+        write!(curves, "<text x='{}' y='{}' text-anchor='end'>{value}</text>", left - 14.0, y + 5.0).expect("text");
+    }
+    let axes = "<path d='M70 70V410H690' fill='none' stroke='#000' stroke-width='2'/>";
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = drawn(&svg(SIZE, &format!("{axes}{curves}")), profile);
+        assert!(!notes(&drawing).contains("the legend in the figure"), "{profile}: {}", notes(&drawing));
+        let labels = labels_of(&drawing);
+        for number in ["20", "40", "60"] {
+            assert!(labels.iter().any(|label| label.text == number), "{number} on {profile}: {labels:?}");
+        }
+    }
+}
+
 /// A colour of the legend that has no texture in the figure is blank there, and the key says what that means.
 #[test]
 fn the_key_names_other_areas_of_the_legend_as_blank() {
