@@ -92,14 +92,17 @@ pub(super) fn groups(glyphs: &[LetterShape], which: &[usize]) -> Vec<Vec<usize>>
         ([middle(0), middle(1)], 0.5 * side(0).hypot(side(1)), of)
     };
     let mut all: Vec<([f32; 2], f32, usize)> = which.iter().map(round).collect();
-    all.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.2.cmp(&b.2)));
+    // in the order in which they lie on the longer side of the picture: few are abreast
+    let extent = |axis: usize| all.iter().map(|(middle, ..)| middle[axis]).fold(0.0, f32::max);
+    let axis = usize::from(extent(1) > extent(0));
+    all.sort_by(|a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.2.cmp(&b.2)));
     let reach = |a: f32, b: f32| a + b + 2.0 * GAP * a.max(b);
     let most = all.iter().map(|(_, radius, _)| *radius).fold(0.0, f32::max);
     let mut sets = DisjointSets::default();
     for (j, &(b, other_radius, other)) in all.iter().enumerate() {
         sets.add();
         for (i, &(a, radius, of)) in all.iter().enumerate().take(j).rev() {
-            if b[0] - a[0] > reach(other_radius, most).hypot(other_radius + most) {
+            if b[axis] - a[axis] > reach(other_radius, most).hypot(other_radius + most) {
                 break;
             }
             let along = reach(radius, other_radius);
@@ -119,22 +122,23 @@ pub(super) fn groups(glyphs: &[LetterShape], which: &[usize]) -> Vec<Vec<usize>>
 /// Chains at an angle, of at least two.
 pub(super) fn chains(glyphs: &[LetterShape], which: &[usize], angle: f32) -> Vec<Vec<RotatedLetter>> {
     let placed = placed(glyphs, which, angle);
+    let rows = Rows::of(&placed);
     // the nearest that can follow each, and the nearest that each can follow
     let mut next: Vec<Option<(f32, usize)>> = vec![None; placed.len()];
     let mut before = next.clone();
     for (i, a) in placed.iter().enumerate() {
-        for (j, b) in placed.iter().enumerate().skip(i + 1) {
-            if b.along[0] > a.along[1] + GAP * HEIGHTS * a.height() {
-                break;
-            }
+        for j in rows.after(i, a) {
+            let b = &placed[j];
             if follows(a, b) && alike(&glyphs[a.of], &glyphs[b.of]) {
                 let off = 0.5 * ((b.across[0] + b.across[1]) - (a.across[0] + a.across[1])).abs();
                 let apart = (b.along[0] - a.along[1]).max(0.0) + off;
-                let is_nearer = |known: Option<(f32, usize)>| known.is_none_or(|(least, _)| apart < least);
-                if is_nearer(next[i]) {
+                let is_nearer = |known: Option<(f32, usize)>, number: usize| {
+                    known.is_none_or(|(least, of)| apart < least || apart <= least && number < of)
+                };
+                if is_nearer(next[i], j) {
                     next[i] = Some((apart, j));
                 }
-                if is_nearer(before[j]) {
+                if is_nearer(before[j], i) {
                     before[j] = Some((apart, i));
                 }
             }
@@ -147,4 +151,46 @@ pub(super) fn chains(glyphs: &[LetterShape], which: &[usize], angle: f32) -> Vec
         chains.push(std::iter::successors(Some(start), |&i| after(i)).map(|i| placed[i]).collect());
     }
     chains
+}
+
+/// Letters by rows as high as the highest of them, so that only those in the same row and those beside it can overlap.
+struct Rows<'a> {
+    placed: &'a [RotatedLetter],
+    /// The height of a row.
+    height: f32,
+    /// Where the first row begins.
+    top: f32,
+    /// The numbers of the letters whose middles lie in each row, in the order along it.
+    rows: Vec<Vec<usize>>,
+}
+
+impl<'a> Rows<'a> {
+    fn of(placed: &'a [RotatedLetter]) -> Self {
+        let height = placed.iter().map(RotatedLetter::height).fold(1.0, f32::max);
+        let top = placed.iter().map(|letter| letter.across[0]).fold(f32::INFINITY, f32::min);
+        let mut all = Self { placed, height, top, rows: Vec::new() };
+        for (number, letter) in placed.iter().enumerate() {
+            let row = all.row(letter);
+            if all.rows.len() <= row {
+                all.rows.resize_with(row + 1, Vec::new);
+            }
+            all.rows[row].push(number);
+        }
+        all
+    }
+
+    fn row(&self, letter: &RotatedLetter) -> usize {
+        ((0.5 * (letter.across[0] + letter.across[1]) - self.top) / self.height) as usize
+    }
+
+    /// The numbers of letters after the `i`-th, `a`, that may follow it.
+    fn after(&self, i: usize, a: &RotatedLetter) -> impl Iterator<Item = usize> {
+        let row = self.row(a);
+        let last = a.along[1] + GAP * HEIGHTS * a.height();
+        let near = self.rows.iter().skip(row.saturating_sub(1)).take(row + 2 - row.saturating_sub(1));
+        near.flat_map(move |row| {
+            let later = &row[row.partition_point(|number| *number <= i)..];
+            later.iter().copied().take_while(move |number| self.placed[*number].along[0] <= last)
+        })
+    }
 }
