@@ -101,7 +101,8 @@ impl Record {
     }
 }
 
-/// What `tactograph check` says of a page, as it says it with `--format json`, with the page's title, if it was given one.
+/// What `tactograph check` says of a page, as it says it with `--format json`, with the page's title, if it was given
+/// one.
 pub(super) fn checked(page: &Page) -> Value {
     let read = |checked: Checked| serde_json::from_str(&checked.to_json()).unwrap_or(Value::Null);
     let mut sheet = match check(page.to_svg(), &PageOptions::new()) {

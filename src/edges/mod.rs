@@ -95,8 +95,8 @@ impl PictureKind {
         Self { is_drawing: stroke::is_drawing(raster, noise.pixel, lossy.is_some()), noise, lossy }
     }
 
-    /// The same of pixels that no vector drawing was rendered to: a photograph of a thing on an even ground, as one that
-    /// was cut out, is none of a drawing.
+    /// The same of pixels that no vector drawing was rendered to: a photograph of a thing on an even ground, as one
+    /// that was cut out, is none of a drawing.
     pub fn of_bitmap(raster: &Raster, lossy: Option<f32>) -> Self {
         let kind = Self::of(raster, lossy);
         Self { is_drawing: kind.is_drawing && !stroke::is_cut_out(raster), ..kind }

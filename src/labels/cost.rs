@@ -12,7 +12,7 @@
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
 //!  30          for each point of another over or under which a label of a point stands: rather in two lines, or with a
 //!              leader line
-//!  50          for each mm of a leader line that runs beside a line, of which it is felt as a part, beyond the first few
+//!  50          for each mm of a leader line beside a line, of which it is felt as a part, beyond the first few
 //!  60          a line of cells right beside a label, which is read as a letter of it
 //!  200         more than a third of the texture of a sector that goes: rather beside the pie, with a leader line
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation

@@ -271,7 +271,8 @@ impl Room {
         self.glyphs.within(place, &self.squares) as f32 / WHOLE as f32
     }
 
-    /// How many glyphs the texture has that lies around a point, counted likewise; none where none is within `reach` mm.
+    /// How many glyphs the texture has that lies around a point, counted likewise; none where none is within `reach`
+    /// mm.
     pub(super) fn texture_around(&self, at: MmPoint, reach: f32, params: &Params) -> Option<f32> {
         let all = self.textures.iter().flat_map(|of| of.iter().map(move |glyph| (*glyph, of.len())));
         let far = |glyph: MmPoint| (glyph - at).length();

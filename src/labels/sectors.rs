@@ -1,5 +1,5 @@
-//! Texts in shapes that have others beside them, such as the sectors of a pie. Their textures tell them apart, so that a
-//! label blanks most of one only where it has no place outside of the shape.
+//! Texts in shapes that have others beside them, such as the sectors of a pie. Their textures tell them apart, so that
+//! a label blanks most of one only where it has no place outside of the shape.
 
 use super::placed::Wanted;
 use super::room::{FINE_RAYS, Room};

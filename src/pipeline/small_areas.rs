@@ -44,8 +44,8 @@ pub(super) fn are_told(edges: &Edges, layout: &Layout) -> bool {
     edges.of_drawing() && matches!(layout.medium, Medium::Print(_))
 }
 
-/// What the maker is told of areas that are too small for a texture, and how many they are. `classes` are the sorted colours of the picture,
-/// `fine` those with areas from [`LEAST`] on.
+/// What the maker is told of areas that are too small for a texture, and how many they are. `classes` are the sorted
+/// colours of the picture, `fine` those with areas from [`LEAST`] on.
 pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Plan) -> Option<(Note, usize)> {
     let least = plan.profile().colours.min_area;
     let lost = lost(classes, fine, layout.figure.width() / fine.size.width as f32, least);

@@ -2,7 +2,7 @@
 
 use resvg::tiny_skia::{self, Path, PathSegment, Stroke};
 
-use crate::units::{PxPoint, Size};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// The paths of a drawing, and where something else is painted.
 #[derive(Debug, Clone, Default)]
@@ -43,8 +43,8 @@ impl PaintedPath {
         self.stroke.is_some() && is_straight
     }
 
-    /// Whether it may paint letters, of its own or as a piece of them: not if it is nothing but straight strokes, or one
-    /// convex area of one colour, such as a bar or a dot.
+    /// Whether it may paint letters, of its own or as a piece of them: not if it is nothing but straight strokes, or
+    /// one convex area of one colour, such as a bar or a dot.
     pub fn may_be_letters(&self) -> bool {
         let is_of_one_colour = self.stroke.is_none() || self.filled_alike && !self.dashed;
         !(self.is_of_straight_strokes() || is_of_one_colour && self.is_one_convex_part())
@@ -98,14 +98,17 @@ impl PaintedPath {
 /// Whether the sides of a closed polygon all turn the same way, once around.
 fn is_convex(corners: &[PxPoint]) -> bool {
     let next = |i: usize| corners[(i + 1) % corners.len()];
-    let sides: Vec<_> = (0..corners.len()).map(|i| next(i) - corners[i]).filter(|side| side.length() > 0.0).collect();
+    let sides: Vec<PxVector> = (0..corners.len()).filter_map(|i| (next(i) - corners[i]).try_normalize()).collect();
     let turns = sides.iter().zip(sides.iter().cycle().skip(1)).map(|(a, b)| a.cross(*b));
     let (left, right) = turns.fold((0.0_f32, 0.0_f32), |(left, right), turn| (left.min(turn), right.max(turn)));
     // of one that goes round once, sides point to the right in one stretch
     let to_right: Vec<bool> = sides.iter().map(|side| side.x > 0.0).collect();
     let changes = to_right.iter().zip(to_right.iter().cycle().skip(1)).filter(|(a, b)| a != b).count();
-    (left == 0.0 || right == 0.0) && changes <= 2
+    left.abs().min(right) <= STRAIGHT_ON && changes <= 2
 }
+
+/// Sine of a turn that is none: where pieces of a curve meet, their control points lie on one line but for rounding.
+const STRAIGHT_ON: f32 = 1e-3;
 
 /// A text of a drawing.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,3 +1,5 @@
+//! Tests of `vector`.
+
 use resvg::tiny_skia::{Path, PathBuilder, Rect, Stroke};
 
 use super::PaintedPath;
