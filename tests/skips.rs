@@ -83,7 +83,7 @@ fn in_a_drawing_without_small_outlines_no_letters_are_looked_for() {
 fn without_regions_none_are_looked_for_in_a_photograph() {
     let stages = |settings: &[(&str, &str)]| {
         let mut ran = Vec::new();
-        let photograph = samples::read("coffee.png");
+        let photograph = samples::read("chelsea.png");
         let drawing = page::page_of(&photograph, "test", settings, &mut |event| {
             if let Event::End(stage) = event {
                 ran.push(stage);

@@ -183,11 +183,15 @@ fn what_cannot_be_on_several_sheets_is_told() {
 
 #[test]
 fn remarks_with_a_place_name_its_sheet_and_count_from_the_edges_of_that() {
-    let made = sheets("coffee.png", "2x2", &Options::new(profile("index-basic-d", &[])));
-    let told: Vec<String> = made.notes.iter().map(ToString::to_string).collect();
-    let line = told.iter().find(|told| told.contains("1 line as a whole")).expect("a line has no room");
+    let made = sheets("landscape.svg", "2x2", &Options::new(profile("index-basic-d", &[])));
+    let told = |made: &Sheets, what: &str| {
+        let told: Vec<String> = made.notes.iter().map(ToString::to_string).collect();
+        told.iter().find(|told| told.contains(what)).cloned().unwrap_or_else(|| panic!("no {what} in {told:?}"))
+    };
+    let line = told(&made, "1 line as a whole");
     assert!(line.contains("mm from the left and the top of sheet "), "{line}");
-    let shape = told.iter().find(|told| told.contains("1 small closed shape")).expect("a shape has no room");
+    let map = sheets("map.svg", "2x2", &Options::new(profile("index-basic-d", &[])));
+    let shape = told(&map, "1 small closed shape");
     assert!(shape.contains(" mm on sheet "), "{shape}");
     let numbers = line.split_once("around ").and_then(|(_, place)| place.split_once(" mm")).expect("a place").0;
     let numbers: Vec<f32> = numbers.split(", ").map(|number| number.parse().expect("a number")).collect();

@@ -25,8 +25,6 @@ const CELL: f32 = 1.0;
 /// Farthest that a cell lies from a sign of its area, mm: the gap beside the widest line and half of the distance
 /// between two rows of the sparsest texture.
 const REACH: f32 = 9.0;
-/// How many more cells an area may have than the page says, as a share: they are coarse.
-const LARGER: f32 = 1.02;
 
 /// Signs of two areas nearer than this share of `textures.min_glyph` stand over one another: side by side they are that
 /// far apart, but for a rounding. Of an area of few signs that was moved onto another, one or two may be so near.
@@ -108,13 +106,13 @@ pub(super) fn of_page(page: &Page, own: &Plan) -> PageAreas {
         if covered > 0.0 && wanted < CRUMBS * all {
             continue;
         }
-        cells.truncate((LARGER * wanted).ceil() as usize);
+        cells.truncate(wanted.ceil() as usize);
         let light = self::lightness(texture.colour);
         for &(_, cell) in &cells {
             region[cell] = Some(number);
             lightness.values[cell] = light;
         }
-        // parts without a sign, behind lines, are of it still, and the coarse rim is not: it would grow page by page
+        // parts without a sign, behind lines, are of it still
         regions[number as usize].cells = if cells.is_empty() { 0 } else { (wanted.round() as u32).max(1) };
     }
     PageAreas { classes: Classes { size, region, regions, lightness, fringe: Vec::new() }, lies_on }

@@ -11,9 +11,9 @@ use crate::raster::plane::Plane;
 use crate::raster::residue::square_max;
 use crate::units::Size;
 
-// The numbers were chosen on 120 things that were cut out and 100 drawings (PNG and JPEG), of the stamps of a paint
-// program for children. With these, all but four photographs are found, and of the drawings those that are shaded all
-// over, such as a crown and a pumpkin.
+// The numbers were chosen on the stamps of a paint program for children, on white that is up to four times as large: of 95
+// photographs of things 87 are found. Of 100 drawings 5 are taken for photographs (as JPEG of quality 75: 7), all of them
+// shaded all over, such as a pumpkin, whose pages are the better for it.
 
 /// Squares that differ from their neighbours by no more than this are flat, in units of strength.
 const FLAT: f32 = 0.8;
@@ -22,9 +22,9 @@ const CHROMA: f32 = 0.5;
 /// Squares that differ by more than this have a stroke or a border.
 const LINE: f32 = 8.0;
 /// A thing is of a photograph if less than this share of it is flat, strokes and borders aside.
-const FLAT_SHARE: f32 = 0.2;
+const FLAT_SHARE: f32 = 0.1;
 /// A thing with less than this share of the picture is too small to tell, strokes and borders aside.
-const SMALLEST: f32 = 0.005;
+const SMALLEST: f32 = 0.01;
 /// Least share of all that is not ground: a worksheet may have a photograph beside its words and lines.
 const MOST: f32 = 0.9;
 
@@ -51,16 +51,18 @@ pub(in crate::edges) fn is_cut_out(raster: &Raster) -> bool {
     of_photographs > 0 && of_photographs as f32 >= MOST * all as f32
 }
 
-/// By how much each pixel differs from that before it and that above it, in units of strength.
+/// By how much each pixel differs from its four neighbours, at most, in units of strength.
 fn steps(raster: &Raster) -> Vec<f32> {
     let width = raster.size().width as usize;
     let mut steps = vec![0.0_f32; raster.size().len()];
     for (Plane { values, .. }, weight) in lab::whole(raster).iter().zip([1.0, CHROMA, CHROMA]) {
-        for (cell, step) in steps.iter_mut().enumerate() {
-            let before = if cell % width > 0 { cell - 1 } else { cell };
-            let above = cell.checked_sub(width).unwrap_or(cell);
-            let farthest = (values[cell] - values[before]).abs().max((values[cell] - values[above]).abs());
-            *step = step.max(weight * farthest);
+        for cell in 0..values.len() {
+            let next = (cell % width + 1 < width).then_some(cell + 1);
+            for other in [next, Some(cell + width)].into_iter().flatten().filter(|other| *other < values.len()) {
+                let step = weight * (values[cell] - values[other]).abs();
+                steps[cell] = steps[cell].max(step);
+                steps[other] = steps[other].max(step);
+            }
         }
     }
     steps

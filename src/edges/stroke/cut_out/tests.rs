@@ -40,6 +40,14 @@ fn areas_of_one_colour_and_strokes_are_a_drawing() {
 }
 
 #[test]
+fn strokes_that_fill_two_rows_of_squares_by_half_are_a_drawing() {
+    let axis =
+        |y: usize, from: usize| ([20, y, 380, y + from], &(|_: usize, _: usize| 0.0) as &dyn Fn(usize, usize) -> f32);
+    let axes: Vec<Thing<'_>> = (0..12).map(|i| axis(18 + 20 * i, 4)).collect();
+    assert!(!is_cut_out(&picture(&axes)));
+}
+
+#[test]
 fn a_photograph_beside_as_much_of_a_drawing_is_a_drawing() {
     let even = |_: usize, _: usize| 0.2;
     assert!(!is_cut_out(&picture(&[([20, 80, 180, 220], &fur), ([220, 80, 380, 220], &even)])));
