@@ -14,7 +14,6 @@
 //!              leader line
 //!  50          for each mm of a leader line beside a line, of which it is felt as a part, beyond the first few
 //!  60          a line of cells right beside a label, which is read as a letter of it
-//!  200         more than a third of the texture of a sector that goes: rather beside the pie, with a leader line
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
 //!  1000        an abbreviation, which has to be looked up in the key (`forms`)
 //!  2000        any other leader line across lines: rather the abbreviation
@@ -92,9 +91,6 @@ const A_CELL: f32 = 60.0;
 const ON_A_GRID: f32 = 8.0;
 /// For a glyph that has to go: so little that a label moves by less than a mm to keep two or three of a texture.
 const GLYPH: f32 = 0.3;
-/// For a label that leaves too little of the texture of a sector of a pie: more than any place outside within reach,
-/// also beside the text, where a mm counts three times, and less than an abbreviation.
-const BLANKED: f32 = 200.0;
 
 /// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
 pub(super) fn cost(
@@ -112,7 +108,6 @@ pub(super) fn cost(
         Attachment::Leader(_) | Attachment::LeaderAcross(_) => 0.0,
     };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance));
-    let blanked = if around.is_blanked_by(glyphs) { BLANKED } else { 0.0 };
     let leader = match attachment {
         Attachment::Beside => 0.0,
         Attachment::Leader(segment) => LEADER + beside_lines(segment, around),
@@ -132,7 +127,7 @@ pub(super) fn cost(
         false if params.among_cells => A_CELL,
         false => LIKE_A_CELL,
     };
-    of_form + distance + aside + elsewhere + over_others + GLYPH * glyphs + blanked + grid + leader + beside
+    of_form + distance + aside + elsewhere + over_others + GLYPH * glyphs + grid + leader + beside
 }
 
 /// What it costs that a leader line runs beside lines; where it ends it may. On dots it lies off its segment, so that a

@@ -31,7 +31,6 @@ mod predicted;
 mod room;
 mod rows;
 mod scale;
-mod sectors;
 mod shape;
 mod spacing;
 mod surroundings;
@@ -164,7 +163,6 @@ fn place_rows_first<'a>(
     let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
     let reach: Vec<f32> = forms.iter().map(|of| longest(of, cells, params)).collect();
     before::look(&mut around, wanted, is_alone, &reach);
-    sectors::look(&mut around, wanted);
     let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
     let mut rows = RowsPlaced { wanted, cells, room, params, forms, around, placed, thinned, titles };
     let rows::InRows { mut placed, thinned } = rows::placed(&groups, &rows.context());
