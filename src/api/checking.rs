@@ -81,6 +81,8 @@ fn checked(bytes: &[u8], read: Option<&Reading>, options: &PageOptions) -> Resul
     };
     let (own, refused) = Profile::of_origin(&read.page.origin)?;
     let mut notes = read.notes.clone();
+    // they are findings, with their places
+    notes.retain(|note| !matches!(note, Note::NotOnPage(_, Reason::Elsewhere | Reason::Pixels, _)));
     if options.profile.is_none() {
         notes.extend(refused);
     } else {

@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_4;
 
-use crate::geom::form::{Form, OpenForm};
+use crate::geom::form::{Form, OpenForm, SLACK};
 use crate::geom::ninths::ninth;
 use crate::geom::{nearest_on_segment, polygon};
 use crate::lines::{Arrow, arrows};
@@ -25,8 +25,6 @@ type OpenBox = (&'static str, [MmPoint; 2], f32, fn(MmPoint, MmRect) -> f32);
 
 /// An end of a line lies on another one that is so near to it, mm, beside what both may be off straight.
 const ENDS_ON: f32 = 0.5;
-/// How far an open rectangle may lie off its straight sides, mm.
-const SLACK: f32 = 1.0;
 /// Least side of one, mm: as narrow a bend is a hook.
 const LEAST_BOX: f32 = 4.0;
 /// How much its length may differ from that of three sides, as a share.

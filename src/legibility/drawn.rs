@@ -160,11 +160,14 @@ fn unread(object: &UnreadObject, sheet: MmRect) -> Vec<FoundBreach> {
     match &object.kind {
         UnreadKind::Picture => vec![found(PICTURE, "a picture of pixels lies on the page".to_owned())],
         UnreadKind::Clone(of) => {
-            let of = if of.is_empty() { "nothing".to_owned() } else { format!("\"{}\"", short(of)) };
-            vec![found(ELSEWHERE, format!("a clone of {of}, which is not in this file, and render leaves it out"))]
+            let what = match of.is_empty() {
+                true => "a clone names nothing to show: render leaves it out".to_owned(),
+                false => format!("a clone shows \"{}\", which is not in this file: render leaves it out", short(of)),
+            };
+            vec![found(ELSEWHERE, what)]
         }
         UnreadKind::Foreign(words) => {
-            let lost = found(ELSEWHERE, "an object that SVG does not draw, and render leaves it out".to_owned());
+            let lost = found(ELSEWHERE, "an object has content that is no SVG: render leaves it out".to_owned());
             let letters = (!words.is_empty()).then(|| found(LETTERS, in_letters(words)));
             std::iter::once(lost).chain(letters).collect()
         }

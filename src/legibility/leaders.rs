@@ -109,7 +109,7 @@ fn of_line(
     let way = (from - at).try_normalize()?;
     let is_other = |line: u32| paths.paths[line as usize].line != of.line;
     let is_near = |at: MmPoint, reach: f32| index.nearest(at, reach, |other| is_other(other.line)).is_some();
-    // or another ends on it, as a wire on the plate of a battery
+    // or another has an end or a corner on it, as a wire on the plate of a battery
     let mut crosses = false;
     index.around(a.min(b), a.max(b), LEADER_FREE, |other| {
         let ends_on = || [other.a, other.b].iter().any(|end| nearest_on_segment(*end, a, b).0 < LEADER_FREE);

@@ -6,7 +6,7 @@ use super::clearance::LEVEL;
 use super::faint::is_faint;
 use super::params::Params;
 use super::vertex::{Vertex, nearby};
-use crate::geom::form::{Form, OpenForm, from_to};
+use crate::geom::form::{Form, OpenForm, SLACK, from_to};
 use crate::geom::ninths::{NAMES, most_of, ninth};
 use crate::geom::polyline::{self, Polyline};
 use crate::units::{MmPoint, MmRect};
@@ -57,9 +57,6 @@ pub struct LostLine {
 
 /// What an open line is that is not drawn: its form, and from where to where it leads, in words or none.
 pub(super) type LostForm = (Form, &'static str);
-
-/// How far a line may lie off the straight between its ends and be told as straight, mm, as where it is described.
-const SLACK: f32 = 1.0;
 
 /// What a line along a path is; none of one that comes back to where it began.
 pub(crate) fn lost_form(path: &[MmPoint]) -> Option<LostForm> {

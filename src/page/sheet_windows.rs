@@ -45,8 +45,8 @@ pub fn place_in_words(at: MmPoint, sheets: Option<&SheetWindows>) -> String {
     }
 }
 
-/// The same with what the numbers count from: `20, 30 mm from the left and the top of the sheet`, which is called
-/// `name` where there is one.
+/// The same with what the numbers count from: `20, 30 mm from the left and the top of the sheet`; `name` is what a
+/// single one is called, such as `display`.
 pub fn place_from_edges(at: MmPoint, sheets: Option<&SheetWindows>, name: &str) -> String {
     let mm = |at: MmPoint| format!("{:.0}, {:.0} mm from the left and the top of", at.x, at.y);
     match sheets.map(|sheets| sheets.on_sheet(at)) {

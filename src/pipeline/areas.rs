@@ -131,6 +131,7 @@ impl NearCells {
     fn of(page: &Page, grid: &CellsOfFigure, signs: &Index<SignOfArea, Mm>, lies_on: &[Vec<u32>]) -> Self {
         let lines = index_of_lines(&page.figure.lines, page.figure.place, REACH);
         let count = lies_on.len();
+        let lies_under = turned(lies_on);
         let mut all = Self { near: vec![Vec::new(); count], others: vec![Vec::new(); count] };
         for cell in 0..grid.size.len() {
             let at = grid.middle(cell);
@@ -149,7 +150,7 @@ impl NearCells {
                 let own = found.iter().filter(|(_, of, _)| *of == number).take(MOST_TRIED);
                 own.filter(|(_, _, sign)| !is_between(&lines, at, *sign)).map(|(distance, ..)| *distance).next()
             };
-            for (upper, _) in (0_u32..).zip(lies_on).filter(|(_, below)| below.contains(&area)) {
+            for &upper in &lies_under[area as usize] {
                 all.near[upper as usize].extend(nearest_of(upper).map(|distance| (distance, cell)));
             }
             for &below in &lies_on[area as usize] {
@@ -159,6 +160,15 @@ impl NearCells {
         }
         all
     }
+}
+
+/// For each area the numbers of those that lie on it.
+fn turned(lies_on: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let mut lies_under = vec![Vec::new(); lies_on.len()];
+    for (upper, below) in (0..).zip(lies_on) {
+        below.iter().for_each(|of| lies_under[*of as usize].push(upper));
+    }
+    lies_under
 }
 
 /// The numbers of areas, the uppermost first.

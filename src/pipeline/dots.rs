@@ -72,7 +72,7 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }
 
-/// A line of which no dots are left.
+/// A line of which hardly any dots are left.
 fn gone_line(line: &Line) -> LostLine {
     let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
     let (extent, length, form) = (extent(line), line.length(), lost_form(&path));

@@ -255,7 +255,7 @@ fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOption
 
 /// Whether a drawing has paths alone, and none of them can be letters.
 fn has_no_letters(drawing: &VectorDrawing) -> bool {
-    drawing.pixel_areas.is_empty() && !paints_letters(drawing, 1.0 / FINER as f32, |_| true)
+    drawing.pixel_areas.is_empty() && !paints_letters(drawing, 1.0 / FINER as f32, |_| true, |_| true)
 }
 
 /// Whether what was found in the pixels of a drawing may be letters that its paths paint, each by itself: a piece of a
@@ -267,21 +267,34 @@ fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool 
     let meets = |area: &PixelArea| area.min.x < max.x && area.max.x > min.x && area.min.y < max.y && area.max.y > min.y;
     let is_inside =
         |area: &PixelArea| area.min.x >= min.x && area.max.x <= max.x && area.min.y >= min.y && area.max.y <= max.y;
-    drawing.pixel_areas.iter().any(meets) || paints_letters(drawing, scale, is_inside)
+    drawing.pixel_areas.iter().any(meets) || paints_letters(drawing, scale, meets, is_inside)
 }
 
-/// Whether two parts of paths at least, of those at some place, are as small as letters, and not all of them straight
+/// Whether two parts of paths at least, of those that are at some place and whose paths are near it, are as small as letters, and not all of them straight
 /// strokes, such as the ticks of a clock, or bars and dots. The working picture is `scale` times as large
 /// as the one in which letters are looked for.
-fn paints_letters(drawing: &VectorDrawing, scale: f32, is_there: impl Fn(&PixelArea) -> bool) -> bool {
+fn paints_letters(
+    drawing: &VectorDrawing,
+    scale: f32,
+    is_near: impl Fn(&PixelArea) -> bool,
+    is_there: impl Fn(&PixelArea) -> bool,
+) -> bool {
     let (mut letters, mut has_bent) = (0, false);
     for painted in &drawing.paths {
+        let of = painted.path.bounds();
+        let (min, max) = (PxPoint::new(of.left(), of.top()), PxPoint::new(of.right(), of.bottom()));
+        if !is_near(&PixelArea { min, max }) {
+            continue;
+        }
         let is_letter = |area: &PixelArea| is_there(area) && lettering::may_be_letters((area.max - area.min) / scale);
         let count = painted.parts().iter().filter(|area| is_letter(area)).count();
         letters += count;
         has_bent |= count > 0 && painted.may_be_letters();
+        if letters > 1 && has_bent {
+            return true;
+        }
     }
-    letters > 1 && has_bent
+    false
 }
 
 /// How far beyond the box of a text its letters reach, as a share of their height: tails of small letters.

@@ -116,7 +116,7 @@ pub(super) fn marks(
     leaders.extend(leaders::of_dots(page).map(|ends| ends.map(moved(page, &layout))));
     let lines = leaders::spaced(drawn.lines, &leaders, &layout);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines };
-    let left_out = beside_words_of(page, left_out(&drawn.lost, overview.lost.rings, of_drawing));
+    let left_out = beside_counts_of(page, left_out(&drawn.lost, overview.lost.rings, of_drawing));
     let (said, told) = sheet_of_set(PageSays::of(left_out), page, &layout, plan);
     notes.extend(told);
     Ok(DrawnMarks {
@@ -208,10 +208,10 @@ fn sheet_of_set(said: PageSays, page: &Page, layout: &Layout, plan: &Plan) -> (P
     (PageSays { in_set, label, ..said }, told)
 }
 
-/// What is left out of a page that is laid out anew, with the words that it lacked before.
-fn beside_words_of(page: &Page, left_out: LeftOut) -> LeftOut {
-    let LeftOut { texts, labels, .. } = LeftOut::of(page);
-    LeftOut { texts, labels, ..left_out }
+/// What is left out of a page that is laid out anew, with the words and areas that it lacked before.
+fn beside_counts_of(page: &Page, left_out: LeftOut) -> LeftOut {
+    let LeftOut { areas, texts, labels, .. } = LeftOut::of(page);
+    LeftOut { areas, texts, labels, ..left_out }
 }
 
 /// The layout of a page whose labels have room beside its figure, as those of a drawing have.

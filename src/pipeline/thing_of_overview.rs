@@ -65,11 +65,11 @@ fn told_of(
     }
     let at = thing.inside()?;
     let [across, down] = [at.x / picture.width as f32, at.y / picture.height as f32].map(|share| 100.0 * share);
+    let share = if there < 0.005 { "nothing".to_owned() } else { format!("{:.0} percent", 100.0 * there) };
     let what = format!(
         "much of the outline of the thing at {across:.0}%,{down:.0}%, which comes first in the figure, in the \
-         overview: {:.0} percent of it are there, as other shapes come first there; name this place as the subject if \
-         the picture is about it, or ask for few shapes (lines.shapes = 5), which are the same in both",
-        100.0 * there
+         overview: {share} of it is there, as other shapes come first there; name this place as the subject if \
+         the picture is about it, or ask for few shapes (lines.shapes = 5), which are the same in both"
     );
     Some(Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, what))
 }

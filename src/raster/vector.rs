@@ -102,12 +102,13 @@ fn is_convex(corners: &[PxPoint]) -> bool {
     let turns = sides.iter().zip(sides.iter().cycle().skip(1)).map(|(a, b)| a.cross(*b));
     let (left, right) = turns.fold((0.0_f32, 0.0_f32), |(left, right), turn| (left.min(turn), right.max(turn)));
     // of one that goes round once, sides point to the right in one stretch
-    let to_right: Vec<bool> = sides.iter().map(|side| side.x > 0.0).collect();
+    let to_right: Vec<bool> = sides.iter().filter(|side| side.x.abs() > STRAIGHT_ON).map(|side| side.x > 0.0).collect();
     let changes = to_right.iter().zip(to_right.iter().cycle().skip(1)).filter(|(a, b)| a != b).count();
     left.abs().min(right) <= STRAIGHT_ON && changes <= 2
 }
 
-/// Sine of a turn that is none: where pieces of a curve meet, their control points lie on one line but for rounding.
+/// Sine of a turn that is none, and of a side's angle to the upright that is none: where pieces of a curve meet, their
+/// control points lie on one line but for rounding.
 const STRAIGHT_ON: f32 = 1e-3;
 
 /// A text of a drawing.

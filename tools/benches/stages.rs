@@ -69,7 +69,7 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     let layout = layout_of(decoded.source.size, plan);
     let frame = PageTransform::new(raster.size(), layout.figure);
     let px_per_mm = 1.0 / frame.mm_per_px();
-    let kind = PictureKind::of(raster, decoded.lossy);
+    let kind = PictureKind::of_bitmap(raster, decoded.lossy);
     let contours_of = |regions| edges::find_of_kind(raster, &kind, &plan.edges(px_per_mm), regions);
     let found = contours_of(plan.region_detail());
     let drawn = lines::draw(&found, &frame, layout.figure, &plan.lines());

@@ -33,6 +33,16 @@ fn bars_and_dots_are_no_letters() {
 }
 
 #[test]
+fn circles_are_no_letters_wherever_they_lie() {
+    for number in 0..400_u16 {
+        let [x, y, radius] =
+            [100.0 + 1.37 * f32::from(number), 80.0 + 0.77 * f32::from(number), 5.0 + 0.013 * f32::from(number)];
+        let circle = PathBuilder::from_circle(x, y, radius).expect("it has a radius");
+        assert!(!PaintedPath::filled(circle).may_be_letters(), "{x} {y} {radius}");
+    }
+}
+
+#[test]
 fn what_is_not_convex_and_what_has_several_parts_may_be_letters() {
     // five sides that turn the same way, twice around
     let star: Vec<[f32; 2]> = (0..5)

@@ -69,7 +69,7 @@ fn what_is_left_out_is_found_with_its_place_and_its_letters() {
     let clone = checked("<g transform='translate(10 5)'><use href='other.svg#cup' x='60' y='240'/></g>");
     let found = of(&clone, "elsewhere");
     assert!(found.len() == 1 && !found[0].is_error(), "{clone}");
-    assert!(found[0].what.starts_with("a clone of \"other.svg#cup\", which is not in this file"), "{clone}");
+    assert!(found[0].what.starts_with("a clone shows \"other.svg#cup\", which is not in this file"), "{clone}");
     assert_eq!(extent(&clone, "elsewhere")[..2], [70, 245]);
     assert_eq!(of(&checked("<use href='#gone'/>"), "elsewhere").len(), 1);
     assert!(
