@@ -38,7 +38,7 @@ fn an_area_that_was_deleted_stays_blank_and_the_others_stay_as_they_are() {
     for class in Class::ALL {
         let own = if class == gone.class { gone.glyphs.len() } else { 0 };
         let (was, is) = (signs(&before, class, sheet) - own, signs(&after, class, sheet));
-        assert!(was.abs_diff(is) as f32 <= 0.03 * was as f32, "{class:?}: {is} signs in place of {was}");
+        assert!(was.abs_diff(is) as f32 <= 0.04 * was as f32, "{class:?}: {is} signs in place of {was}");
     }
 }
 
