@@ -77,6 +77,19 @@ impl Group {
             self.members.iter().zip(steps).filter(|(_, step)| *step % count == 0).map(|(&i, &step)| (i, step)).unzip();
         Self { members, steps: Some(steps), ..self.clone() }
     }
+
+    /// Whether its labels stand in the cells of a table, of which `cell` gives that of each. Numbers in even steps do
+    /// if each has a cell of its own, with another text, as in a table of the elements; those of an axis may stand in
+    /// the squares of its grid.
+    pub(super) fn is_of_table(&self, wanted: &[Wanted], cell: impl Fn(usize) -> Option<MmRect>) -> bool {
+        let is_in = |of: &MmRect, label: usize| of.contains(wanted[label].anchor.center());
+        let is_own = |own: usize, of: &MmRect| self.members.iter().all(|&label| label == own || !is_in(of, label));
+        let has_other = |own: usize, of: &MmRect| {
+            (0..wanted.len()).any(|label| label != own && !wanted[label].anchor.is_empty() && is_in(of, label))
+        };
+        let is_of_cell = |own: usize, of: &MmRect| self.steps.is_none() || is_own(own, of) && has_other(own, of);
+        self.members.iter().all(|&label| cell(label).is_some_and(|of| is_of_cell(label, &of)))
+    }
 }
 
 /// What is written of what is wanted, in rows and columns: texts, and points that are at the lower side of a shape. Two

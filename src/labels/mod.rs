@@ -229,8 +229,7 @@ fn groups_of(
     let is_at_line = |label: usize| levels::is_at_line(wanted[label].anchor, around[label].room);
     let mut groups = groups::of(wanted, is_written, |label| around[label].is_at_lower_side(), is_at_line);
     // each word of a table has a cell of its own, and need not be shorter for one that is too long for its
-    let is_of_table =
-        |group: &Group| group.steps.is_none() && group.members.iter().all(|&label| around[label].cell.is_some());
+    let is_of_table = |group: &Group| group.is_of_table(wanted, |label| around[label].cell);
     let of_tables: BTreeSet<usize> =
         groups.iter().filter(|group| is_of_table(group)).flat_map(|group| group.members.clone()).collect();
     groups.retain(|group| !is_of_table(group));

@@ -66,3 +66,27 @@ fn points_are_a_row_only_where_they_are_at_the_lower_side_of_shapes() {
     assert_eq!(groups(&points), [(GroupDirection::BelowPoints, vec![1, 2, 0])]);
     assert!(of(&points, |_| true, |_| false, |_| true).is_empty());
 }
+
+#[test]
+fn numbers_in_even_steps_are_of_a_table_where_each_has_a_cell_with_another_text() {
+    // a number in the upper left of each of three cells of 20 mm, with a sign below it
+    let number = |i: u8| text(&(3 + i).to_string(), [20.0 * f32::from(i) + 2.0, 2.0, 3.0, 4.0]);
+    let sign = |i: u8| text("X", [20.0 * f32::from(i) + 8.0, 10.0, 5.0, 7.0]);
+    let cell = |wanted: &[Wanted], label: usize| {
+        let left = 20.0 * (wanted[label].anchor.center().x / 20.0).floor();
+        MmRect::new(MmPoint::new(left, 0.0), MmPoint::new(left + 20.0, 20.0))
+    };
+    let is_of_table = |wanted: &[Wanted]| {
+        let all = of(wanted, |_| true, |_| true, |_| true);
+        let scale = all.iter().find(|group| group.steps.is_some()).expect("numbers in even steps");
+        scale.is_of_table(wanted, |label| Some(cell(wanted, label)))
+    };
+    let table: Vec<Wanted> = (0..3).map(number).chain((0..3).map(sign)).collect();
+    assert!(is_of_table(&table));
+    assert!(!is_of_table(&table[..5]), "the last one is alone in its square, as those of an axis are");
+    let all = of(&table, |_| true, |_| true, |_| true);
+    assert!(all.iter().all(|group| !group.is_of_table(&table, |_| None)), "they stand in no cells");
+    let wide = MmRect::new(MmPoint::zero(), MmPoint::new(60.0, 20.0));
+    let scale = all.iter().find(|group| group.steps.is_some()).expect("numbers in even steps");
+    assert!(!scale.is_of_table(&table, |_| Some(wide)), "all are in one frame");
+}
