@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::placed::WrittenLabel;
+use super::scale;
 use crate::braille::{Braille, Lacking, Translator, characters};
 
 /// An abbreviation.
@@ -43,9 +44,11 @@ pub(super) fn all(
             // what cannot be written cannot be abbreviated either
             let written = known.get(text).and_then(|braille| braille.as_ref().ok());
             let numbered = texts.iter().find_map(|other| numbered(text, other));
-            let proposals = written.map(|braille| proposals(&without(text, &braille.lacking), texts));
+            let quantity = written.and_then(|_| quantity(text));
+            let in_letters = written.filter(|_| quantity.is_none());
+            let proposals = in_letters.map(|braille| proposals(&without(text, &braille.lacking), texts));
             let own_word = texts.iter().find_map(|other| own_word(text, other));
-            let as_numbered = own_word.into_iter().chain(numbered);
+            let as_numbered = own_word.into_iter().chain(numbered).chain(quantity.into_iter().flatten());
             let short = as_numbered.chain(proposals.into_iter().flatten()).find_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
                 let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
@@ -99,6 +102,18 @@ fn own_word(text: &str, other: &str) -> Option<String> {
     let is_alike = of_text.len() == of_other.len() && of_text.len() > 1 && next.is_none();
     let is_short = own.chars().count() < MOST_DIGITS && own.chars().all(char::is_alphanumeric);
     (is_alike && is_numbered && is_short).then(|| own.clone())
+}
+
+/// "100" or else "k100" for "100 km": an abbreviation of a quantity has its number, as the unit alone says nothing. None
+/// for texts that are no quantity, or whose unit has no two letters, as those have none.
+fn quantity(text: &str) -> Option<[String; 2]> {
+    // in a key a blank parts an abbreviation from its text
+    let number = scale::without_unit(text)?.replace(char::is_whitespace, "");
+    let lower = text.to_lowercase();
+    let mut letters = lower.chars().filter(|letter| letter.is_alphabetic());
+    let (letter, _) = (letters.next()?, letters.next()?);
+    let with_letter = format!("{letter}{number}");
+    Some([number, with_letter])
 }
 
 /// A text without the characters that its code lacks.

@@ -55,6 +55,15 @@ fn what_tells_numbered_things_apart_is_kept() {
     assert_eq!(short(&["Class 5a", "Class 5b", "Class 6a"], "en"), ["5a", "5b", "6a"]);
 }
 
+/// "km" for "100 km" would say nothing of the scale of a map.
+#[test]
+fn a_quantity_keeps_its_number() {
+    assert_eq!(short(&["100 km", "Port Ann"], "en"), ["100", "pa"]);
+    assert_eq!(short(&["100 km", "100"], "en"), ["k100", "-"], "the number is a label of its own");
+    assert_eq!(short(&["2,5 km", "12 000 km", "15 °C", "12 m"], "de"), ["2,5", "12000", "-", "-"]);
+    assert_eq!(short(&["50 km", "100 km"], "en"), ["k50", "k100"], "their numbers tell them apart");
+}
+
 /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may
 /// write two letters alike, and cells of abbreviations are never the same.
 #[test]
