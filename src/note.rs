@@ -190,7 +190,7 @@ pub enum Note {
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
     #[error(
         "abbreviated for want of room: {}",
-        .0.iter().map(|(short_form, text)| format!("{short_form} = {}", short(text))).collect::<Vec<_>>().join(", ")
+        .0.iter().map(|(brief, text)| format!("{brief} for \"{}\"", short(text))).collect::<Vec<_>>().join(", ")
     )]
     Abbreviated(Vec<(String, String)>),
     /// A key is asked for, and there is none; says why.

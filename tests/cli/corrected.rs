@@ -32,6 +32,7 @@ fn a_page_with_new_abbreviations_has_a_key() {
     assert!(told.contains("wrote done-1.svg: figure\n") && told.contains("wrote done-2.svg: key\n"), "{told}");
     let (page, key) = (read(&place, "done-1.svg"), read(&place, "done-2.svg"));
     let short = page.braille.iter().find_map(|text| text.abbreviation.clone()).expect("it is abbreviated");
+    assert!(told.contains(&format!("{short} for \"Thermometers of the whole house\"")), "{told}");
     let says = |key: &Page| {
         let of_key = key.braille.iter().filter(|text| text.role == TextRole::Key).map(|text| text.text.clone());
         of_key.collect::<Vec<_>>()
