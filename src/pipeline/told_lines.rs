@@ -81,6 +81,7 @@ pub(super) fn told_of_lost(
     layout: &Layout,
 ) -> impl Iterator<Item = Note> {
     let (lost, sheets) = (&drawn.lost, Places::of(layout));
+    let texts = &of_places(texts, &drawn.lines)[..];
     let is_all = is_all_of_torn(lost, least_told(&layout.medium, lost.wanted));
     let left_out = told_left_out(drawn, edges, layout);
     let left_out = left_out.filter(|note| !(is_all && matches!(note, Note::LinesLeftOut { .. })));
@@ -112,6 +113,21 @@ fn beside_gone<'t>(gone: &[&LostLine], drawn: &[Line], texts: &'t [Text]) -> Vec
     };
     texts.iter().filter(is_beside).map(|text| text.string.as_str()).collect()
 }
+
+/// The texts after which places are named: all but titles, which stand above all lines in larger letters than the texts
+/// beside those.
+fn of_places(texts: &[Text], drawn: &[Line]) -> Vec<Text> {
+    let points = drawn.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
+    let top = points.map(|at| at.y).fold(f32::INFINITY, f32::min);
+    let is_above = |text: &Text| text.place.max.y <= top;
+    let beside = texts.iter().filter(|text| text.is_read() && !is_above(text));
+    let largest = beside.map(|text| text.size).fold(0.0, f32::max);
+    let is_title = |text: &Text| is_above(text) && largest > 0.0 && text.size > LARGER * largest;
+    texts.iter().filter(|text| !is_title(text)).cloned().collect()
+}
+
+/// The letters of a title are so many times as large as any beside the lines, at least.
+const LARGER: f32 = 1.1;
 
 /// A line is named after a text that is no farther from it than this, mm: about a cell of a table, or half a room.
 const NAMES: f32 = 20.0;

@@ -131,6 +131,14 @@ fn a_line_that_is_gone_is_told_with_the_text_that_is_nearest_to_it() {
     let beside_door = |texts: &[Text]| near_text(&door, texts);
     assert_eq!(beside_door(&[text("Garden", 10.0), text("Dining room", 52.0)]), ", near \"Dining room\"");
     assert_eq!(beside_door(&[text("Garden", 10.0)]), "", "it is 26 mm away");
+    // a title above all lines names no place, and a text as large as the others does
+    let path = vec![MmPoint::new(22.0, 40.0), MmPoint::new(60.0, 90.0)];
+    let line = Line { strength: 40.0, runs: vec![Run::stroke(1.5, path)] };
+    let near = |size: f32| {
+        let plan = [Text { size, ..text("Plan", 30.0) }, text("Cellar", 70.0)];
+        beside_door(&of_places(&plan, std::slice::from_ref(&line)))
+    };
+    assert_eq!((near(6.0).as_str(), near(4.0).as_str()), ("", ", near \"Plan\""));
 }
 
 #[test]
