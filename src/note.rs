@@ -13,7 +13,7 @@ pub use reason::Reason;
 
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, or_if_none,
-    outline_of_subject, shade, share_of, short, sides, simplified, turned, what_if_not_meant,
+    outline_of_subject, rather_as_text, shade, share_of, short, sides, simplified, turned, what_if_not_meant,
 };
 
 /// One remark about a page that was made all the same. It says itself in one line, and is an error only in that it can
@@ -51,11 +51,12 @@ pub enum Note {
     /// Texts of a drawing are left out, as letters are no lines that fingers can read; all of them.
     #[error("{} left out, as fingers cannot read letters: {}", counted(.0.len(), "text"), listed(.0))]
     TextsLeftOut(Vec<String>),
-    /// Text in the pixels of the picture is left out; what it says is not known.
+    /// Text in the pixels of the picture, or in the shapes of a drawing, is left out; what it says is not known.
     #[error(
-        "{} left out, {}in the {place}, as fingers cannot read letters; keep the text to draw {}{}",
+        "{} left out, {}in the {place}, as fingers cannot read letters; {}keep the text to draw {}{}",
         counted(*.texts, "text"),
         if *.texts == 1 { "" } else { "the largest " },
+        rather_as_text(*.are_shapes),
         it_or_them(*.texts),
         or_if_none(*.texts)
     )]
@@ -64,6 +65,8 @@ pub enum Note {
         texts: usize,
         /// Where in the figure the largest of them is, in words.
         place: &'static str,
+        /// Whether they are shapes of a drawing, and no pixels.
+        are_shapes: bool,
     },
     /// The ground of a scan or photograph of a drawing is taken for the paper that it is on, and is blank.
     #[error(
@@ -199,7 +202,7 @@ pub enum Note {
     /// The texts of the picture were to be labels, and it has none.
     #[error(
         "there are no texts for labels: none was found in this picture, there is no font for them, or its letters \
-         are pixels that nobody has read; write a list of labels"
+         are pixels or shapes that nobody has read; write a list of labels"
     )]
     NoTexts,
     /// Labels that are not on the page.

@@ -124,7 +124,7 @@ fn same(a: &Drawing, b: &Drawing) -> [f64; 2] {
 
 fn is_told(drawing: &Drawing) -> Option<(usize, &'static str)> {
     drawing.notes.iter().find_map(|note| match note {
-        Note::LetteringLeftOut { texts, place } => Some((*texts, *place)),
+        Note::LetteringLeftOut { texts, place, .. } => Some((*texts, *place)),
         _ => None,
     })
 }
@@ -285,10 +285,15 @@ fn no_text_is_looked_for_in_a_picture_of_lines() {
 /// The arm of a person may be taken for a text: then there is one, or there are two.
 #[test]
 fn of_few_texts_is_said_that_they_may_be_none() {
-    let told = |texts: usize| Note::LetteringLeftOut { texts, place: "middle" }.to_string();
+    let note = |texts: usize, are_shapes: bool| Note::LetteringLeftOut { texts, place: "middle", are_shapes };
+    let told = |texts: usize| note(texts, false).to_string();
     let wanted =
         "1 text left out, in the middle, as fingers cannot read letters; keep the text to draw it, or if it is none";
     assert_eq!(told(1), wanted);
     assert!(told(2).ends_with("draw them, or if one of them is none"), "{}", told(2));
     assert!(told(3).ends_with("draw them"), "{}", told(3));
+    // a chart whose letters are paths can be saved with text
+    let shapes = note(3, true).to_string();
+    assert!(shapes.contains("letters; for braille save the drawing with its text as text"), "{shapes}");
+    assert!(shapes.contains("svg.fonttype none") && shapes.ends_with("), or keep the text to draw them"), "{shapes}");
 }

@@ -60,6 +60,17 @@ pub(super) fn or_if_none(texts: usize) -> &'static str {
     }
 }
 
+/// What is better than letters that are drawn, where they are shapes of a drawing, as the beginning of a sentence: a
+/// program that draws charts can write them as text, which becomes braille.
+pub(super) fn rather_as_text(are_shapes: bool) -> &'static str {
+    if are_shapes {
+        "for braille save the drawing with its text as text, not as shapes (in matplotlib as SVG, with svg.fonttype \
+         none), or "
+    } else {
+        ""
+    }
+}
+
 pub(super) fn it_or_them(count: usize) -> &'static str {
     if count == 1 { "it" } else { "them" }
 }

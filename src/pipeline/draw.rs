@@ -120,7 +120,7 @@ pub(super) fn find(
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
     let mut texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
-    notes.extend(texts::left_out(&texts, layout.figure));
+    notes.extend(texts::left_out(&texts, layout.figure, picture.drawing.as_ref()));
 
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;

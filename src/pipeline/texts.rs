@@ -3,7 +3,7 @@
 use crate::Note;
 use crate::geom::{nearest_on_segment, ninths};
 use crate::lines::Line;
-use crate::raster::vector::DrawnText;
+use crate::raster::vector::{DrawnText, VectorDrawing};
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 
 /// A text of a picture that is not drawn, for labels in braille or a list beside the page.
@@ -129,8 +129,9 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
     texts.iter().map(placed).collect()
 }
 
-/// What the maker is told of texts that are not drawn in a figure.
-pub(super) fn left_out(texts: &[Text], figure: MmRect) -> Vec<Note> {
+/// What the maker is told of texts that are not drawn in a figure. Those of which nobody knows what they say are shapes
+/// where the picture is a `drawing` of paths alone.
+pub(super) fn left_out(texts: &[Text], figure: MmRect, drawing: Option<&VectorDrawing>) -> Vec<Note> {
     let seen = || texts.iter().filter(|text| !text.hidden);
     let known: Vec<String> = seen().map(|text| text.string.clone()).filter(|string| !string.is_empty()).collect();
     let unknown = || seen().filter(|text| text.string.is_empty());
@@ -138,6 +139,7 @@ pub(super) fn left_out(texts: &[Text], figure: MmRect) -> Vec<Note> {
     let told = largest.map(|largest| Note::LetteringLeftOut {
         texts: unknown().count(),
         place: ninths::NAMES[ninths::ninth(largest.place.center(), figure)],
+        are_shapes: drawing.is_some_and(|drawing| drawing.pixel_areas.is_empty()),
     });
     (!known.is_empty()).then_some(Note::TextsLeftOut(known)).into_iter().chain(told).collect()
 }
