@@ -96,6 +96,11 @@ impl Making {
         matches!(self, Self::Print(_) | Self::Embossing(_) | Self::Pins)
     }
 
+    /// Whether its figure would be larger without the overview.
+    fn is_larger_without_overview(self) -> bool {
+        matches!(self, Self::Print(larger) if larger.without_overview)
+    }
+
     /// Whether a picture can be spread over several sheets, and is not yet.
     fn has_sheets(self) -> bool {
         matches!(self, Self::Print(larger) | Self::Embossing(larger) if larger.is_on_one_sheet)
@@ -134,6 +139,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             format!("{note} (--subject with this place, or --simplify 5)")
         }
         Note::TooDense { .. } if making.has_sheets() => match making.larger() {
+            Some(_) if making.is_larger_without_overview() => format!("{note} (--no-overview, {SHEETS}, --crop)"),
             Some(_) => format!("{note} ({SHEETS}, --crop)"),
             None => format!("{note} (--crop)"),
         },

@@ -149,8 +149,13 @@ fn what_helps_a_drawing_that_is_too_dense_is_told_with_options() {
     let ruled = format!("<svg xmlns='http://www.w3.org/2000/svg' width='840' height='592'>{rules}</svg>");
     place.put("ruled.svg", ruled.as_bytes());
     // on several sheets a figure of a width that is asked for is no larger
-    for (width, options) in [(&[][..], "--sheets 2x2, --crop"), (&["--width-mm", "120"], "--crop")] {
-        let run = place.run(&[&["convert", "ruled.svg", "-o", "page.svg", "--force"], width].concat());
+    let cases: [(&[&str], &str); 3] = [
+        (&[], "--no-overview, --sheets 2x2, --crop"),
+        (&["--no-overview"], "--sheets 2x2, --crop"),
+        (&["--width-mm", "120"], "--crop"),
+    ];
+    for (asked, options) in cases {
+        let run = place.run(&[&["convert", "ruled.svg", "-o", "page.svg", "--force"], asked].concat());
         assert_eq!(run.code, 0, "{}", run.err);
         assert!(run.err.contains(&format!("so that it is larger ({options})\n")), "{}", run.err);
     }

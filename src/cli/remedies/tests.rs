@@ -55,6 +55,22 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert!(told(Making::PageAnew).contains("figure.textures=false") && !told(Making::PageAnew).contains("--outlines"));
 }
 
+/// A drawing that is too dense has more room without the overview, where that takes height of the sheet.
+#[test]
+fn a_drawing_that_is_too_dense_may_do_without_its_overview() {
+    let of = |name: &str| Making::of_picture(&Profile::named(name).expect("it is built in"), false);
+    let dense = Note::TooDense { millimetres: 307, percent: 25, place: None, width: 174, is_larger_turned: false };
+    let cases = [
+        (of("swell-a4").beside_overview(true), "(--no-overview, --sheets 2x2, --crop)"),
+        (of("swell-a4").beside_overview(false), "(--sheets 2x2, --crop)"),
+        (of("index-basic-d").beside_overview(true), "(--sheets 2x2, --crop)"),
+    ];
+    for (making, options) in cases {
+        let told = of_note(&dense, making);
+        assert!(told.ends_with(&format!("so that it is larger {options}")), "{told}");
+    }
+}
+
 /// What makes a figure larger, of a label that has no room, and what does not: what is done already, and paper that
 /// there is not.
 #[test]
