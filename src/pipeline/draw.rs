@@ -150,7 +150,8 @@ pub(super) fn find(
     }
     let legend = legend::entries(&edges, &texts, &picture.raster, &layout, plan);
     if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
-        notes.extend(legend::moved_to_key(&mut edges, &legend, (&mut texts, become_labels(words)), &layout));
+        let words = (&mut texts[..], become_labels(words));
+        notes.extend(legend::moved_to_key(&mut edges, &legend, words, &picture.raster, &layout));
     }
     let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));

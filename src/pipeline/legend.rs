@@ -5,13 +5,14 @@ use super::texts::Text;
 use super::unwritten::named;
 use crate::classes::{Class, class_at};
 use crate::edges::{ChainRange, Edges};
+use crate::geom::polygon::holds_box;
 use crate::listing::list;
 use crate::page::layout::Layout;
 use crate::page::{Figure, Page, ToldInKey};
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::lab::pixel;
-use crate::units::{MmRect, PageTransform, PxPoint};
+use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 use crate::{About, Note, Reason};
 
 /// Sides of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
@@ -124,12 +125,13 @@ fn is_on_line(place: MmRect, edges: &Edges, transform: &PageTransform) -> bool {
 const OF_POINT: f32 = 0.5;
 
 /// Takes a legend whose words would become labels out of a drawing that has a key: its patches have no room for a
-/// texture, and a blank one beside a word would say that blank areas are what it names; words alone say nothing there.
-/// Tells of it.
+/// texture, and a blank one beside a word would say that blank areas are what it names; words alone say nothing there,
+/// and neither does a frame around them. Tells of it.
 pub(super) fn moved_to_key(
     edges: &mut Edges,
     entries: &[LegendEntry],
     (texts, is_label): (&mut [Text], impl Fn(&Text) -> bool),
+    raster: &Raster,
     layout: &Layout,
 ) -> Option<Note> {
     let is_entry = |text: &Text| entries.iter().any(|entry| entry.is_of(text));
@@ -148,14 +150,64 @@ pub(super) fn moved_to_key(
             .and_then(|first| patches.iter().find(|patch| patch.contains(first)))
             .is_some_and(|patch| points.all(|at| patch.contains(at)))
     };
-    let gone: Vec<bool> = edges.chains.iter().map(is_patch).collect();
-    let mut gone = gone.into_iter();
+    let of_patches: Vec<bool> = edges.chains.iter().map(is_patch).collect();
+    let of_frame = frames(edges, &of_patches, &patches, texts, raster, &transform);
+    let mut gone = of_patches.into_iter().zip(of_frame).map(|(of_patch, of_frame)| of_patch || of_frame);
     edges.chains.retain(|_| !gone.next().unwrap_or(false));
     let names: Vec<&str> = entries.iter().map(|entry| entry.text.as_str()).collect();
     let why = "its patches have no room for textures, and blank they would say something else; the key has it";
     let told = format!("the legend in the figure ({}), as {why}", named(&names));
     Some(Note::NotOnPage(About::Areas, Reason::LegendInKey, told))
 }
+
+/// Which of the contours are frames of a legend: closed, along the sides of a box that holds all `patches`, and in that
+/// nothing of the drawing but what is `of_patches` and words that the key has. What is filled stays, as its texture
+/// does.
+fn frames(
+    edges: &Edges,
+    of_patches: &[bool],
+    patches: &[MmRect],
+    texts: &[Text],
+    raster: &Raster,
+    transform: &PageTransform,
+) -> Vec<bool> {
+    let points = |chain: &ChainRange| -> Vec<MmPoint> {
+        edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
+    };
+    let is_frame = |(number, chain): (usize, &ChainRange)| {
+        if !chain.closed || of_patches[number] {
+            return false;
+        }
+        let own = points(chain);
+        let place = MmRect::from_points(&own);
+        let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
+        let holds = |chain: &ChainRange| points(chain).into_iter().any(|at| inside.contains(at));
+        let has_others = || {
+            let others = edges.chains.iter().zip(of_patches).enumerate();
+            others.filter(|(other, (_, of_patch))| *other != number && !**of_patch).any(|(_, (other, _))| holds(other))
+        };
+        own.iter().all(|at| !inside.contains(*at))
+            && patches.iter().all(|patch| holds_box(place, patch.inflate(-OF_PATCH, -OF_PATCH)))
+            && texts.iter().all(|text| text.in_key || !place.contains(text.place.center()))
+            && is_hollow(chain, place, raster, transform)
+            && !has_others()
+    };
+    edges.chains.iter().enumerate().map(is_frame).collect()
+}
+
+/// Whether a frame has one colour on both of its sides, above and below.
+fn is_hollow(chain: &ChainRange, place: MmRect, raster: &Raster, transform: &PageTransform) -> bool {
+    let off = transform.mm_per_px() * (0.5 * chain.kind.stroke.unwrap_or(0.0) + OFF);
+    let colour = |y: f32| {
+        let at = transform.to_px(MmPoint::new(place.center().x, y));
+        index(raster, at).map(|at| pixel(raster, at))
+    };
+    let is_same = |y: f32| colour(y - off).zip(colour(y + off)).is_some_and(|(a, b)| distance(a, b) < SAME);
+    [place.min.y, place.max.y].into_iter().all(is_same)
+}
+
+/// A frame of a legend lies no farther from the sides of the box around it, mm: its corners may be round.
+const BESIDE_FRAME: f32 = 1.5;
 
 /// The patches that were taken out of a drawing.
 pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmRect> {

@@ -184,6 +184,29 @@ fn bars_of_a_series_are_alike_and_the_key_tells_of_blank_ones() {
     }
 }
 
+/// A frame around a legend goes with it: nothing is left in it. One with something else in it stays.
+#[test]
+fn the_frame_of_a_legend_goes_with_it() {
+    let chart = grouped([12.0, 9.0, 14.0, 11.0], [10.0, 13.0, 8.0, 9.0], ["#1f77b4", "#ff7f0e"]);
+    let frame = "<rect x='404' y='10' width='216' height='44' rx='4' fill='#fff' stroke='#888' stroke-width='2'/>";
+    let cross = "<path d='M505 26L525 40M525 26L505 40' stroke='#000' stroke-width='2'/>";
+    let lines = |more: &str, profile: &str| {
+        let svg = chart.replacen("<rect x='420'", &format!("{more}<rect x='420'"), 1);
+        let drawing = drawn(&svg, profile);
+        assert!(notes(&drawing).contains("the legend in the figure (\"Girls\", \"Boys\")"), "{}", notes(&drawing));
+        let place = drawing.page.figure.place;
+        let legend = MmRect::new(on_page(place, 396.0, 0.0), on_page(place, 630.0, 58.0));
+        let points = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        (points.filter(|at| legend.contains(**at)).count(), notes(&drawing))
+    };
+    for profile in ["swell-a4", "index-basic-d"] {
+        let (points, told) = lines(frame, profile);
+        assert_eq!(points, 0, "{profile}: {told}");
+        assert!(!told.contains("small closed shape"), "{profile}: {told}");
+    }
+    assert!(lines(&[frame, cross].concat(), "swell-a4").0 > 4, "a cross is no part of a legend");
+}
+
 /// Three curves whose first points lie on the axis, each beside a number: these are no words of a legend.
 #[test]
 fn numbers_beside_the_first_points_of_curves_are_no_legend() {
