@@ -457,7 +457,9 @@ fn draw_whole(
         let mut drawn = dots::pressed(drawn, edges, layout.figure, layout, plan);
         of_dots.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
         if is_all {
-            drawn.lost.marks = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
+            let (marks, boxes) = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
+            drawn.lost.marks = marks;
+            drawn.lost.gone.retain(|line| !lost_marks::is_one_of(line, &boxes));
         }
         drawn
     };

@@ -12,7 +12,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
-use crate::lines::{Lines, Lost, LostMarks, LostScale};
+use crate::lines::{LineMarks, Lines, Lost, LostLine, LostMarks, LostScale};
 use crate::listing::list;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::profile::Plan;
@@ -63,11 +63,18 @@ enum MarkKind {
 /// An end of a mark on a line: how far it is from that, mm, and the direction of the line there.
 type OnLine = (f32, MmVector);
 
-/// The marks of a drawing that are shorter than `least`, mm, and not among its lines, which lie in `area`.
-pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTransform, least: f32) -> LostMarks {
-    let mut marks = LostMarks::default();
+/// The marks of a drawing that are shorter than `least`, mm, and not among its lines, which lie in `area`; and the
+/// boxes around them.
+pub(super) fn find(
+    edges: &Edges,
+    drawn: &Lines,
+    area: MmRect,
+    transform: &PageTransform,
+    least: f32,
+) -> (LostMarks, Vec<MmRect>) {
+    let (mut marks, mut boxes) = (LostMarks::default(), Vec::new());
     if !edges.of_drawing() {
-        return marks;
+        return (marks, boxes);
     }
     let Lines { lines, marks: handed_on, .. } = drawn;
     let index = index_of_lines(lines, area, ENDS_ON);
@@ -79,14 +86,6 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
     let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent).filter(|ring| ring.width() <= HIDES);
     let beads = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN));
     let covered: Vec<MmRect> = beads.chain(rings).collect();
-    let is_handed_on = |at: MmPoint| {
-        let ticks = || handed_on.scales.iter().flatten().chain(&handed_on.left_out);
-        let is_tick = |(from, to): (MmPoint, MmPoint)| nearest_on_segment(at, from, to).0 < DRAWN;
-        let points = &handed_on.points;
-        points.iter().any(|point| (at - point.at).length() < point.radius + DRAWN)
-            || handed_on.heads.iter().any(|head| head.extent.inflate(DRAWN, DRAWN).contains(at))
-            || ticks().any(|tick| is_tick(tick.segment()))
-    };
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
@@ -97,7 +96,7 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let middle = first.lerp(last, 0.5);
-        if covered.iter().any(|point| point.contains(middle)) || is_handed_on(middle) {
+        if covered.iter().any(|point| point.contains(middle)) || is_handed_on(middle, handed_on) {
             continue;
         }
         let looked = (0..PLACES).map(|i| i * (points.len() - 1) / (PLACES - 1));
@@ -118,9 +117,27 @@ pub(super) fn find(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageT
             MarkKind::Stroke => marks.strokes += 1,
         }
         marks.length += length;
-        marks.first.get_or_insert(first.lerp(last, 0.5));
+        marks.first.get_or_insert(middle);
+        boxes.push(MmRect::from_points(&points));
     }
-    marks
+    (marks, boxes)
+}
+
+/// Whether at a place is one of the marks that are drawn otherwise than as lines.
+fn is_handed_on(at: MmPoint, marks: &LineMarks) -> bool {
+    let mut ticks = marks.scales.iter().flatten().chain(&marks.left_out);
+    let is_tick = |(from, to): (MmPoint, MmPoint)| nearest_on_segment(at, from, to).0 < DRAWN;
+    marks.points.iter().any(|point| (at - point.at).length() < point.radius + DRAWN)
+        || marks.heads.iter().any(|head| head.extent.inflate(DRAWN, DRAWN).contains(at))
+        || ticks.any(|tick| is_tick(tick.segment()))
+}
+
+/// Whether a line that is gone is one of the marks with these `boxes` around them, which are told by what they are. It
+/// may be longer by what leads it on to its axis.
+pub(super) fn is_one_of(line: &LostLine, boxes: &[MmRect]) -> bool {
+    let is_same = |a: MmPoint, b: MmPoint| (a - b).length() <= DRAWN;
+    let is_of = |mark: &MmRect| is_same(mark.min, line.extent.min) && is_same(mark.max, line.extent.max);
+    !line.closed && boxes.iter().any(is_of)
 }
 
 /// Whether an arc and another line, which is not drawn either, are a ring in two pieces: they end beside one another

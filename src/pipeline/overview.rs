@@ -218,7 +218,7 @@ impl OverviewSource<'_> {
                 drawn = plain;
             }
         }
-        drawn.lost.marks = lost_marks::find(edges, &drawn, place, &transform, params.min_length);
+        drawn.lost.marks = lost_marks::find(edges, &drawn, place, &transform, params.min_length).0;
         PlacedOverview { place, rings, lines: drawn.lines, lost: drawn.lost }
     }
 

@@ -81,6 +81,17 @@ fn what_is_lost_is_counted() {
 }
 
 #[test]
+fn a_tick_that_is_told_as_such_is_no_line_that_is_gone() {
+    let of = |from: (f32, f32), to: (f32, f32)| MmRect::new(MmPoint::from(from), MmPoint::from(to));
+    let ticks = [of((108.5, 40.0), (112.8, 40.0)), of((108.5, 43.0), (112.8, 43.0))];
+    let gone = |extent: MmRect| LostLine { extent, length: 4.8, closed: false, is_faint: false, form: None };
+    assert!(is_one_of(&gone(of((108.0, 43.0), (112.8, 43.0))), &ticks), "led on to the axis");
+    assert!(!is_one_of(&gone(of((108.0, 46.0), (112.8, 46.0))), &ticks), "one beside them");
+    assert!(!is_one_of(&gone(of((110.6, 37.6), (110.6, 42.4))), &ticks), "one across them");
+    assert!(!is_one_of(&gone(of((108.0, 43.0), (122.8, 43.0))), &ticks), "a longer one");
+}
+
+#[test]
 fn what_the_figure_lacks_too_is_not_said_to_be_in_the_figure_only() {
     let lost = |arcs: usize, corners: usize| LostMarks { arcs, corners, ..LostMarks::default() };
     assert_eq!(told_not_in_overview(&lost(2, 1), &lost(2, 1)), None);
