@@ -45,11 +45,10 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
         return Vec::new();
     }
     let lengths: Vec<f32> = line.segments().map(|(a, b)| (*b - *a).length()).collect();
-    let hidden = HIDDEN + HIDDEN_WIDTHS * stroke.unwrap_or(0.0);
     let shown = bridged(
         &seen.iter().map(|seen| seen.strength >= params.low).collect::<Vec<_>>(),
         &lengths,
-        hidden,
+        most_hidden(*stroke),
         line.closed,
     );
     stretches(&shown, line.closed)
@@ -60,6 +59,11 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
             Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, on_borders, faint: false }
         })
         .collect()
+}
+
+/// The longest stretch of a line that something that crosses it hides, px.
+pub(super) fn most_hidden(stroke: Option<f32>) -> f32 {
+    HIDDEN + HIDDEN_WIDTHS * stroke.unwrap_or(0.0)
 }
 
 /// What the picture shows at a segment.

@@ -2,6 +2,7 @@
 
 use std::cmp::Reverse;
 
+use super::confirm::most_hidden;
 use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
 use crate::edges::faint::{FaintStrokes, WeighedStroke};
@@ -51,12 +52,17 @@ pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> (
     (kept, overlaid)
 }
 
-/// Whether the eye tells a stroke from those on which it lies, as a window of a plan from its wall.
+/// Whether the eye tells a stroke from those on which it lies, as a window of a plan from its wall. A short one has the
+/// contrast of what crosses it, as a tick on the other axis, or the end of a white stroke below a point; and a closed
+/// one, as the border of an area that all its neighbours have too, that of other grounds than they have elsewhere.
 fn is_seen_on_others(contour: &Confirmed, covered: &Covered) -> bool {
+    let Confirmed { line, stroke, faint, .. } = contour;
+    if stroke.is_none() || *faint || line.closed || line.length() < most_hidden(*stroke) {
+        return false;
+    }
     let of_cover = |(a, b): (&Edgel, &Edgel)| covered.strength_at(a.at.lerp(b.at, 0.5));
-    let cover = median(contour.line.segments().filter_map(of_cover).collect());
-    let own = strength(&contour.line);
-    contour.stroke.is_some() && !contour.faint && cover > 0.0 && (own - cover).abs() > OTHER_CONTRAST * cover
+    let cover = median(line.segments().filter_map(of_cover).collect());
+    cover > 0.0 && (strength(line) - cover).abs() > OTHER_CONTRAST * cover
 }
 
 /// The strength of most of a contour.

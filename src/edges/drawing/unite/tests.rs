@@ -32,16 +32,29 @@ fn a_window_is_told_from_its_wall_and_a_line_drawn_twice_is_not() {
     let of = |corners: &[(f32, f32)], strengths: &[f32]| {
         let mut drawn = line(corners, false);
         drawn.vertices.iter_mut().zip(strengths).for_each(|(vertex, strength)| vertex.strength = *strength);
-        vec![Confirmed { line: drawn, stroke: Some(10.0), on_borders: 0, faint: false }]
+        vec![Confirmed { line: drawn, stroke: Some(8.0), on_borders: 0, faint: false }]
     };
     // the wall has the contrast of the window where that lies on it
     let wall =
         of(&[(10.0, 50.0), (30.0, 50.0), (50.0, 50.0), (70.0, 50.0), (90.0, 50.0)], &[99.0, 99.0, 99.0, 126.0, 126.0]);
-    let merged = |strength: f32| {
-        let window = of(&[(70.0, 50.0), (80.0, 50.0), (90.0, 50.0)], &[strength; 3]);
-        merged_coincident(vec![window, wall.clone()], Size::new(100, 100))
-    };
-    let (kept, overlaid) = merged(126.0);
+    let merged = |window: Vec<Confirmed>| merged_coincident(vec![window, wall.clone()], Size::new(100, 100));
+    let window = |strength: f32| of(&[(70.0, 50.0), (80.0, 50.0), (90.0, 50.0)], &[strength; 3]);
+    let (kept, overlaid) = merged(window(126.0));
     assert_eq!((kept.len(), overlaid), (1, vec![PxPoint::new(80.0, 50.0)]));
-    assert!(merged(99.0).1.is_empty(), "the same colour");
+    assert!(merged(window(99.0)).1.is_empty(), "the same colour");
+    let tick = of(&[(74.0, 50.0), (80.0, 50.0), (86.0, 50.0)], &[126.0; 3]);
+    assert!(merged(tick).1.is_empty(), "so short that what crosses it may give it its contrast");
+}
+
+#[test]
+fn the_border_of_an_area_that_its_neighbours_have_too_is_no_window() {
+    let area = |corners: &[(f32, f32)], strength: f32| {
+        let mut drawn = line(corners, true);
+        drawn.vertices.iter_mut().for_each(|vertex| vertex.strength = strength);
+        vec![Confirmed { line: drawn, stroke: Some(2.0), on_borders: 0, faint: false }]
+    };
+    // of two with one outline the second lies on the first
+    let square = [(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)];
+    let (kept, overlaid) = merged_coincident(vec![area(&square, 99.0), area(&square, 126.0)], Size::new(100, 100));
+    assert_eq!((kept.len(), overlaid), (1, Vec::new()));
 }
