@@ -151,12 +151,28 @@ fn squared_grid(lines: &[Line], least_strength: f32) -> Vec<usize> {
         let size = extent(line).size();
         (size.width.min(size.height) < STRAIGHT).then_some(size.width > size.height)
     };
-    let ways: Vec<bool> = weak.iter().filter_map(|&number| way(&lines[number])).collect();
-    let count = |level: bool| ways.iter().filter(|of| **of == level).count();
+    let of_grid = |line: &Line| way(line).map(|is_level| (is_level, across(extent(line).center(), is_level)));
+    let gridlines: Vec<(bool, f32)> = weak.iter().filter_map(|&number| of_grid(&lines[number])).collect();
+    let count = |level: bool| gridlines.iter().filter(|(of, _)| *of == level).count();
     if count(true) < GRID_LINES || count(false) < GRID_LINES {
         return Vec::new();
     }
-    weak.into_iter().filter(|&number| way(&lines[number]).is_some() || is_led_aside(&lines[number])).collect()
+    let is_in_line = |line: &Line| gridlines.iter().any(|of| length_along(line, *of) >= MOSTLY * line.length());
+    let is_of_grid = |line: &Line| way(line).is_some() || is_led_aside(line) || is_in_line(line);
+    weak.into_iter().filter(|&number| is_of_grid(&lines[number])).collect()
+}
+
+/// Where a point is across a level or upright line.
+fn across(at: MmPoint, is_level: bool) -> f32 {
+    if is_level { at.y } else { at.x }
+}
+
+/// How much of a line lies where a level or upright one does, or would if it went on, mm: a piece of a gridline that is
+/// led far aside, to the curve on which it ends, lies in line with the other pieces but there.
+fn length_along(line: &Line, (is_level, place): (bool, f32)) -> f32 {
+    let is_there = |at: MmPoint| (across(at, is_level) - place).abs() <= STRAIGHT;
+    let sides = line.runs.iter().flat_map(|run| run.path().zip(run.path().skip(1)));
+    sides.filter(|(a, b)| is_there(*a) && is_there(*b)).map(|(a, b)| (b - a).length()).sum()
 }
 
 /// Whether a line is level or upright but for where it is led aside: a piece of a gridline that ends at another line

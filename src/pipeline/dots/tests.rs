@@ -62,6 +62,21 @@ fn a_squared_grid_that_is_torn_or_hides_others_is_left_out() {
     assert_eq!(left(&only_level, &[]), None, "gridlines of a chart are each told");
 }
 
+/// A piece of a gridline that ends on a curve is led to it, farther aside than most lines are moved.
+#[test]
+fn a_piece_in_line_with_a_gridline_is_of_the_grid() {
+    let line = |points: &[(f32, f32)]| {
+        let points = points.iter().map(|at| MmPoint::from(*at)).collect();
+        Line { strength: 7.0, runs: vec![Run::stroke(1.0, points)] }
+    };
+    let places = || (0..5).map(|i| 10.0 + 20.0 * i as f32);
+    let level = places().map(|y| line(&[(10.0, y), (90.0, y)]));
+    let mut lines: Vec<Line> = level.chain(places().map(|x| line(&[(x, 50.0), (x, 90.0)]))).collect();
+    let led_far = |x: f32| line(&[(x, 48.0), (x, 26.0), (x + 2.0, 24.0), (x + 6.0, 20.0)]);
+    lines.extend([led_far(30.0), led_far(40.0)]);
+    assert_eq!(squared_grid(&lines, 7.0), (0..11).collect::<Vec<usize>>(), "not what lies between two gridlines");
+}
+
 /// Of a bar on a grid the dots begin a step above the axis that it stands on, and its corners are cut.
 #[test]
 fn a_line_that_ends_at_the_dots_of_another_is_whole() {
