@@ -1,5 +1,6 @@
 //! Where the letters of SVG drawings come from.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 use usvg::fontdb::{Database, Family, Query};
@@ -90,28 +91,36 @@ impl FontSource {
     }
 }
 
+/// Fonts that stand for "sans-serif" and the like, those first that are alike in width to what drawings are made with.
+const SANS: [&str; 6] = ["Liberation Sans", "Helvetica", "DejaVu Sans", "Noto Sans", "Open Sans", "Roboto"];
+const SERIF: [&str; 4] = ["Liberation Serif", "Times", "DejaVu Serif", "Noto Serif"];
+const MONO: [&str; 4] = ["Liberation Mono", "Courier", "DejaVu Sans Mono", "Noto Sans Mono"];
+
 /// "sans-serif" and the like stand for a font by name (say Arial). Where that one is not among the fonts, text would
-/// be left out although others are there: take the first that is.
+/// be left out although others are there: take a usual one, or else the first that is. Which of them are there beside
+/// changes nothing, so that labels stand at the same places.
 fn give_generic_families_a_font(fonts: &mut Database) {
-    let first = fonts.faces().filter_map(|face| face.families.first()).map(|(name, _)| name.clone()).min();
-    let Some(first) = first else { return };
+    let names: BTreeSet<String> =
+        fonts.faces().filter_map(|face| face.families.first()).map(|(name, _)| name.clone()).collect();
+    let Some(first) = names.first() else { return };
+    let usual = |usual: &[&str]| usual.iter().copied().find(|name| names.contains(*name)).unwrap_or(first).to_owned();
     let missing = |family| fonts.query(&Query { families: &[family], ..Query::default() }).is_none();
     let [serif, sans, mono, cursive, fantasy] =
         [Family::Serif, Family::SansSerif, Family::Monospace, Family::Cursive, Family::Fantasy].map(missing);
     if serif {
-        fonts.set_serif_family(&first);
+        fonts.set_serif_family(usual(&SERIF));
     }
     if sans {
-        fonts.set_sans_serif_family(&first);
+        fonts.set_sans_serif_family(usual(&SANS));
     }
     if mono {
-        fonts.set_monospace_family(&first);
+        fonts.set_monospace_family(usual(&MONO));
     }
     if cursive {
-        fonts.set_cursive_family(&first);
+        fonts.set_cursive_family(usual(&SANS));
     }
     if fantasy {
-        fonts.set_fantasy_family(&first);
+        fonts.set_fantasy_family(usual(&SANS));
     }
 }
 

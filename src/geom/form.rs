@@ -17,8 +17,8 @@ const LEVEL: f32 = 0.985;
 /// it leads. Chosen by us: of a hook that says little.
 const FAR_APART: f32 = 0.5;
 
-/// How far a line of a page may lie off the straight between its ends and be told as straight, and an open rectangle off
-/// its sides, mm.
+/// How far a line of a page may lie off the straight between its ends and be told as straight, and an open rectangle
+/// off its sides, mm.
 pub const SLACK: f32 = 1.0;
 
 /// Which form an open line has.

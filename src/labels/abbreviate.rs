@@ -104,8 +104,8 @@ fn own_word(text: &str, other: &str) -> Option<String> {
     (is_alike && is_numbered && is_short).then(|| own.clone())
 }
 
-/// "100" or else "k100" for "100 km": an abbreviation of a quantity has its number, as the unit alone says nothing. None
-/// for texts that are no quantity, or whose unit has no two letters, as those have none.
+/// "100" or else "k100" for "100 km": an abbreviation of a quantity has its number, as the unit alone says nothing.
+/// None for texts that are no quantity, or whose unit has no two letters, as those have none.
 fn quantity(text: &str) -> Option<[String; 2]> {
     // in a key a blank parts an abbreviation from its text
     let number = scale::without_unit(text)?.replace(char::is_whitespace, "");

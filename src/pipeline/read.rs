@@ -270,9 +270,9 @@ fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool 
     drawing.pixel_areas.iter().any(meets) || paints_letters(drawing, scale, meets, is_inside)
 }
 
-/// Whether two parts of paths at least, of those that are at some place and whose paths are near it, are as small as letters, and not all of them straight
-/// strokes, such as the ticks of a clock, or bars and dots. The working picture is `scale` times as large
-/// as the one in which letters are looked for.
+/// Whether two parts of paths at least, of those that are at some place and whose paths are near it, are as small as
+/// letters, and not all of them straight strokes, such as the ticks of a clock, or bars and dots. The working picture
+/// is `scale` times as large as the one in which letters are looked for.
 fn paints_letters(
     drawing: &VectorDrawing,
     scale: f32,

@@ -11,9 +11,9 @@ use crate::raster::plane::Plane;
 use crate::raster::residue::square_max;
 use crate::units::Size;
 
-// The numbers were chosen on the stamps of a paint program for children, on white that is up to four times as large: of 95
-// photographs of things 87 are found. Of 100 drawings 5 are taken for photographs (as JPEG of quality 75: 7), all of them
-// shaded all over, such as a pumpkin, whose pages are the better for it.
+// The numbers were chosen on the stamps of a paint program for children, on white that is up to four times as large: of
+// 95 photographs of things 87 are found. Of 100 drawings 5 are taken for photographs (as JPEG of quality 75: 7), all of
+// them shaded all over, such as a pumpkin, whose pages are the better for it.
 
 /// Squares that differ from their neighbours by no more than this are flat, in units of strength.
 const FLAT: f32 = 0.8;
