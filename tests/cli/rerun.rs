@@ -31,14 +31,20 @@ fn an_area_that_was_deleted_stays_blank_and_the_others_stay_as_they_are() {
     let within = [left, top, right, bottom];
     // all signs of its class in its box are its own
     assert_eq!((signs(&before, gone.class, within), gone.glyphs.len() > 50), (gone.glyphs.len(), true));
-    done(&place, &["convert", "cup.png", "--regions", "edited.svg", "--no-overview", "-o", "new.svg"]);
-    let after = read(&place, "new.svg");
+    let again = |edited: &str, new: &str| {
+        done(&place, &["convert", "cup.png", "--regions", edited, "--no-overview", "-o", new]);
+        read(&place, new)
+    };
+    let (unchanged, after) = (again("cup.svg", "same.svg"), again("edited.svg", "new.svg"));
     assert_eq!(signs(&after, gone.class, within), 0);
     let sheet = [0.0, 0.0, 297.0, 297.0];
     for class in Class::ALL {
-        let own = if class == gone.class { gone.glyphs.len() } else { 0 };
-        let (was, is) = (signs(&before, class, sheet) - own, signs(&after, class, sheet));
-        assert!(was.abs_diff(is) as f32 <= 0.04 * was as f32, "{class:?}: {is} signs in place of {was}");
+        let own = |page: &Page| if class == gone.class { signs(page, class, within) } else { 0 };
+        let others = |page: &Page| signs(page, class, sheet) - own(page);
+        let (was, same, is) = (others(&before), others(&unchanged), others(&after));
+        assert!(same.abs_diff(is) as f32 <= 0.02 * same as f32, "{class:?}: {is} signs in place of {same}");
+        // borders of two colours within an outline are smoother than those of the picture, and leave room for a few more
+        assert!(was.abs_diff(is) as f32 <= 0.06 * was as f32, "{class:?}: {is} signs in place of {was} at first");
     }
 }
 
