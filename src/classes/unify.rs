@@ -17,15 +17,21 @@ const CLEARLY: f32 = 2.0 / 3.0;
 /// Gives the stains in outlined areas to the class that holds the area, and components within an area or between areas
 /// to their neighbours on the same side of the outline, the smaller to the larger, so that stripes become one area:
 /// those that are smaller than `min_cells` cells or narrower everywhere than `narrowest`. Larger ones keep their class,
-/// as the shoulder of a coloured suit behind a black helmet where both are one region. `area` has the number of the
+/// as the shoulder of a coloured suit behind a black helmet where both are one region, unless `one_each`: then an area
+/// that a class holds is of it as a whole. `area` has the number of the
 /// area of each cell, 0 for the ground between them, which may have any classes. Returns the numbers of the areas that
 /// still have several classes.
-pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32, narrowest: f32) -> Vec<usize> {
+pub fn unify_areas(
+    classes: &mut Classes,
+    area: &[usize],
+    [min_cells, narrowest]: [f32; 2],
+    one_each: bool,
+) -> Vec<usize> {
     let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
     let before: Vec<AreaClass> = classes.region.iter().map(class_of).collect();
     let size = classes.size;
     let small = |component: &[usize]| (component.len() as f32) < min_cells || is_narrow(component, size, narrowest);
-    let own = without_stains(&before, area, size, small);
+    let own = without_stains(&before, area, size, |component| one_each || small(component));
     let labels = join(own, size, small, |component, (other, _), border| {
         (area[component[0]] == other).then_some(border.len() as f32)
     });

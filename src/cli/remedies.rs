@@ -179,9 +179,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         }
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
-        Note::NotInBraille { .. } | Note::InOtherCells(..) => {
-            format!("{note} (--braille-table TABLE)")
-        }
+        Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),
         _ => note.to_string(),
     }
 }

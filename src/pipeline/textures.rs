@@ -56,7 +56,9 @@ pub(super) fn fit_to_areas(
     let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
     let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
     let narrowest = NARROWEST / layout.figure.width() * width as f32;
-    let mut mixed = classes::unify_areas(classes, &area, min_cells, narrowest);
+    // a field of pins has no room for several textures in one area: rests of them are felt as scribble
+    let one_each = matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
+    let mut mixed = classes::unify_areas(classes, &area, [min_cells, narrowest], one_each);
     mixed.retain(|&number| !is_mostly_white(classes, &area, number));
     let part = |number: &usize| ninths::NAMES[part_of_area(&area, *number, classes.size)];
     let mut places: Vec<&str> = mixed.iter().map(part).collect();

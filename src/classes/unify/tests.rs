@@ -37,8 +37,12 @@ fn areas(rows: &[&str]) -> Vec<usize> {
 #[test]
 fn an_outlined_area_is_of_the_class_that_holds_it() {
     let mut sorted = classes(&["bbbbbbbb", "bbrrr.bb", "bbrrrrbb", "bbbrrrrb", "bbbbbbbb"]);
-    let mixed =
-        unify_areas(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0, 1.0);
+    let mixed = unify_areas(
+        &mut sorted,
+        &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]),
+        [2.0, 1.0],
+        false,
+    );
     assert_eq!(rows(&sorted), ["bbbbbbbb", "bbrrrrbb", "bbrrrrbb", "bbrrrrbb", "bbbbbbbb"]);
     assert_eq!(mixed, [0_usize; 0]);
     assert_eq!(sorted.regions.len(), 2);
@@ -49,7 +53,7 @@ fn an_outlined_area_is_of_the_class_that_holds_it() {
 fn an_area_of_two_classes_keeps_them_and_is_told() {
     let two = ["bbbbbb", "brrbbb", "brrbbb", "bbbbbb"];
     let mut sorted = classes(&two);
-    let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0, 1.0);
+    let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), [2.0, 1.0], false);
     assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), vec![1]));
 }
 
@@ -59,13 +63,16 @@ fn a_part_with_room_for_a_texture_keeps_its_class_and_is_told() {
     let two = ["bbbbbbbrrr"; 4];
     let of = |min_cells: f32, narrowest: f32| {
         let mut sorted = classes(&two);
-        let mixed = unify_areas(&mut sorted, &areas(&["1111111111"; 4]), min_cells, narrowest);
+        let mixed = unify_areas(&mut sorted, &areas(&["1111111111"; 4]), [min_cells, narrowest], false);
         (rows(&sorted), mixed)
     };
     assert_eq!(of(10.0, 3.0), (two.map(str::to_owned).to_vec(), vec![1]));
     let one = vec!["bbbbbbbbbb".to_owned(); 4];
     assert_eq!(of(13.0, 3.0), (one.clone(), vec![]), "smaller than a texture");
-    assert_eq!(of(10.0, 7.0), (one, vec![]), "too narrow for one");
+    assert_eq!(of(10.0, 7.0), (one.clone(), vec![]), "too narrow for one");
+    let mut sorted = classes(&two);
+    let mixed = unify_areas(&mut sorted, &areas(&["1111111111"; 4]), [10.0, 3.0], true);
+    assert_eq!((rows(&sorted), mixed), (one, vec![]), "on a field of pins");
 }
 
 #[test]
@@ -76,7 +83,7 @@ fn a_class_that_holds_an_area_and_is_narrow_all_over_still_has_it() {
     let (outside, inside) = ("0000000000", "0111111110");
     let mut area = [inside; 10];
     (area[0], area[9]) = (outside, outside);
-    assert_eq!(unify_areas(&mut sorted, &areas(&area), 10.0, 4.0), [0_usize; 0]);
+    assert_eq!(unify_areas(&mut sorted, &areas(&area), [10.0, 4.0], false), [0_usize; 0]);
     let mut all = [full; 10];
     (all[0], all[9]) = (ground, ground);
     assert_eq!(rows(&sorted), all);
@@ -87,7 +94,7 @@ fn a_crumb_joins_its_own_side() {
     // three red cells beyond the outline, fewer than the least
     let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
     let area = areas(&["1111000000", "1111000000", "1111000000", "1111000000"]);
-    assert_eq!(unify_areas(&mut sorted, &area, 4.0, 1.0), [0_usize; 0]);
+    assert_eq!(unify_areas(&mut sorted, &area, [4.0, 1.0], false), [0_usize; 0]);
     assert_eq!(rows(&sorted), ["rrrr......"; 4]);
 }
 
@@ -95,7 +102,7 @@ fn a_crumb_joins_its_own_side() {
 fn stripes_that_are_too_narrow_for_a_texture_become_one_area() {
     let of = |stripes: &str, area: &str, narrowest: f32| {
         let mut sorted = classes(&[stripes; 6]);
-        assert_eq!(unify_areas(&mut sorted, &areas(&[area; 6]), 2.0, narrowest), [0_usize; 0]);
+        assert_eq!(unify_areas(&mut sorted, &areas(&[area; 6]), [2.0, narrowest], false), [0_usize; 0]);
         let rows = rows(&sorted);
         assert!(rows.iter().all(|row| *row == rows[0]), "{rows:?}");
         rows[0].clone()
