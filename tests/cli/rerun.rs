@@ -44,7 +44,7 @@ fn an_area_that_was_deleted_stays_blank_and_the_others_stay_as_they_are() {
         let (was, same, is) = (others(&before), others(&unchanged), others(&after));
         assert!(same.abs_diff(is) as f32 <= 0.02 * same as f32, "{class:?}: {is} signs in place of {same}");
         // borders of two colours within an outline are smoother than those of the picture, and leave room for a few more
-        assert!(was.abs_diff(is) as f32 <= 0.06 * was as f32, "{class:?}: {is} signs in place of {was} at first");
+        assert!(was.abs_diff(is) as f32 <= 0.08 * was as f32, "{class:?}: {is} signs in place of {was} at first");
     }
 }
 
