@@ -217,6 +217,8 @@ fn rules_of_the_codes() {
         ("es", "90°", "⠼⠊⠚⠴"),
         ("es", "27° 22′ 49″", "⠼⠃⠛⠴⠀⠼⠃⠃⠳⠀⠼⠙⠊⠳⠳"),
         ("es", "20 °C", "⠼⠃⠚⠀⠴⠨⠉"),
+        // Svenska skrivregler för punktskrift, second edition
+        ("sv", "3 < 5, 7 > 2", "⠼⠉⠀⠼⠪⠀⠼⠑⠂⠀⠼⠛⠀⠼⠕⠀⠼⠃"),
         // as the library for the blind at Monza publishes the code of Italy
         ("it", "5 €", "⠼⠑⠀⠘⠑"),
         ("it", "1.250.000 (45%)", "⠼⠁⠄⠃⠑⠚⠄⠚⠚⠚⠀⠶⠼⠙⠑⠼⠴⠶"),
