@@ -219,6 +219,7 @@ fn rules_of_the_codes() {
         ("es", "20 °C", "⠼⠃⠚⠀⠴⠨⠉"),
         // Svenska skrivregler för punktskrift, second edition
         ("sv", "3 < 5, 7 > 2", "⠼⠉⠀⠼⠪⠀⠼⠑⠂⠀⠼⠛⠀⠼⠕⠀⠼⠃"),
+        ("sv", "Škoda, Łódź, São, idé", "⠠⠈⠎⠅⠕⠙⠁⠂⠀⠠⠈⠇⠈⠕⠙⠈⠵⠂⠀⠠⠎⠈⠁⠕⠂⠀⠊⠙⠿"),
         // as the library for the blind at Monza publishes the code of Italy
         ("it", "5 €", "⠼⠑⠀⠘⠑"),
         ("it", "1.250.000 (45%)", "⠼⠁⠄⠃⠑⠚⠄⠚⠚⠚⠀⠶⠼⠙⠑⠼⠴⠶"),
