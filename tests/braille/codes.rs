@@ -213,10 +213,12 @@ fn rules_of_the_codes() {
         ("sv", "α = 30°, 5 µm, Ω", "⠒⠰⠁⠀⠶⠀⠼⠉⠚⠻⠛⠂⠀⠼⠑⠀⠰⠍⠍⠂⠀⠠⠒⠰⠺"),
         // UEB 7.6: quotation marks inside brackets are those that open and close
         ("en", "(\"Hallo\")", "⠐⠣⠦⠠⠓⠁⠇⠇⠕⠴⠐⠜"),
-        // ONCE, document B 5: degrees, minutes and seconds
+        // Código matemático unificado: degrees, minutes and seconds
         ("es", "90°", "⠼⠊⠚⠴"),
         ("es", "27° 22′ 49″", "⠼⠃⠛⠴⠀⠼⠃⠃⠳⠀⠼⠙⠊⠳⠳"),
         ("es", "20 °C", "⠼⠃⠚⠀⠴⠨⠉"),
+        // Código matemático unificado of 2023: the number below the line of a fraction is the lowered one
+        ("es", "½, 3¼, ¾ h", "⠼⠁⠆⠂⠀⠼⠉⠼⠁⠲⠂⠀⠼⠉⠲⠀⠓"),
         // Svenska skrivregler för punktskrift, second edition
         ("sv", "3 < 5, 7 > 2", "⠼⠉⠀⠼⠪⠀⠼⠑⠂⠀⠼⠛⠀⠼⠕⠀⠼⠃"),
         ("sv", "Škoda, Łódź, São, idé", "⠠⠈⠎⠅⠕⠙⠁⠂⠀⠠⠈⠇⠈⠕⠙⠈⠵⠂⠀⠠⠎⠈⠁⠕⠂⠀⠊⠙⠿"),
