@@ -197,6 +197,19 @@ fn digits_and_letters_are_told_apart() {
     }
 }
 
+/// A fraction behind a number is not read as more of its digits: 3½ is not 31/2.
+#[test]
+fn fractions_behind_numbers_are_told_apart() {
+    for &code in Code::all() {
+        let table = code.table().expect("a table");
+        for (mixed, other) in [("3\u{bd}", "31/2"), ("1\u{bc}", "11/4"), ("12\u{2153}", "121/3")] {
+            let (mixed, other) = (table.translate(mixed), table.translate(other));
+            assert!(mixed.lacking.is_empty(), "{}: {:?}", code.language, mixed.lacking);
+            assert_ne!(mixed.cells, other.cells, "{}: {}", code.language, mixed.unicode());
+        }
+    }
+}
+
 /// The rules of codes where liblouis's tables leave them.
 #[test]
 fn rules_of_the_codes() {
@@ -262,6 +275,9 @@ fn rules_of_the_codes() {
         ("en", "(212) 1914 1918", "⠐⠣⠼⠃⠁⠃⠐⠜⠀⠼⠁⠊⠁⠙⠀⠼⠁⠊⠁⠓"),
         ("en", "0 10 20 30 40 50", "⠼⠚⠀⠼⠁⠚⠀⠼⠃⠚⠀⠼⠉⠚⠀⠼⠙⠚⠀⠼⠑⠚"),
         ("en", "1914 1918 1939", "⠼⠁⠊⠁⠙⠀⠼⠁⠊⠁⠓⠀⠼⠁⠊⠉⠊"),
+        // CBFU: a number has its sign, so that 3½ is not 31/2
+        ("fr", "½ h, 3½ h, 31/2 h", "⠠⠡⠌⠣⠀⠓⠂⠀⠠⠩⠀⠠⠡⠌⠣⠀⠓⠂⠀⠠⠩⠡⠌⠣⠀⠓"),
+        ("fr", "1º, 20 °C", "⠠⠡⠐⠕⠂⠀⠠⠣⠼⠀⠐⠕⠨⠉"),
         // CBFU: four words and more are a passage of capitals, of which the last one has a mark too
         ("fr", "LES PARTIES D'UNE FLEUR", "⠒⠨⠇⠑⠎⠀⠏⠁⠗⠞⠊⠑⠎⠀⠙⠄⠥⠝⠑⠀⠨⠋⠇⠑⠥⠗"),
         ("fr", "DISTANCE AU SOLEIL", "⠨⠨⠙⠊⠎⠞⠁⠝⠉⠑⠀⠨⠨⠁⠥⠀⠨⠨⠎⠕⠇⠑⠊⠇"),
