@@ -245,6 +245,10 @@ fn rules_of_the_codes() {
         ("pl", "2a", "⠼⠃⠠⠁"),
         ("en", "3.a", "⠼⠉⠲⠰⠁"),
         ("en", "THE 3D MAP", "⠠⠠⠠⠞⠓⠑⠀⠼⠉⠰⠙⠀⠍⠁⠏⠠⠄"),
+        // the euro is a word where a code has no sign of it
+        ("pl", "4,99 €, 5€, €5", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕⠂⠀⠼⠑⠠⠑⠥⠗⠕⠂⠀⠑⠥⠗⠕⠼⠑"),
+        ("cs", "4,99 €, 5€", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕⠂⠀⠼⠑⠐⠑⠥⠗⠕"),
+        ("nl", "4,99 €", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕"),
         // numbers of an order; a raised o before C is one of degrees
         ("es", "1.º, 2.ª, 12.º", "⠼⠂⠕⠂⠀⠼⠆⠁⠂⠀⠼⠂⠆⠕"),
         ("pt", "1º, 10ª, 20 ºC", "⠼⠂⠕⠂⠀⠼⠂⠴⠁⠂⠀⠼⠃⠚⠀⠴⠨⠉"),
