@@ -221,6 +221,7 @@ fn rules_of_the_codes() {
         ("de", "Post an info@schule.de", "⠏⠕⠎⠞⠀⠁⠝⠀⠠⠨⠊⠝⠋⠕⠈⠜⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
         ("de", "www.schule.de", "⠠⠨⠺⠺⠺⠄⠎⠉⠓⠥⠇⠑⠄⠙⠑"),
         // and written in computer braille up to the next space
+        ("de", "größe9@müller.de", "⠠⠨⠛⠗⠠⠪⠠⠼⠑⠪⠈⠜⠍⠠⠳⠇⠇⠑⠗⠄⠙⠑"),
         ("de", "http://a.de/b2 und 2", "⠠⠨⠓⠞⠞⠏⠒⠲⠲⠁⠄⠙⠑⠲⠃⠣⠀⠥⠝⠙⠀⠼⠃"),
         // Greek letters of the Swedish code, as liblouis has them from 2026 on
         ("sv", "α = 30°, 5 µm, Ω", "⠒⠰⠁⠀⠶⠀⠼⠉⠚⠻⠛⠂⠀⠼⠑⠀⠰⠍⠍⠂⠀⠠⠒⠰⠺"),
