@@ -250,6 +250,8 @@ fn rules_of_the_codes() {
         ("pl", "4,99 €, 5€, €5", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕⠂⠀⠼⠑⠠⠑⠥⠗⠕⠂⠀⠑⠥⠗⠕⠼⠑"),
         ("cs", "4,99 €, 5€", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕⠂⠀⠼⠑⠐⠑⠥⠗⠕"),
         ("nl", "4,99 €", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕"),
+        // behind digits a sign that has the cell of one has that of letters before it, as other currencies do
+        ("nl", "5¢, 50 ¢", "⠼⠑⠠⠉⠂⠀⠼⠑⠚⠀⠉"),
         // numbers of an order; a raised o before C is one of degrees
         ("es", "1.º, 2.ª, 12.º", "⠼⠂⠕⠂⠀⠼⠆⠁⠂⠀⠼⠂⠆⠕"),
         ("pt", "1º, 10ª, 20 ºC", "⠼⠂⠕⠂⠀⠼⠂⠴⠁⠂⠀⠼⠃⠚⠀⠴⠨⠉"),
