@@ -12,6 +12,10 @@
 //! Nobody chose the 250 phrases for each language of `names.tsv`, which a program wrote after the tables (`names.py`):
 //! names of countries, languages and currencies, from the Unicode Common Locale Data Repository (CLDR 49, Unicode
 //! licence).
+//!
+//! `worksheets.tsv` has 60 phrases for each language of the kind that stands on worksheets: units, dates, equations,
+//! fractions, addresses, initials. Those marked "liblouis" are as 3.24 has them, "newer" as its tables of August 2026;
+//! for "code" these have a gap, or our table and its sources say why.
 
 use std::collections::BTreeMap;
 
@@ -37,6 +41,9 @@ const NEWER: &str = include_str!("phrases/newer.tsv");
 
 /// A language, a phrase that nobody chose, and its cells.
 const NAMES: &str = include_str!("phrases/names.tsv");
+
+/// A language, a phrase of a worksheet, its cells and where they are from.
+const WORKSHEETS: &str = include_str!("phrases/worksheets.tsv");
 
 /// The cells of phrases that a newer code writes otherwise.
 fn newer(language: &str) -> BTreeMap<&'static str, &'static str> {
@@ -101,6 +108,21 @@ fn names_are_as_liblouis_has_them() {
             .collect();
         let agreement = 1.0 - others.len() as f32 / own.len() as f32;
         assert!(agreement >= LEAST, "{language}: {agreement}\n{}", others.join("\n"));
+    }
+}
+
+#[test]
+fn words_of_worksheets_are_as_recorded() {
+    for (language, _) in PHRASES {
+        let table = Code::of_language(language).and_then(Code::table).expect("a table");
+        let rows = WORKSHEETS.lines().map(|line| line.split('\t').collect::<Vec<_>>());
+        let own: Vec<Vec<&str>> = rows.filter(|row| row[0] == language).collect();
+        assert_eq!(own.len(), 60, "{language}");
+        for row in own {
+            let braille = table.translate(row[1]);
+            assert!(braille.lacking.is_empty(), "{language}: {}: {:?}", row[1], braille.lacking);
+            assert_eq!(braille.unicode(), row[2], "{language}: {} ({})", row[1], row[3]);
+        }
     }
 }
 
