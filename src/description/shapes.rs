@@ -60,7 +60,7 @@ struct LineShape {
 
 impl LineShape {
     fn of(line: &Line) -> Option<Self> {
-        let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).map(written).collect();
+        let path: Vec<MmPoint> = line.own_path().into_iter().map(written).collect();
         let (first, last) = (*path.first()?, *path.last()?);
         let length = path.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
         let steps = line.row().map_or(0.0, |row| row.points.len().max(2) as f32 - 1.0);

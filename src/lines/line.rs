@@ -185,6 +185,11 @@ impl Line {
         self.row().map_or(&self.runs[..], std::slice::from_ref)
     }
 
+    /// The points of [`Line::own_runs`] in order; where two runs of strokes meet their point comes twice.
+    pub(crate) fn own_path(&self) -> Vec<MmPoint> {
+        self.own_runs().iter().flat_map(|run| run.path()).collect()
+    }
+
     /// Length, mm.
     pub fn length(&self) -> f32 {
         self.runs.iter().map(Run::length).sum()

@@ -74,7 +74,7 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
 
 /// A line of which hardly any dots are left.
 fn gone_line(line: &Line) -> LostLine {
-    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let path = line.own_path();
     let (extent, length, form) = (extent(line), line.length(), lost_form(&path));
     LostLine { extent, length, closed: false, is_faint: false, form }
 }

@@ -96,7 +96,7 @@ const MOVED: f32 = 1.25;
 
 /// Whether a line is closed, of strokes or of dots, and surrounds a place.
 fn surrounds(line: &Line, at: MmPoint) -> bool {
-    let points: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let points = line.own_path();
     let ends_meet = points.first().zip(points.last()).is_some_and(|(first, last)| (*first - *last).length() <= SAME);
     (ends_meet || line.is_ring_of_dots() || line.is_block_of_dots())
         && points.len() > 3

@@ -338,7 +338,7 @@ pub(super) fn told_opened(
 /// How long the gap of a line that is nearly closed is, mm, and its middle, if both ends lie beside other lines; none
 /// of one that lies on them.
 fn opened(line: &Line, others: &Nearby, near: f32) -> Option<(f32, MmPoint)> {
-    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let path = line.own_path();
     let (first, last) = (*path.first()?, *path.last()?);
     let is_within = |at: MmPoint, reach: f32| others.nearest(at, reach, |_| true).is_some();
     let (gap, length) = ((last - first).length(), polyline::length(&path));

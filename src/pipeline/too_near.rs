@@ -352,8 +352,7 @@ fn tell_gone(line: &Line, drawn: &mut Lines, rules: &Rules<'_>) {
     if closed && is_small(extent) && matches!(rules.medium, Medium::Dots(_)) {
         lost.signs.push(LostSign { at: extent.center(), kind: SignKind::Ring });
     }
-    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
-    let form = if closed { None } else { lost_form(&path) };
+    let form = if closed { None } else { lost_form(&line.own_path()) };
     lost.gone.push(LostLine { extent, length, closed, is_faint: false, form });
 }
 

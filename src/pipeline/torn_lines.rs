@@ -50,7 +50,7 @@ pub(super) fn torn(
 
 /// Places along a line.
 fn places(line: &Line) -> Vec<MmPoint> {
-    let path: Vec<MmPoint> = line.own_runs().iter().flat_map(|run| run.path()).collect();
+    let path = line.own_path();
     let mut places: Vec<MmPoint> = path.first().copied().into_iter().collect();
     for pair in path.windows(2) {
         let steps = ((pair[1] - pair[0]).length() / STEP).ceil().max(1.0) as u32;

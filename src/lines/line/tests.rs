@@ -13,6 +13,15 @@ fn a_broad_stroke_counts_as_heavy_and_a_narrow_one_does_not() {
 }
 
 #[test]
+fn the_path_of_a_line_runs_through_its_runs_and_not_through_its_second_row() {
+    let points = |all: &[f32], y: f32| all.iter().map(|&x| MmPoint::new(x, y)).collect::<Vec<_>>();
+    let strokes = vec![Run::stroke(1.0, points(&[0.0, 5.0], 0.0)), Run::stroke(2.0, points(&[5.0, 9.0], 0.0))];
+    assert_eq!(Line { strength: 60.0, runs: strokes }.own_path(), points(&[0.0, 5.0, 5.0, 9.0], 0.0));
+    let rows = [0.0, 2.0].map(|y| Run::dots(1.6, points(&[0.0, 2.0, 4.0], y), Height::High)).to_vec();
+    assert_eq!(Line { strength: 60.0, runs: rows }.own_path(), points(&[0.0, 2.0, 4.0], 0.0));
+}
+
+#[test]
 fn a_filled_point_is_broader_than_long_and_than_its_line() {
     let run =
         |width: f32, length: f32| Run::stroke(width, vec![MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + length, 10.0)]);
