@@ -6,12 +6,16 @@
 
 use super::hand_lines::has_added;
 use super::lost_signs::{extent, is_small};
+use super::torn_lines::params_of_dots;
 use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::ninths::ninth;
 use crate::legibility::{MediumLimits, Near, RuleLimits, near_lines, short_lines};
-use crate::lines::{GAP, Line, Lines, LostLine, LostSign, Pen, Run, SignKind, arrows, lost_form};
+use crate::lines::{
+    GAP, Line, Lines, LostLine, LostSign, Pen, Run, SignKind, TORN, TearParams, arrows, lost_form, tears,
+    which_are_weak,
+};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -37,6 +41,10 @@ pub(super) struct Rules<'a> {
     limits: RuleLimits,
     /// Whether a ring that is cut counts as lost, as in an overview.
     whole_rings: bool,
+    /// How open lines that are cut are looked at.
+    tears: TearParams,
+    /// The least strength of a line.
+    least_strength: f32,
 }
 
 impl<'a> Rules<'a> {
@@ -44,7 +52,16 @@ impl<'a> Rules<'a> {
     /// they are.
     pub(super) fn of(edges: &Edges, area: MmRect, whole_rings: bool, layout: &'a Layout, plan: &Plan) -> Option<Self> {
         let is_asked = edges.of_drawing() && !has_added(edges);
-        is_asked.then(|| Self { area, medium: &layout.medium, limits: plan.limits(), whole_rings })
+        is_asked.then(|| Self::among(area, whole_rings, &layout.medium, plan))
+    }
+
+    fn among(area: MmRect, whole_rings: bool, medium: &'a Medium, plan: &Plan) -> Self {
+        let lines = plan.lines();
+        let tears = match medium {
+            Medium::Print(_) => TearParams { reach: lines.farthest_moved(), least: TORN },
+            Medium::Dots(medium) => params_of_dots(medium.pitch),
+        };
+        Self { area, medium, limits: plan.limits(), whole_rings, tears, least_strength: lines.least_strength }
     }
 }
 
@@ -67,7 +84,7 @@ pub(super) fn cut(drawn: &mut Lines, rules: &Rules<'_>) {
             drawn.lines = lines;
             return;
         }
-        let others = Others::of(&lines, rules);
+        let (others, weak) = (Others::of(&lines, rules), which_are_weak(&lines, rules.least_strength));
         let heads: Vec<usize> = arrows(&lines).into_iter().filter_map(|arrow| arrow.head).collect();
         let mut cuts: Vec<Vec<Cut>> = vec![Vec::new(); lines.len()];
         let mut is_out = vec![false; lines.len()];
@@ -82,7 +99,8 @@ pub(super) fn cut(drawn: &mut Lines, rules: &Rules<'_>) {
             if !is_out[number] && cuts[number].is_empty() {
                 kept.push((line, stays_short[number]));
             } else if !is_out[number] {
-                let pieces = without(&line, &cuts[number], &others, drawn, rules);
+                let cut = CutLine { number, is_weak: weak[number], cuts: &cuts[number] };
+                let pieces = without(&line, cut, &others, drawn, rules);
                 if pieces.is_empty() {
                     tell_gone(&line, drawn, rules);
                 }
@@ -230,11 +248,20 @@ fn places(line: &Line) -> Vec<Place> {
     all
 }
 
-/// The pieces of a line that are left without what these cuts take; that is counted as lost.
-fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules: &Rules<'_>) -> Vec<Line> {
+/// A line that is cut.
+#[derive(Debug, Clone, Copy)]
+struct CutLine<'c> {
+    number: usize,
+    /// Whether it gives way to all others, as a gridline.
+    is_weak: bool,
+    cuts: &'c [Cut],
+}
+
+/// The pieces of a line that are left without what its cuts take; that is counted as lost.
+fn without(line: &Line, of: CutLine<'_>, others: &Others, drawn: &mut Lines, rules: &Rules<'_>) -> Vec<Line> {
     let mut places = places(line);
     let mut is_out = vec![false; places.len()];
-    for cut in cuts {
+    for cut in of.cuts {
         let taken = cut.taken(&places, others, &rules.limits);
         is_out.iter_mut().zip(taken).for_each(|(is_out, taken)| *is_out |= taken);
     }
@@ -258,6 +285,9 @@ fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules:
     };
     let scraps: Vec<_> = stretches(&is_out, false).filter(is_scrap).collect();
     scraps.into_iter().for_each(|row| is_out[row].fill(true));
+    if !line.goes_round() && !of.is_weak {
+        drawn.lost.torn.extend(torn(&places, &is_out, of.number, others, rules));
+    }
     for out in stretches(&is_out, true) {
         let from = out.start.saturating_sub(1);
         let stretch = &places[from..(out.end + 1).min(places.len())];
@@ -280,6 +310,23 @@ fn without(line: &Line, cuts: &[Cut], others: &Others, drawn: &mut Lines, rules:
     add_beside(&mut pieces, line, &places, &rows);
     pieces.retain(|piece| piece.runs.iter().any(|run| run.points.len() > 1));
     pieces
+}
+
+/// What is missing of an open line, of which these places are out.
+fn torn(places: &[Place], is_out: &[bool], number: usize, others: &Others, rules: &Rules<'_>) -> Vec<LostLine> {
+    let mut piece_at = vec![None; places.len()];
+    // a single place is no piece
+    let pieces = stretches(is_out, false).filter(|piece| piece.len() > 1).enumerate();
+    pieces.for_each(|(piece, row)| piece_at[row].fill(Some(piece)));
+    let kept: Vec<MmPoint> =
+        places.iter().zip(&piece_at).filter(|(_, piece)| piece.is_some()).map(|(place, _)| place.at).collect();
+    let reach = rules.tears.reach;
+    let is_near = |at: MmPoint| {
+        let is_other = |segment: &Segment| segment.line as usize != number;
+        others.index.nearest(at, reach, is_other).is_some() || kept.iter().any(|own| (*own - at).length() <= reach)
+    };
+    let path: Vec<MmPoint> = places.iter().map(|place| place.at).collect();
+    tears(&path, &piece_at, is_near, rules.tears)
 }
 
 /// Adds to the pieces of a row of dots, with the places of each, what stands beside it: with the nearest of its dots.

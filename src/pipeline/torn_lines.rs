@@ -14,6 +14,11 @@ const FARTHEST: f32 = 1.5;
 /// slanting row.
 const LEAST_STEPS: f32 = 3.1;
 
+/// How open lines are looked at where dots lie `pitch` mm apart.
+pub(super) fn params_of_dots(pitch: f32) -> TearParams {
+    TearParams { reach: pitch, least: TORN.max(LEAST_STEPS * pitch) }
+}
+
 /// What is missing of open lines, of which these shares become dots, among those that are `pressed`; `stand_for` says
 /// of which line each of these is. Dots lie `pitch` mm apart. Weak lines, such as gridlines, give way to all others:
 /// nothing is told of them.
@@ -27,7 +32,7 @@ pub(super) fn torn(
     let weak = which_are_weak(lines, least_strength);
     let near = kept_lines::index_of(pressed, area, pitch);
     let is_near = |at: MmPoint| near.nearest(at, pitch, |_| true).is_some();
-    let params = TearParams { reach: pitch, least: TORN.max(LEAST_STEPS * pitch) };
+    let params = params_of_dots(pitch);
     let of_line = |number: usize| -> Vec<LostLine> {
         let line = &lines[number];
         if weak[number] || shares[number] < GONE || line.ends_meet() {

@@ -17,7 +17,7 @@ fn left(lines: Vec<Line>, whole_rings: bool) -> Lines {
     let plan = Plan::new(&Profile::named("swell-a4").expect("built in")).expect("it makes sense");
     let mut drawn = Lines { lines, ..Lines::default() };
     let print = Medium::Print(crate::page::Print::default());
-    cut(&mut drawn, &Rules { area: area(), medium: &print, limits: plan.limits(), whole_rings });
+    cut(&mut drawn, &Rules::among(area(), whole_rings, &print, &plan));
     assert!(near_lines(&drawn.lines, &print, &plan.limits()).0.is_empty(), "{:?}", drawn.lines);
     drawn
 }
@@ -39,6 +39,22 @@ fn of_two_that_cross_at_a_flat_angle_the_shorter_ends_before_the_other() {
     let lost = drawn.lost.lost;
     assert!((lost + lengths.iter().sum::<f32>() - 110.0_f32.hypot(16.0)).abs() < 0.1, "{lost} mm are told");
     assert!((drawn.lost.by_place.iter().sum::<f32>() - lost).abs() < 0.01);
+}
+
+/// As a piece that had no room from the first is; of a gridline nothing is told.
+#[test]
+fn a_piece_that_is_cut_out_of_an_open_line_is_told() {
+    let torn = |strength: f32| {
+        let short = Line { strength, ..stroke(&[(20.0, 42.0), (130.0, 58.0)]) };
+        let drawn = left(vec![stroke(&[(0.0, 50.0), (150.0, 50.0)]), short], false);
+        assert_eq!(drawn.lines.len(), 3);
+        drawn.lost.torn
+    };
+    let told = torn(100.0);
+    assert_eq!(told.len(), 1);
+    let (at, length) = (told[0].extent.center(), told[0].length);
+    assert!((at - MmPoint::new(75.0, 50.0)).length() < 2.0 && (TORN..60.0).contains(&length), "{length} mm at {at:?}");
+    assert_eq!(torn(1.0), []);
 }
 
 #[test]
