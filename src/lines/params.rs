@@ -222,6 +222,16 @@ impl Params {
         APPROACH * self.max_spacing()
     }
 
+    /// Length from which a straight line is long enough wherever its ends lie, mm: the row of a grid that stands for it
+    /// has whole steps, and may be shorter than it by nearly one.
+    pub(super) fn sure_length(&self) -> f32 {
+        match self.medium {
+            LineMedium::Print => self.min_length,
+            // a broad stroke is one from the width of a step on
+            LineMedium::Dots(HeavyStrokes { width: pitch, .. }) => (self.min_length / pitch).ceil() * pitch,
+        }
+    }
+
     /// Whether a ring of this length, mm, is felt as a dot: it is no longer than a circle as wide as two lines are
     /// apart.
     pub(super) fn is_dot(&self, length: f32) -> bool {

@@ -33,7 +33,7 @@ const ACROSS: f32 = 0.15;
 const STRAIGHT: f32 = 0.98;
 /// A tick is steep: the cosine between it and its line is at most this (60 degrees between them).
 const STEEP: f32 = 0.5;
-/// A longer tick is longer by this than a line has to be, mm: its end is put on its line, which may be moved.
+/// A longer tick is longer by this than [`Params::sure_length`], mm: its end is put on its line, which may be moved.
 const MARGIN: f32 = 0.2;
 /// So many ticks on a line that are too short are a scale.
 const SCALE: usize = 3;
@@ -175,7 +175,7 @@ impl TickGroup<'_> {
     /// line, or at all their free ends.
     fn longer(&self, side: Option<MmVector>, polylines: &[Polyline<Vertex>], params: &Params) -> Vec<Polyline<Vertex>> {
         let shortest = self.ticks.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
-        let more = (params.min_length + MARGIN - shortest).max(0.0);
+        let more = (params.sure_length() + MARGIN - shortest).max(0.0);
         self.ticks.iter().map(|tick| tick.longer(&polylines[tick.number], more, side)).collect()
     }
 

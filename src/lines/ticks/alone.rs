@@ -14,7 +14,7 @@ const SHARES: [[f32; 2]; 3] = [[0.5, 0.5], [0.0, 1.0], [1.0, 0.0]];
 /// Makes strokes that are shorter than a line, yet not shorter than a link, as long as a line has to be, if no other
 /// line is near.
 pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
-    let lengths = links::shortest(params)..params.min_length;
+    let lengths = links::shortest(params)..params.sure_length();
     let is_short = |line: &Polyline<Vertex>| lengths.contains(&line.length()) && is_straight(line);
     let short: Vec<usize> = (0..polylines.len()).filter(|&number| is_short(&polylines[number])).collect();
     if short.is_empty() {
@@ -24,7 +24,7 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
     let mut all = nearby(polylines.iter(), area, params);
     for number in short {
         let stroke = &polylines[number];
-        let more = params.min_length + MARGIN - stroke.length();
+        let more = params.sure_length() + MARGIN - stroke.length();
         let candidate = |shares: [f32; 2]| {
             let mut longer = longer(stroke, shares.map(|share| share * more));
             longer.fill();

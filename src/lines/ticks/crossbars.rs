@@ -25,7 +25,7 @@ pub(in crate::lines) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRec
     let bars = crossbars(polylines, area, params);
     let mut done = vec![false; bars.len()];
     for first in 0..bars.len() {
-        if done[first] || bars[first].length >= params.min_length {
+        if done[first] || bars[first].length >= params.sure_length() {
             continue;
         }
         let place = |bar: &Tick| middle_and_way(&polylines[bar.number]);
@@ -53,7 +53,7 @@ fn crossbars(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> V
     let lengths = SHORTEST * params.min_length..LONGEST * params.min_length;
     let is_bar = |line: &Polyline<Vertex>| is_straight(line) && lengths.contains(&line.length());
     let numbers: Vec<usize> = (0..polylines.len()).filter(|&number| is_bar(&polylines[number])).collect();
-    if numbers.iter().all(|&number| polylines[number].length() >= params.min_length) {
+    if numbers.iter().all(|&number| polylines[number].length() >= params.sure_length()) {
         return Vec::new();
     }
     let of_scales = ticks(polylines, area, params);
