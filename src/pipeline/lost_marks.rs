@@ -51,6 +51,9 @@ const ACROSS: f32 = 0.87;
 /// A tick stands on a line if its ends are at distances from it that differ by this share of its length.
 const STANDS: f32 = 0.5;
 
+/// Fewer strokes than this that stand on lines are no ticks: one may be a plate of a battery or a switch.
+const SCALE: usize = 3;
+
 /// What a mark is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum MarkKind {
@@ -120,7 +123,15 @@ pub(super) fn find(
         marks.first.get_or_insert(middle);
         boxes.push(MmRect::from_points(&points));
     }
-    (marks, boxes)
+    (of_scales(marks), boxes)
+}
+
+/// Marks of which those that stand on lines are ticks only if they are enough for a scale.
+fn of_scales(mut marks: LostMarks) -> LostMarks {
+    if marks.ticks < SCALE {
+        marks.strokes += std::mem::take(&mut marks.ticks);
+    }
+    marks
 }
 
 /// Whether at a place is one of the marks that are drawn otherwise than as lines.
@@ -316,9 +327,13 @@ fn listed(marks: &LostMarks) -> Option<String> {
         count(marks.arcs, "arc of an angle", "arcs of angles"),
         count(marks.corners, "mark of a right angle", "marks of right angles"),
         count(marks.pieces, "piece of a small ring", "pieces of small rings"),
-        count(marks.strokes, "other short line", "other short lines"),
     ];
-    let all: Vec<String> = all.into_iter().flatten().collect();
+    let mut all: Vec<String> = all.into_iter().flatten().collect();
+    let [one, more] = match all.is_empty() {
+        true => ["short line", "short lines"],
+        false => ["other short line", "other short lines"],
+    };
+    all.extend(count(marks.strokes, one, more));
     (!all.is_empty()).then(|| list(&all, "and"))
 }
 

@@ -116,3 +116,9 @@ fn short_strokes_beside_all_lines_are_marks_too() {
     let all = listed(&LostMarks { ticks: 3, strokes: 5, ..LostMarks::default() });
     assert_eq!(all.as_deref(), Some("3 short ticks and 5 other short lines"));
 }
+
+#[test]
+fn one_stroke_on_a_line_is_no_tick() {
+    let told = |ticks: usize| listed(&of_scales(LostMarks { ticks, ..LostMarks::default() })).expect("there are some");
+    assert_eq!([1, 2, 3].map(told), ["1 short line", "2 short lines", "3 short ticks"]);
+}
