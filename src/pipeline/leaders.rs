@@ -29,6 +29,12 @@ const AT_TIP: f32 = 3.0;
 /// outline of what it names.
 const ON_PAGE: f32 = LEADER_END;
 const LAST: f32 = 15.0;
+/// Two lines end at one joint if their ends are no farther apart, mm: the point of a hinge may lie between.
+const AT_JOINT: f32 = 5.0;
+/// Over so much of its end a line has its direction there, mm.
+const TO_JOINT: f32 = 3.0;
+/// A line goes on in another that turns by 60 degrees at most: the cosine.
+const GOES_ON: f32 = 0.5;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
 /// A leader line is drawn at a place if a line is so near, mm; most lines are moved by less (see
@@ -323,7 +329,8 @@ fn find(
         let leads = points_away(&path, place, beside)
             && is_free_end(path[0], place, number as u32, &index)
             && leads_to_something(&path, number as u32, &index)
-            && ticks_on(number, &chains, edges) < TICKS;
+            && ticks_on(number, &chains, edges) < TICKS
+            && !is_hinged(&path, number, &chains, edges);
         let ends_at_line = index.nearest(tip, AT_TIP, |segment| segment.line != number as u32).is_some();
         leads.then_some(Leader { chain: number, text, path, ends_at_line })
     };
@@ -361,6 +368,26 @@ fn leads_to_something(path: &[MmPoint], line: u32, index: &Nearby) -> bool {
         crosses |= is_other(segment) && crossing((from, tip), (segment.a, segment.b)).is_some();
     });
     crosses || index.nearest(tip, AT_TIP, is_other).is_some()
+}
+
+/// Whether a line goes on at its tip from a single other one that ends there, as the lever of a switch from its wire: a
+/// leader line ends at a thing, and where it parts the outline of one two lines end.
+fn is_hinged(path: &[MmPoint], line: usize, chains: &[Vec<MmPoint>], edges: &Edges) -> bool {
+    let (from, tip) = (path[0], path[path.len() - 1]);
+    let Some(way) = (from - tip).try_normalize() else { return false };
+    let others = (0..chains.len()).filter(|&other| other != line && !edges.chains[other].closed);
+    let ends = others.flat_map(|other| [end_of(chains[other].iter()), end_of(chains[other].iter().rev())]).flatten();
+    let at_joint: Vec<[MmPoint; 2]> = ends.filter(|[end, _]| (tip - *end).length() <= AT_JOINT).collect();
+    let [[end, inner]] = at_joint[..] else { return false };
+    let (heading, to_tip) = ((end - inner).try_normalize().unwrap_or_default(), tip - end);
+    // the two may also end beside one another
+    heading.dot(way) >= GOES_ON && heading.dot(to_tip) >= GOES_ON * to_tip.length() - LEADER_FREE
+}
+
+/// The end of a line with these points, the last first, and the place from which it leads there; none of a crumb.
+fn end_of<'p>(mut back: impl Iterator<Item = &'p MmPoint>) -> Option<[MmPoint; 2]> {
+    let end = *back.next()?;
+    back.find(|inner| (**inner - end).length() >= TO_JOINT).map(|inner| [end, *inner])
 }
 
 /// How many short lines stand on a line or cross it with their middle, without its ends.

@@ -1,7 +1,9 @@
 //! Tests of `leaders`.
 
 use super::*;
+use crate::edges::Edgel;
 use crate::lines::{Height, Run};
+use crate::units::{PxPoint, Size};
 
 /// Whether a leader line from 0 to 40 mm is whole of which these pieces are drawn.
 fn whole(pieces: &[(f32, f32)], y: f32) -> bool {
@@ -96,4 +98,27 @@ fn a_leader_line_leads_to_something_from_where_it_ends_on_the_page() {
     assert!(!leads(32.0, true), "7 mm before it");
     assert!(leads(65.0, false), "in the middle of what it names");
     assert!(!leads(32.0, false), "outside of it");
+}
+
+/// The lever of a switch ends free beside the word "switch", and goes on from the wire at its other end.
+#[test]
+fn what_goes_on_from_a_line_is_no_leader_line() {
+    let is_lever = |others: &[(&[(f32, f32)], bool)]| {
+        let lever: &[(f32, f32)] = &[(60.0, 40.0), (45.0, 50.0)];
+        let mut edges = Edges::none(Size::new(100, 100));
+        let mut chains: Vec<Vec<MmPoint>> = Vec::new();
+        for (points, closed) in [(lever, false)].iter().chain(others) {
+            let edgel = |&(x, y): &(f32, f32)| Edgel { at: PxPoint::new(x, y), strength: 50.0, contrast: [0.0; 3] };
+            edges.push(points.iter().map(edgel), *closed);
+            chains.push(points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect());
+        }
+        is_hinged(&chains[0], 0, &chains, &edges)
+    };
+    let wire: (&[(f32, f32)], bool) = (&[(5.0, 50.0), (20.0, 50.0), (44.0, 50.0)], false);
+    let point: (&[(f32, f32)], bool) = (&[(44.0, 49.0), (46.0, 49.0), (46.0, 51.0), (44.0, 51.0)], true);
+    assert!(is_lever(&[wire]) && is_lever(&[wire, point]));
+    assert!(!is_lever(&[point]), "it leads to a thing");
+    assert!(!is_lever(&[wire, (&[(46.0, 50.0), (90.0, 50.0)], false)]), "it parts an outline");
+    assert!(!is_lever(&[(&[(45.0, 20.0), (45.0, 49.0)], false)]), "it leads to the end of a line");
+    assert!(!is_lever(&[(&[(5.0, 50.0), (35.0, 50.0)], false)]), "a line farther off");
 }
