@@ -254,6 +254,31 @@ fn ticks_of_a_clock_are_no_text() {
     assert!(!told.iter().any(|note| note.contains("as fingers cannot read letters")), "{told:?}");
 }
 
+/// The first curve of a common plotting program is blue. In a plane of colour pixels that it covers in part differ
+/// more from white than those that it covers whole.
+#[test]
+fn a_thin_blue_curve_is_no_text() {
+    let mut points = String::new();
+    for i in 0..=100 {
+        let along = f64::from(i) / 100.0;
+        let (x, y) = (112.0 + 698.0 * along, 312.0 - 200.0 * (std::f64::consts::TAU * along).sin());
+        points += &format!("{x:.2},{y:.2} ");
+    }
+    let curve = bitmap::png(
+        &format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='618'><rect width='900' height='618' \
+             fill='#fff'/><polyline points='{points}' fill='none' stroke='#1f77b4' stroke-width='2.08'/></svg>"
+        ),
+        900,
+    )
+    .expect("a picture");
+    let drawing = tactograph::convert(&curve[..], &Options::new(profile())).expect("a page");
+    let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    assert!(!told.iter().any(|note| note.contains("letters")), "{told:?}");
+    let lengths: Vec<f32> = drawing.page.figure.lines.iter().map(tactograph::marks::Line::length).collect();
+    assert_eq!(lengths.len(), 1, "{lengths:?}");
+}
+
 /// The same picture in white on black, and one where text stands upright.
 #[test]
 fn light_letters_and_letters_that_stand_upright_are_text() {
