@@ -62,7 +62,8 @@ impl<'p> ReadPicture<'p> {
 pub(super) enum Content {
     /// It is of one colour: there is nothing to find.
     Uniform,
-    /// It is a vector drawing, whose contours come from its paths: nobody asks of what kind its pixels are.
+    /// It is a vector drawing, whose contours come from its paths, none of which is a letter that is left out: nobody
+    /// asks of what kind its pixels are.
     OfPaths,
     /// Pixels of this kind.
     OfKind(PictureKind),
@@ -106,7 +107,7 @@ pub(super) fn read(
         "letters are drawn"
     } else if known.content.is_uniform() {
         ONE_COLOUR
-    } else if known.picture.drawing.as_ref().is_some_and(has_no_letters) {
+    } else if matches!(known.content, Content::OfPaths) {
         "no paths are letters"
     } else {
         return Ok(run_stage(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
