@@ -4,6 +4,7 @@
 use std::collections::HashSet;
 
 use super::contour::{Contour, ContourPoint, crossing};
+use super::stroke::Stroke;
 use super::tips::FoundContour;
 use crate::geom::link::{End, LinkedChain, Part, link};
 use crate::geom::nearby::Index;
@@ -25,8 +26,9 @@ const STRAIGHTNESS: f32 = 0.95;
 const WIDEST_GAP: f32 = 1.5;
 /// Cosine between the direction of a dash and the direction of the next one (18 degrees).
 const AHEAD_COSINE: f32 = 0.95;
-/// Fewer than this are no row.
+/// Fewer than this are no row; with dashes that are too short to be strokes by themselves.
 const FEWEST: usize = 3;
+const FEWEST_SHORT: usize = 4;
 /// The longest gap is at most so many times as long as the shortest, and the longest dash as the shortest, but for the
 /// first and last one, which may be cut; beside [`ROUNDING`].
 const ALIKE: f32 = 1.6;
@@ -59,14 +61,8 @@ pub(super) fn merged_dashes(found: Vec<FoundContour>, sigma: f32, least: f32) ->
     if dashes.len() < FEWEST {
         return (found, 0);
     }
-    let ends: Vec<End<Px>> = (0..).zip(&dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
-    let longest_gap = WIDEST_GAP * LONGEST * least;
-    let segments = Segments::of(&found, longest_gap);
-    let rows: Vec<DashRow> = link(dashes.len(), &ends, longest_gap, |a, b| cost(a, b, &dashes))
-        .iter()
-        .map(|thread| DashRow::of(thread, &dashes))
-        .filter(|row| row.is_even() && !row.is_hidden(&segments))
-        .collect();
+    let segments = Segments::of(&found, longest_gap(least));
+    let rows: Vec<DashRow> = rows(&dashes, least).into_iter().filter(|row| !row.is_hidden(&segments)).collect();
     let taken: HashSet<usize> = rows.iter().flat_map(DashRow::numbers).collect();
     let mut lines: Vec<FoundContour> = rows.iter().map(|row| row.line(&found)).collect();
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
@@ -75,6 +71,34 @@ pub(super) fn merged_dashes(found: Vec<FoundContour>, sigma: f32, least: f32) ->
     let count = lines.len();
     let others = (0..).zip(found).filter(|(number, _)| !taken.contains(number)).map(|(_, found)| found);
     (others.chain(lines).collect(), count)
+}
+
+/// Strokes without those that are too short to be ones and in no row of dashes. `least` is the length of the shortest
+/// contour, px.
+pub(super) fn without_loose(strokes: Vec<Stroke>, least: f32) -> Vec<Stroke> {
+    if !strokes.iter().any(|stroke| stroke.is_dash) {
+        return strokes;
+    }
+    // of one row some may be just long enough
+    let open = (0..).zip(&strokes).filter(|(_, stroke)| !stroke.contour.closed);
+    let dashes = open.filter_map(|(number, stroke)| open_dash(number, &stroke.contour, stroke.width, least));
+    let dashes: Vec<Dash> = dashes.collect();
+    let rows = rows(&dashes, least);
+    let long_rows = rows.iter().filter(|row| row.dashes.len() >= FEWEST_SHORT);
+    let in_rows: HashSet<usize> = long_rows.flat_map(DashRow::numbers).collect();
+    let numbered = (0..).zip(strokes);
+    numbered.filter(|(number, stroke)| !stroke.is_dash || in_rows.contains(number)).map(|(_, stroke)| stroke).collect()
+}
+
+fn longest_gap(least: f32) -> f32 {
+    WIDEST_GAP * LONGEST * least
+}
+
+/// The rows of dashes that are even.
+fn rows(dashes: &[Dash], least: f32) -> Vec<DashRow<'_>> {
+    let ends: Vec<End<Px>> = (0..).zip(dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
+    let threads = link(dashes.len(), &ends, longest_gap(least), |a, b| cost(a, b, dashes));
+    threads.iter().map(|thread| DashRow::of(thread, dashes)).filter(DashRow::is_even).collect()
 }
 
 /// The segments of all contours by place, each with the number of its contour.
@@ -111,11 +135,18 @@ impl Segments {
 fn dash(number: usize, FoundContour { contour, stroke, .. }: &FoundContour, sigma: f32, least: f32) -> Option<Dash> {
     let (ends, width) = match (contour.closed, stroke) {
         (true, None) => around(contour, sigma, least)?,
-        (false, Some(width)) => ([contour.vertices.first()?.at, contour.vertices.last()?.at], *width),
+        (false, Some(width)) => return open_dash(number, contour, *width, least),
         _ => return None,
     };
     let length = (ends[1] - ends[0]).length();
-    let is_straight = contour.closed || length >= STRAIGHTNESS * contour.length();
+    (length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
+}
+
+/// A stroke as a dash, if it is one.
+fn open_dash(number: usize, contour: &Contour, width: f32, least: f32) -> Option<Dash> {
+    let ends = [contour.vertices.first()?.at, contour.vertices.last()?.at];
+    let length = (ends[1] - ends[0]).length();
+    let is_straight = length >= STRAIGHTNESS * contour.length();
     (is_straight && length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
 }
 

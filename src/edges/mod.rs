@@ -200,6 +200,7 @@ impl<'a> Ridges<'a> {
         let params = noise.adapted(&if drawn { params.of_drawing() } else { *params });
         let planes = if drawn { kind.planes_of_drawing(raster) } else { Vec::new() };
         let strokes = if drawn { stroke::find(&planes, kind.noise_of_pixel(), &params) } else { Vec::new() };
+        let strokes = dashes::without_loose(strokes, params.min_length);
         let (mut points, sides) = bands::scan(raster, &kind.weights(), &params);
         if drawn {
             points.retain(|point| !is_border(point, size));

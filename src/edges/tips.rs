@@ -130,7 +130,7 @@ impl FoundContour {
     }
 
     /// A stroke, along its middle.
-    pub(super) fn stroke(Stroke { contour, width, whole }: Stroke) -> Self {
+    pub(super) fn stroke(Stroke { contour, width, whole, .. }: Stroke) -> Self {
         Self { contour, stroke: Some(width), whole }
     }
 

@@ -85,3 +85,19 @@ fn dots_and_uneven_pieces_are_no_dashes() {
     let aside = (0..6).map(|k| ring(20.0, 20.0 + 14.0 * k as f32)).collect();
     assert_eq!(merged_dashes(aside, SIGMA, LEAST).1, 0, "beside one another, as steps of a ladder");
 }
+
+#[test]
+fn what_is_too_short_for_a_stroke_stays_in_a_row_of_such() {
+    let left = |count: usize, apart: f32| {
+        let stroke = |[x, y, length]: [f32; 3], is_dash: bool| {
+            let contour = polyline(&[(x, y), (x + length, y)]);
+            Stroke { whole: contour.length(), contour, width: 1.6, is_dash }
+        };
+        let dashes = (0..count).map(|k| stroke([20.0 + apart * k as f32, 50.0, 7.0], true));
+        let strokes: Vec<Stroke> = dashes.chain([stroke([20.0, 80.0, 30.0], false)]).collect();
+        without_loose(strokes, LEAST).len()
+    };
+    assert_eq!(left(6, 10.0), 7);
+    assert_eq!(left(3, 10.0), 1, "too few");
+    assert_eq!(left(6, 30.0), 1, "too far from one another");
+}

@@ -5,8 +5,8 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
-use crate::geom::right_of;
 use crate::geom::walk::runs;
+use crate::geom::{first_eigenvector, right_of};
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
 
@@ -19,6 +19,8 @@ pub(in crate::edges) struct Stroke {
     pub(in crate::edges) width: f32,
     /// Length of the stroke that was found, of which this may be a part, px.
     pub(in crate::edges) whole: f32,
+    /// Whether it is so short that it is a stroke only in a row of such, as a dash.
+    pub(in crate::edges) is_dash: bool,
 }
 
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
@@ -40,6 +42,15 @@ const SHORTEST: f32 = 3.0;
 /// A stroke with the same ground on both sides is at least so many least lengths long: the end of an axis beyond a bar
 /// is part of a longer line. Between two areas there is an edge that is longer.
 const SHORTEST_APART: f32 = 1.5;
+/// A dash that joins nothing may be thinned to this, px, which takes up to 3 px off its length: those of plotting
+/// programs are four widths of the line long, of a chart 900 px wide 7 px, and on a small device it is shrunk.
+const SHORTEST_DASH: f32 = 2.5;
+/// It is at least this many times as long as wide; what is shorter is a dot.
+const LONG_DASH: f32 = 1.7;
+/// Its direction is that of what lies no farther beyond what is left of it than this, px.
+const AROUND_DASH: f32 = 1.0;
+/// It is led on straight by at most twice this, px.
+const ENDING_OF_DASH: f32 = 2.0;
 /// The ground on both sides is the same if the step between them is at most this share of the contrast with it.
 const SAME_GROUND: f32 = 0.25;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
@@ -90,12 +101,16 @@ pub(super) fn strokes(
 ) -> Vec<Stroke> {
     let Strand { mut line, free, junctions } = strand;
     let length = line.length();
-    if length < SHORTEST_APART * params.min_length {
-        return Vec::new();
+    let is_dash = length < SHORTEST_APART * params.min_length;
+    let is_lone = !line.closed && free == [true; 2] && junctions.is_empty();
+    if is_dash {
+        let straight = (is_lone && length >= SHORTEST_DASH).then(|| straight_dash(&line, residue));
+        let Some(straight) = straight.flatten() else { return Vec::new() };
+        line = straight;
     }
     let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
     for sigma in SMOOTHING {
-        line = smoothed(&line, sigma);
+        line = if is_dash { line } else { smoothed(&line, sigma) };
         let profiles: Vec<CrossSection> =
             (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
         let widths = sorted(profiles.iter().map(|profile| profile.width));
@@ -103,7 +118,10 @@ pub(super) fn strokes(
         is_even = quantile(&widths, 0.25) >= EVEN * quantile(&widths, 0.75);
         line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
     }
-    extend_ends(&mut line, free, residue, width);
+    match is_dash {
+        true => extend_dash(&mut line, residue),
+        false => extend_ends(&mut line, free, residue, width),
+    }
     if !is_even || width > params.widest_of_bitmap().min(2.0 * radius as f32 - 1.0) {
         return Vec::new();
     }
@@ -113,12 +131,14 @@ pub(super) fn strokes(
         return Vec::new();
     }
     let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
+    let long = if is_dash { LONG_DASH } else { LONG };
     let strokes = stretches.into_iter().filter(|(line, contrasts)| {
-        line.length() >= LONG * width
+        line.length() >= long * width
             && contrasts.iter().any(|contrast| contrast.of_stroke() >= params.high)
             && !is_border(line, residue)
     });
-    strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, residue.size, params)).collect()
+    let found = strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, residue.size, params));
+    found.map(|found| Stroke { is_dash, ..found }).collect()
 }
 
 fn stroke(
@@ -139,7 +159,7 @@ fn stroke(
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
     corner::sharpen(&mut contour, picture, false);
     let whole = contour.length();
-    Stroke { contour, width, whole }
+    Stroke { contour, width, whole, is_dash: false }
 }
 
 /// The stretches of a line that have a contrast of at least `least`, or that are no longer than `passed` px and beside
@@ -274,6 +294,41 @@ fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, w
             trim_end(line, unsure);
             extend_end(line, residue, width + ENDING, along);
         }
+        line.vertices.reverse();
+    }
+}
+
+/// What thinning has left of a dash, as a straight line along which its residue lies: it has the steps of pixels, and is
+/// too short to be smoothed.
+fn straight_dash(line: &Polyline<PxPoint>, residue: &Plane) -> Option<Polyline<PxPoint>> {
+    let (first, last) = (*line.vertices.first()?, *line.vertices.last()?);
+    let (middle, half) = (first.lerp(last, 0.5), 0.5 * (last - first).length());
+    let most = half + AROUND_DASH;
+    let reach = most.ceil() as i32;
+    let offsets = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| PxVector::new(x as f32, y as f32)));
+    let weighted: Vec<(f32, PxVector)> = offsets
+        .filter(|offset| offset.length() <= most)
+        .map(|offset| (interpolated(residue, middle + offset), offset))
+        .collect();
+    let sum = |of: &dyn Fn(PxVector) -> f32| weighted.iter().map(|(weight, offset)| weight * of(*offset)).sum::<f32>();
+    let total = sum(&|_| 1.0);
+    if total <= 0.0 {
+        return None;
+    }
+    let mean = PxVector::new(sum(&|offset| offset.x), sum(&|offset| offset.y)) / total;
+    let moment = |of: &dyn Fn(PxVector) -> f32| sum(&|offset| of(offset - mean));
+    let along: PxVector = first_eigenvector(moment(&|v| v.x * v.x), moment(&|v| v.x * v.y), moment(&|v| v.y * v.y))?;
+    let steps = (2.0 * half).ceil().max(1.0) as u32;
+    let at = |k: u32| middle + mean + along * (half * (2.0 * k as f32 / steps as f32 - 1.0));
+    Some(Polyline::open((0..=steps).map(at).collect()))
+}
+
+/// Leads both ends of a dash straight on, as [`extend_ends`] does those of a stroke. They are not made anew: they are
+/// nearly all of it.
+fn extend_dash(line: &mut Polyline<PxPoint>, residue: &Plane) {
+    let along = median(line.vertices.iter().map(|&at| interpolated(residue, at)));
+    for _ in 0..2 {
+        extend_end(line, residue, ENDING_OF_DASH, along);
         line.vertices.reverse();
     }
 }

@@ -53,7 +53,8 @@ const LOCAL: usize = 3;
 /// Strokes whose lengths differ by less than about this, px, are equally long.
 const ALIKE: f32 = 16.0;
 
-/// The strokes of a drawing, given as planes of Lab. `noise` is the standard deviation of a pixel.
+/// The strokes of a drawing, given as planes of Lab, and after them what may be dashes ([`Stroke::is_dash`]). `noise`
+/// is the standard deviation of a pixel.
 pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke> {
     let Some(size) = planes.first().map(|plane| plane.size) else { return Vec::new() };
     let params = &Params {
@@ -77,6 +78,8 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
     let length = |stroke: &Stroke| (stroke.contour.length() / ALIKE).round() as i32;
     let order = |(radius, stroke): &(usize, Stroke)| (octave(stroke), -length(stroke), *radius);
     found.sort_by(|a, b| order(a).cmp(&order(b)).then(b.1.contour.length().total_cmp(&a.1.contour.length())));
+    // dashes are no strokes by themselves, and take no place of one
+    let (dashes, found): (Vec<_>, Vec<_>) = found.into_iter().partition(|(_, stroke)| stroke.is_dash);
     let mut taken = StrokeCover::new(size);
     let mut strokes = Vec::new();
     for (_, stroke) in found {
@@ -88,7 +91,14 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
         new.iter().for_each(|stroke| taken.add(stroke, params.sigma));
         strokes.extend(new);
     }
-    follow::follow(strokes, planes, params)
+    let mut strokes = follow::follow(strokes, planes, params);
+    for (_, dash) in dashes {
+        if matches!(taken.most_of(&dash, params.sigma), Most::Own) {
+            taken.add(&dash, params.sigma);
+            strokes.push(dash);
+        }
+    }
+    strokes
 }
 
 /// Whether the picture shows something along a segment: a stroke of a width, or the border of two areas, with at

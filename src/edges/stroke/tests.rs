@@ -8,7 +8,7 @@ const SIGMA: f32 = 1.8;
 fn stroke(points: &[(f32, f32)], closed: bool) -> Stroke {
     let mut contour = polyline(points);
     contour.closed = closed;
-    Stroke { width: 2.0, whole: contour.length(), contour }
+    Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false }
 }
 
 #[test]
@@ -63,4 +63,20 @@ fn a_short_stroke_counts_where_the_ground_is_the_same_on_both_sides() {
     };
     assert!(matches!(of(100.0)[..], [one] if (one - 18.0).abs() <= 2.0), "{:?}", of(100.0));
     assert_eq!(of(70.0), [0.0; 0], "it is part of an edge");
+}
+
+#[test]
+fn short_pieces_that_join_nothing_may_be_dashes() {
+    let params =
+        Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 7.0, widest_stroke: 16.0, ..Params::default() };
+    let size = Size::new(120, 40);
+    // six of them, 7 px long and 2 px wide, and a dot
+    let is_ink =
+        |x: usize, y: usize| (20..22).contains(&y) && ((10..70).contains(&x) && x % 10 < 7 || (90..92).contains(&x));
+    let value = |cell: usize| if is_ink(cell % 120, cell / 120) { 40.0 } else { 100.0 };
+    let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+    let found = find(&planes, 0.0, &params);
+    assert!(found.len() == 6 && found.iter().all(|stroke| stroke.is_dash), "{} strokes", found.len());
+    let lengths: Vec<f32> = found.iter().map(|stroke| stroke.contour.length()).collect();
+    assert!(lengths.iter().all(|length| (length - 7.0).abs() <= 2.0), "{lengths:?}");
 }
