@@ -5,16 +5,19 @@ use super::groups::{Group, GroupDirection};
 use super::placed::Wanted;
 use super::room::Room;
 use super::scale::EVERY;
-use crate::units::{MmPoint, MmVector};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from the middle of a number its tick is looked for, mm: print stands within 4 mm of an axis, and ticks that
 /// are on a page end within 10 mm of it.
 const REACH: f32 = 14.0;
 /// Shortest piece of a line across an axis that is a tick, mm: a piece as short as the line is wide has no direction.
 const SHORTEST: f32 = 2.0;
-/// Shortest tick of a drawing that will be drawn longer, mm, beyond its axis: two squares of the room, as a corner of
-/// axes may reach one beyond them (`lines::ticks` takes ticks from 0.5 mm on).
-const SHORTEST_DRAWN: f32 = 1.0;
+/// Shortest tick of a drawing that will be drawn longer, mm, beyond its axis, where most numbers have none: two squares
+/// of the room, as a corner of axes may reach one beyond them. Where most have one, a square is enough (`lines::ticks`
+/// takes ticks from 0.5 mm on).
+const SHORTEST_ALONE: f32 = 1.0;
+/// So many short ticks are a scale, as in `lines::ticks`.
+const SCALE: usize = 3;
 /// How far beside a tick there is nothing, as a share of the distance to the next number.
 const CLEAR_OF_TICK: f32 = 0.25;
 /// Step in which a tick is looked for, mm: a square of the room.
@@ -79,34 +82,50 @@ fn along(group: &Group, at: MmPoint) -> f32 {
 /// numbers: the points of those pieces.
 pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f32) -> Vec<MmPoint> {
     let scales = groups.iter().filter(|group| group.steps.is_some());
-    let numbers = scales.flat_map(|group| {
-        let across = to_axis(group);
-        group.members.iter().map(move |&label| (label, across))
+    let pieces = scales.flat_map(|group| {
+        let found = group.members.iter().filter_map(|&label| short_tick(wanted[label].anchor, to_axis(group), room));
+        let found: Vec<ShortTick> = found.filter(|tick| tick.length < least).collect();
+        // not most numbers of a scale stand at corners
+        let are_ticks = found.len() >= SCALE && 2 * found.len() > group.members.len();
+        found.into_iter().filter(move |tick| are_ticks || tick.length >= SHORTEST_ALONE)
     });
-    let piece = |(label, across): (usize, MmVector)| {
-        let place = wanted[label].anchor;
-        let half = 0.5 * (across.x * place.width() + across.y * place.height());
-        // the first piece of a line beside the number, and where it ends
-        let side = |sign: f32| {
-            let direction = across * sign;
-            let along = MmVector::new(direction.y, direction.x);
-            let at = |step: u32| place.center() + direction * (half + STEP * step as f32);
-            let steps = (REACH / STEP) as u32;
-            let begin = (0..=steps).find(|step| room.is_ink(at(*step)))?;
-            let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + along * (3.0 * by)));
-            let axis = (begin..=begin + steps).find(|step| beside(*step) || !room.is_ink(at(*step)))?;
-            let length = STEP * (axis - begin) as f32;
-            let is_tick = beside(axis) && length >= SHORTEST_DRAWN && length < least;
-            is_tick.then(|| (begin as f32 * STEP, (at(begin), direction * (least - length))))
-        };
-        let sides = [-1.0, 1.0].into_iter().filter_map(side);
-        sides.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, piece)| piece)
-    };
-    let points = |(tip, more): (MmPoint, MmVector)| {
+    let points = |ShortTick { tip, to_axis, length, .. }: ShortTick| {
+        let more = to_axis * (least - length);
         let steps = (more.length() / STEP).ceil() as u32;
         (0..=steps).map(move |step| tip - more * (step as f32 / steps as f32))
     };
-    numbers.filter_map(piece).flat_map(points).collect()
+    pieces.flat_map(points).collect()
+}
+
+/// A piece of a line across an axis, between the axis and a number.
+struct ShortTick {
+    /// Where it ends beside the number.
+    tip: MmPoint,
+    to_axis: MmVector,
+    /// How far the tip lies from the number, in steps.
+    off: u32,
+    length: f32,
+}
+
+/// The first piece of a line beside a number, on one of its sides, if it ends at an axis.
+fn short_tick(number: MmRect, across: MmVector, room: &Room) -> Option<ShortTick> {
+    // print stands nearer to its tick than the line of it will be broad, so it is looked for from inside of the print
+    let inside = STEP * (0.5 * room.widest() / STEP + 2.0).ceil();
+    let from = 0.5 * (across.x * number.width() + across.y * number.height()) - inside;
+    let steps = ((inside + REACH) / STEP) as u32;
+    let side = |sign: f32| {
+        let to_axis = across * sign;
+        let along = MmVector::new(to_axis.y, to_axis.x);
+        let at = |step: u32| number.center() + to_axis * (from + STEP * step as f32);
+        let begin = (0..=steps).find(|step| room.is_ink(at(*step)))?;
+        let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + along * (3.0 * by)));
+        let axis = (begin..=begin + steps).find(|step| beside(*step) || !room.is_ink(at(*step)))?;
+        let length = STEP * (axis - begin) as f32;
+        let is_tick = beside(axis) && length >= STEP;
+        is_tick.then(|| ShortTick { tip: at(begin), to_axis, off: begin, length })
+    };
+    let sides = [-1.0, 1.0].into_iter().filter_map(side);
+    sides.min_by_key(|tick| (tick.length < SHORTEST_ALONE, tick.off))
 }
 
 /// The way from a number to its axis, or away from it.

@@ -3,7 +3,6 @@
 use super::*;
 use crate::labels::Params;
 use crate::page::{Line, Run};
-use crate::units::MmRect;
 
 /// Every how many-th number is tried from 0 to 10 at steps of 10 mm under an axis with ticks at some of them.
 fn counts(ticks: &[usize]) -> Vec<i64> {
@@ -50,33 +49,53 @@ fn lines_of_a_grid_are_no_ticks() {
     assert_eq!(counts_of(&[0, 5, 10], (-20.0, 20.0)), [1, 2, 5, 10]);
 }
 
+/// How far towards the numbers 0 to 3, 20 mm apart, the ticks of an axis will reach that are to be 8 mm long: the least
+/// x of them, where the axis is upright, at 40 mm, from `first` mm down to 80; the first number stands at 10 mm. Of a
+/// level axis the same with x and y swapped. The print ends `blank` mm before the ticks.
+fn nearest_of_longer(tick: f32, blank: f32, first: f32, is_level: bool) -> f32 {
+    let at = |i: usize| 10.0 + 20.0 * i as f32;
+    let point = |x: f32, y: f32| if is_level { MmPoint::new(y, 90.0 - x) } else { MmPoint::new(x, y) };
+    let line = |from: MmPoint, to: MmPoint| Line { strength: 50.0, runs: vec![Run::stroke(1.0, vec![from, to])] };
+    let ticks = (0..4).map(|i| line(point(40.0 - tick, at(i)), point(40.0, at(i))));
+    let axis = line(point(40.0, first), point(40.0, 80.0));
+    let lines: Vec<Line> = std::iter::once(axis).chain(ticks).collect();
+    let room = Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0))));
+    let right = 40.0 - tick - blank;
+    let number = |i: usize| Wanted {
+        text: format!("{i} \u{20ac}"),
+        anchor: MmRect::from_points([point(right - 6.0, at(i) - 2.0), point(right, at(i) + 2.0)]),
+        lost_leader: None,
+        kept_leader: None,
+        is_nameless: false,
+    };
+    let wanted: Vec<Wanted> = (0..4).map(number).collect();
+    let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);
+    let longer = longer(&groups, &wanted, &room, 8.0);
+    let off = |at: &MmPoint| if is_level { 90.0 - at.y } else { at.x };
+    longer.iter().map(off).fold(f32::INFINITY, f32::min)
+}
+
 #[test]
 fn ticks_of_a_millimetre_are_laid_out_as_long_as_they_will_be_drawn() {
-    let at = |i: usize| 10.0 + 20.0 * i as f32;
-    // of an upright axis, or of a level one: the same with x and y swapped
-    let longest = |tick: f32, is_level: bool| {
-        let point = |x: f32, y: f32| if is_level { MmPoint::new(y, 90.0 - x) } else { MmPoint::new(x, y) };
-        let line = |from: MmPoint, to: MmPoint| Line { strength: 50.0, runs: vec![Run::stroke(1.0, vec![from, to])] };
-        let ticks = (0..4).map(|i| line(point(40.0 - tick, at(i)), point(40.0, at(i))));
-        let axis = line(point(40.0, 5.0), point(40.0, 80.0));
-        let lines: Vec<Line> = std::iter::once(axis).chain(ticks).collect();
-        let room = Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0))));
-        let number = |i: usize| Wanted {
-            text: format!("{i} \u{20ac}"),
-            anchor: MmRect::from_points([point(28.0, at(i) - 2.0), point(34.0, at(i) + 2.0)]),
-            lost_leader: None,
-            kept_leader: None,
-            is_nameless: false,
-        };
-        let wanted: Vec<Wanted> = (0..4).map(number).collect();
-        let groups = super::super::groups::of(&wanted, |_| true, |_| false, |_| false);
-        let longer = longer(&groups, &wanted, &room, 8.0);
-        let off = |at: &MmPoint| if is_level { 90.0 - at.y } else { at.x };
-        longer.iter().map(off).fold(f32::INFINITY, f32::min)
-    };
     for is_level in [false, true] {
-        assert!(longest(2.5, is_level) < 33.5, "{}", longest(2.5, is_level));
-        assert!(longest(1.5, is_level) < 33.5, "{}", longest(1.5, is_level));
-        assert!(longest(0.0, is_level).is_infinite(), "an axis is no tick");
+        for tick in [2.5, 1.5] {
+            let nearest = nearest_of_longer(tick, 6.0 - tick, 5.0, is_level);
+            assert!(nearest < 33.5, "{nearest}");
+        }
+        let nearest = nearest_of_longer(0.0, 6.0, 5.0, is_level);
+        assert!(nearest.is_infinite(), "an axis is no tick");
+        let nearest = nearest_of_longer(0.0, 0.8, 10.0, is_level);
+        assert!(nearest.is_infinite(), "nor is its end");
+    }
+}
+
+#[test]
+fn ticks_are_found_that_end_close_to_their_numbers() {
+    for is_level in [false, true] {
+        // as in a chart of 8 inches on half a sheet: ticks of 3.5 points, 3.5 points before their numbers
+        for (tick, blank) in [(0.8, 0.8), (1.5, 0.8), (1.5, 0.3), (2.5, 0.8)] {
+            let nearest = nearest_of_longer(tick, blank, 5.0, is_level);
+            assert!((31.0..33.5).contains(&nearest), "{tick} {blank}: {nearest}");
+        }
     }
 }
