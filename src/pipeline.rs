@@ -24,6 +24,7 @@ mod label;
 mod label_params;
 mod leaders;
 mod legend;
+mod line_legend;
 mod lines_of_part;
 mod links_of_overview;
 mod lost_marks;

@@ -201,6 +201,8 @@ reasons! {
     PaperEdge => "paper-edge",
     /// Fingers feel no colours of lines.
     ColoursOfLines => "colours-of-lines",
+    /// The words of a legend of lines stand at these.
+    LegendAtLines => "legend-at-lines",
     /// Rows of textures lie close beside most of the lines of a page of dots.
     AmongRows => "among-rows",
     // of an overview

@@ -12,6 +12,7 @@ use super::joined_bars::{BarTolerances, Redraw};
 use super::key::KeySheets;
 use super::leaders;
 use super::legend::{self, LegendEntry};
+use super::line_legend;
 use super::links_of_overview;
 use super::lost_marks;
 use super::lost_signs;
@@ -137,16 +138,11 @@ pub(super) fn find(
     let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
     if plan.profile().figure.lines {
+        let (is_label, beside) = (become_labels(words), leaders::FROM_PRINT);
+        notes.extend(line_legend::to_curves(&mut edges, &mut texts, &is_label, &picture.raster, &layout));
         let lines_of = lines_of(given, None, &decisions);
         let draw = |edges: &Edges| draw_lines(edges, lines_of, &layout, plan, &mut |_| ()).lines.lines;
-        notes.extend(leaders::whole_or_none(
-            &mut edges,
-            &mut texts,
-            leaders::FROM_PRINT,
-            become_labels(words),
-            &layout,
-            draw,
-        ));
+        notes.extend(leaders::whole_or_none(&mut edges, &mut texts, beside, &is_label, &layout, draw));
     }
     let legend = legend::entries(&edges, &texts, &picture.raster, &layout, plan);
     if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
@@ -207,7 +203,7 @@ pub(super) fn draw(
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(told_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
-    notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan));
+    notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan).filter(|_| !line_legend::is_told(&notes)));
     let of_legend = (&mut legend, edges.of_drawing());
     let leaders = leaders::on_page(&edges, (&texts, leaders::FROM_PRINT), &layout);
     drop((picture.raster, edges));

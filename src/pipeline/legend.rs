@@ -163,7 +163,7 @@ pub(super) fn moved_to_key(
 /// Which of the contours are frames of a legend: closed, along the sides of a box that holds all `patches`, and in that
 /// nothing of the drawing but what is `of_patches` and words that the key has. What is filled stays, as its texture
 /// does.
-fn frames(
+pub(super) fn frames(
     edges: &Edges,
     of_patches: &[bool],
     patches: &[MmRect],
@@ -184,7 +184,9 @@ fn frames(
         let holds = |chain: &ChainRange| points(chain).into_iter().any(|at| inside.contains(at));
         let has_others = || {
             let others = edges.chains.iter().zip(of_patches).enumerate();
-            others.filter(|(other, (_, of_patch))| *other != number && !**of_patch).any(|(_, (other, _))| holds(other))
+            // the lines of a grid may lie behind it
+            let mut others = others.filter(|(other, (of, of_patch))| *other != number && !**of_patch && !of.kind.faint);
+            others.any(|(_, (other, _))| holds(other))
         };
         own.iter().all(|at| !inside.contains(*at))
             && patches.iter().all(|patch| holds_box(place, patch.inflate(-OF_PATCH, -OF_PATCH)))
@@ -216,7 +218,7 @@ pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmR
 }
 
 /// Strokes around a patch reach no further beyond it, mm.
-const OF_PATCH: f32 = 1.0;
+pub(super) const OF_PATCH: f32 = 1.0;
 
 /// The legend of a page that was read, as its key told it.
 pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
@@ -241,13 +243,13 @@ pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
 }
 
 /// Whether a text stands at the side of a patch, at its height.
-fn is_beside(patch: MmRect, text: MmRect) -> bool {
+pub(super) fn is_beside(patch: MmRect, text: MmRect) -> bool {
     let level = (patch.center().y - text.center().y).abs() <= 0.5 * patch.height().max(text.height());
     level && (0.0..=FARTHEST_WORD).contains(&gap(patch, text))
 }
 
 /// The blank between a patch and a text on its left or right, mm.
-fn gap(patch: MmRect, text: MmRect) -> f32 {
+pub(super) fn gap(patch: MmRect, text: MmRect) -> f32 {
     (text.min.x - patch.max.x).max(patch.min.x - text.max.x)
 }
 
@@ -347,11 +349,11 @@ pub(super) fn told_lines(edges: &Edges, raster: &Raster, layout: &Layout, plan: 
     for chain in &edges.chains {
         let places = chain.kind.stroke.map(|width| places_along(edges, chain, width, raster)).unwrap_or_default();
         let step = transform.mm_per_px() * edges.chain(chain).length() / PLACES as f32;
-        for (at, is_line) in places {
+        for (at, ground) in places {
             let class = class_at(raster, at, &params);
             if let Some(number) = Class::ALL.iter().position(|of| Some(*of) == class) {
                 lengths[number][0] += step;
-                lengths[number][1] += if is_line { step } else { 0.0 };
+                lengths[number][1] += if ground.is_some() { step } else { 0.0 };
             }
         }
     }
@@ -371,8 +373,14 @@ pub(super) fn told_lines(edges: &Edges, raster: &Raster, layout: &Layout, plan: 
     })
 }
 
-/// The pixels in the middle of a stroke at some places along it, and whether both of its sides have one colour there.
-fn places_along(edges: &Edges, chain: &ChainRange, width: f32, raster: &Raster) -> Vec<(usize, bool)> {
+/// The pixels in the middle of a stroke at some places along it, each with one of its ground, if both of its sides
+/// have one colour there.
+pub(super) fn places_along(
+    edges: &Edges,
+    chain: &ChainRange,
+    width: f32,
+    raster: &Raster,
+) -> Vec<(usize, Option<usize>)> {
     let edgels = &edges.edgels[chain.edgels.clone()];
     let at = |place: usize| {
         let number = (place * (edgels.len() - 1)) / PLACES.max(1) + (edgels.len() - 1) / (2 * PLACES);
@@ -380,8 +388,9 @@ fn places_along(edges: &Edges, chain: &ChainRange, width: f32, raster: &Raster) 
         let after = edgels[(number + 1).min(edgels.len() - 1)].at;
         let along = (after - before).try_normalize()?;
         let aside = PxPoint::new(-along.y, along.x).to_vector() * (0.5 * width + OFF);
-        let [left, right] = [own - aside, own + aside].map(|side| index(raster, side).map(|at| pixel(raster, at)));
-        Some((index(raster, own)?, left.zip(right).is_some_and(|(left, right)| distance(left, right) < SAME)))
+        let [left, right] = [own - aside, own + aside].map(|side| index(raster, side));
+        let are_alike = |(left, right): &(usize, usize)| distance(pixel(raster, *left), pixel(raster, *right)) < SAME;
+        Some((index(raster, own)?, left.zip(right).filter(are_alike).map(|(left, _)| left)))
     };
     if edgels.len() < 2 { Vec::new() } else { (0..PLACES).filter_map(at).collect() }
 }

@@ -237,6 +237,51 @@ fn numbers_beside_the_first_points_of_curves_are_no_legend() {
     }
 }
 
+/// The words of a legend of lines stand at their curves, and its samples with their frame are left out.
+#[test]
+fn the_words_of_a_legend_of_lines_stand_at_their_curves() {
+    let lines = |frame: &str, profile: &str| {
+        let curve = |colour: &str, points: &str| {
+            format!("<path d='M{points}' fill='none' stroke='{colour}' stroke-width='4'/>")
+        };
+        let sample = |y: u32, colour: &str, word: &str| {
+            let text = format!("<text x='382' y='{}'>{word}</text>", y + 6);
+            curve(colour, &format!("342 {y}H372")) + &text
+        };
+        let marks = [
+            "<path d='M70 70V410H690' fill='none' stroke='#000' stroke-width='2'/>",
+            &curve("#1f77b4", "80 380L230 300L380 330L530 180L670 130"),
+            &curve("#d62728", "80 130L230 230L380 190L530 290L670 370"),
+            frame,
+            &sample(94, "#1f77b4", "London"),
+            &sample(120, "#d62728", "Moscow"),
+        ];
+        drawn(&svg(SIZE, &marks.concat()), profile)
+    };
+    let frame = "<rect x='330' y='80' width='140' height='54' rx='4' fill='#fff' stroke='#888' stroke-width='2'/>";
+    for (frame, profile) in [(frame, "swell-a4"), ("", "swell-a4"), (frame, "index-basic-d")] {
+        let drawing = lines(frame, profile);
+        let (figure, told) = (drawing.page.figure.place, notes(&drawing));
+        assert!(told.contains("the legend of lines in the figure (\"London\", \"Moscow\")"), "{profile}: {told}");
+        assert!(!told.contains("fingers feel no colour of a line"), "{profile}: {told}");
+        let legend = MmRect::new(on_page(figure, 326.0, 76.0), on_page(figure, 474.0, 138.0));
+        let points = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        assert_eq!(points.filter(|at| legend.contains(**at)).count(), 0, "{profile}: {told}");
+        let off = |word: &str, [x, y]: [f32; 2]| {
+            let labels = labels_of(&drawing);
+            let label = labels.into_iter().find(|label| label.text == word);
+            let place = place(label.unwrap_or_else(|| panic!("{word} on {profile}: {told}")));
+            let at = on_page(figure, x, y);
+            (at - at.clamp(place.min, place.max)).length()
+        };
+        for (word, own, other) in
+            [("London", [670.0, 130.0], [670.0, 370.0]), ("Moscow", [670.0, 370.0], [670.0, 130.0])]
+        {
+            assert!(off(word, own) < off(word, other), "{word} on {profile}: {told}");
+        }
+    }
+}
+
 /// A colour of the legend that has no texture in the figure is blank there, and the key says what that means.
 #[test]
 fn the_key_names_other_areas_of_the_legend_as_blank() {

@@ -1,0 +1,280 @@
+//! A legend of lines: short pieces of lines with words beside them, which tell by their colours what curves mean. On a
+//! page all lines are alike and a sample says nothing, so each word becomes the label of its curve.
+
+use super::legend::{OF_PATCH, frames, gap, is_beside, places_along};
+use super::texts::Text;
+use super::unwritten::named;
+use crate::edges::Edges;
+use crate::geom::{nearest_on_segment, polyline};
+use crate::page::layout::Layout;
+use crate::raster::Raster;
+use crate::units::{MmPoint, MmRect, PageTransform};
+use crate::{About, Note, Reason};
+
+/// How long a sample of a line is, mm: in print 5 to 10 mm, of a drawing that may be larger or smaller on the page.
+const SAMPLE: std::ops::RangeInclusive<f32> = 2.5..=25.0;
+/// It is level: so high at most, mm.
+const LEVEL: f32 = 0.5;
+/// Nothing but its own marker is so near to it, mm: it is no tick, and leads to nothing.
+const FREE: f32 = 0.5;
+/// Samples are about as long as one another, as a share, and stand in a column or a row, mm.
+const ALIKE: f32 = 0.75;
+const IN_LINE: f32 = 1.0;
+/// Most entries of such a legend: print tells no more colours apart.
+const MOST: usize = 24;
+/// A stroke differs by so much from its ground where its colour is looked at, in square roots of linear light.
+const INK: f32 = 0.1;
+/// Places of one stroke have one colour, and a sample has that of its curve: the cosine between the ways from the
+/// ground to both (8 degrees). A thin stroke is blended with its ground: that changes how far it is, not the way.
+const ONE_COLOUR: f32 = 0.99;
+/// Samples have different colours (15 degrees).
+const OTHER: f32 = 0.966;
+/// A marker on a sample reaches so far beside it at most, as a share of its length.
+const MARKER: f32 = 0.35;
+/// Curves are so long at least, mm: longer than most samples.
+const LEAST: f32 = 20.0;
+/// A line is straight if its chord is at least this share of it: one with a word at its end may be a leader line (see
+/// `leaders`), so its word stands at its side.
+const STRAIGHT: f32 = 0.97;
+/// A word stands at a curve where others are so far at least, mm; farther than this they need not be.
+const APART: f32 = 4.0;
+const ENOUGH: f32 = 15.0;
+/// An end is as good as another place that is farther from other curves by this, mm.
+const AT_END: f32 = 3.0;
+/// Places are looked at between so many parts of a curve.
+const PARTS: usize = 10;
+/// Half of the side of the box for which a word stands then, mm.
+const HALF: f32 = 0.5;
+
+/// The unit vector from the colour of a ground to that of a stroke on it.
+type Colour = [f32; 3];
+
+/// A sample of a line, the number of its word, and its colour.
+#[derive(Debug, Clone, PartialEq)]
+struct Sample {
+    text: usize,
+    place: MmRect,
+    colour: Colour,
+}
+
+/// A line that a sample may stand for.
+struct Curve {
+    chain: usize,
+    length: f32,
+    colour: Colour,
+    /// Whether it is level or upright, as axes are.
+    is_axial: bool,
+}
+
+/// The contours of a drawing on the sheet.
+struct Contours<'a> {
+    edges: &'a Edges,
+    raster: &'a Raster,
+    points: Vec<Vec<MmPoint>>,
+    /// The boxes around them.
+    places: Vec<MmRect>,
+}
+
+/// Takes a legend of lines whose words would become labels out of a drawing, and has each word stand at its curve.
+/// Tells of it.
+pub(super) fn to_curves(
+    edges: &mut Edges,
+    texts: &mut [Text],
+    is_label: impl Fn(&Text) -> bool,
+    raster: &Raster,
+    layout: &Layout,
+) -> Option<Note> {
+    let labels = texts.iter().filter(|text| is_label(text)).count();
+    if labels < 2 || raster.is_grey() || !edges.of_drawing() {
+        return None;
+    }
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let contours = Contours::of(edges, raster, &transform);
+    let samples = in_line(contours.samples(texts, is_label));
+    let is_other = |a: &Sample, b: &Sample| std::ptr::eq(a, b) || cosine(a.colour, b.colour) <= OTHER;
+    if samples.len() < 2 || !samples.iter().all(|a| samples.iter().all(|b| is_other(a, b))) {
+        return None;
+    }
+    let curves = contours.curves();
+    let places: Vec<MmPoint> = samples.iter().map(|of| contours.place_at(of, &curves)).collect::<Option<_>>()?;
+    let own: Vec<MmRect> = samples.iter().map(|sample| with_marker(sample.place)).collect();
+    let is_of_sample = |points: &Vec<MmPoint>| own.iter().any(|sample| points.iter().all(|at| sample.contains(*at)));
+    let of_samples: Vec<bool> = contours.points.iter().map(is_of_sample).collect();
+    for (sample, at) in samples.iter().zip(places) {
+        texts[sample.text].place = MmRect::new(at, at).inflate(HALF, HALF);
+    }
+    let patches: Vec<MmRect> = samples.iter().map(|sample| sample.place.inflate(OF_PATCH, OF_PATCH)).collect();
+    let of_frame = frames(edges, &of_samples, &patches, texts, raster, &transform);
+    let mut gone = of_samples.into_iter().zip(of_frame).map(|(of_sample, of_frame)| of_sample || of_frame);
+    edges.chains.retain(|_| !gone.next().unwrap_or(false));
+    let names: Vec<&str> = samples.iter().map(|sample| texts[sample.text].string.as_str()).collect();
+    let told = "each word is the label of its line, and the samples are left out, as all lines are alike on the page";
+    Some(Note::TakenAs(
+        About::Lines,
+        Reason::LegendAtLines,
+        format!("the legend of lines in the figure ({}): {told}", named(&names)),
+    ))
+}
+
+/// Whether a legend of lines is told.
+pub(super) fn is_told(notes: &[Note]) -> bool {
+    notes.iter().any(|note| matches!(note, Note::TakenAs(_, Reason::LegendAtLines, _)))
+}
+
+impl<'a> Contours<'a> {
+    fn of(edges: &'a Edges, raster: &'a Raster, transform: &PageTransform) -> Self {
+        let of_chain = |edgels: std::ops::Range<usize>| -> Vec<MmPoint> {
+            edges.edgels[edgels].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
+        };
+        let points: Vec<Vec<MmPoint>> = edges.chains.iter().map(|chain| of_chain(chain.edgels.clone())).collect();
+        let places = points.iter().map(MmRect::from_points).collect();
+        Self { edges, raster, points, places }
+    }
+
+    /// Short level strokes, each with a word at its side; none where there are too many.
+    fn samples(&self, texts: &[Text], is_label: impl Fn(&Text) -> bool) -> Vec<Sample> {
+        let mut found: Vec<Sample> = Vec::new();
+        for (chain, &place) in self.places.iter().enumerate() {
+            if !self.is_open_stroke(chain) || !SAMPLE.contains(&place.width()) || place.height() > LEVEL {
+                continue;
+            }
+            let beside = (0..texts.len()).filter(|&text| is_label(&texts[text]) && is_beside(place, texts[text].place));
+            let nearest = beside.min_by(|&a, &b| gap(place, texts[a].place).total_cmp(&gap(place, texts[b].place)));
+            let Some(text) = nearest.filter(|text| !found.iter().any(|other| other.text == *text)) else { continue };
+            if let Some(colour) = self.colour(chain).filter(|_| self.is_free(chain)) {
+                found.push(Sample { text, place, colour });
+            }
+        }
+        if found.len() > MOST { Vec::new() } else { found }
+    }
+
+    /// Lines that samples may stand for.
+    fn curves(&self) -> Vec<Curve> {
+        let curve = |chain: usize| {
+            let length = polyline::length(&self.points[chain]);
+            if !self.is_open_stroke(chain) || length < LEAST {
+                return None;
+            }
+            let is_axial = self.places[chain].width().min(self.places[chain].height()) <= LEVEL;
+            Some(Curve { chain, length, colour: self.colour(chain)?, is_axial })
+        };
+        (0..self.points.len()).filter_map(curve).collect()
+    }
+
+    /// Where the word of a sample stands at its curve: the longest of its colour, or a level or upright one if it is
+    /// the only one.
+    fn place_at(&self, sample: &Sample, curves: &[Curve]) -> Option<MmPoint> {
+        let (own, others): (Vec<&Curve>, Vec<&Curve>) =
+            curves.iter().partition(|curve| cosine(curve.colour, sample.colour) >= ONE_COLOUR);
+        let longer = own.iter().filter(|curve| curve.length > 2.0 * sample.place.width());
+        let (axial, bent): (Vec<&Curve>, Vec<&Curve>) = longer.copied().partition(|curve| curve.is_axial);
+        let longest = bent.into_iter().max_by(|a, b| a.length.total_cmp(&b.length));
+        let curve = longest.or_else(|| axial.first().copied().filter(|_| axial.len() == 1))?;
+        let others = others.into_iter().filter(|other| !other.is_axial);
+        let others: Vec<&[MmPoint]> = others.map(|other| &self.points[other.chain][..]).collect();
+        best_place(&self.points[curve.chain], &others)
+    }
+
+    fn is_open_stroke(&self, chain: usize) -> bool {
+        let of = &self.edges.chains[chain];
+        !of.closed && of.kind.of_drawing && of.kind.stroke.is_some() && !of.kind.faint && !of.kind.added
+    }
+
+    /// Whether nothing is at a sample but gridlines and what is no longer than it, as its marker.
+    fn is_free(&self, sample: usize) -> bool {
+        let near = self.places[sample].inflate(FREE, FREE);
+        let own = with_marker(self.places[sample]);
+        let is_at = |other: usize| {
+            let points = &self.points[other];
+            self.places[other].inflate(FREE, FREE).intersects(&near)
+                && points.iter().any(|at| near.contains(*at))
+                && !points.iter().all(|at| own.contains(*at))
+        };
+        !(0..self.points.len()).any(|other| other != sample && !self.edges.chains[other].kind.faint && is_at(other))
+    }
+
+    /// The colour of most of a stroke where it is seen on its ground.
+    fn colour(&self, chain: usize) -> Option<Colour> {
+        let chain = &self.edges.chains[chain];
+        let places = places_along(self.edges, chain, chain.kind.stroke?, self.raster);
+        let seen: Vec<Colour> =
+            places.into_iter().filter_map(|(at, ground)| colour_on(self.raster, at, ground?)).collect();
+        let count = |colour: Colour| seen.iter().filter(|other| cosine(**other, colour) >= ONE_COLOUR).count();
+        seen.iter().copied().max_by_key(|colour| count(*colour)).filter(|colour| 2 * count(*colour) > seen.len())
+    }
+}
+
+/// The box of a sample with the marker on it.
+fn with_marker(sample: MmRect) -> MmRect {
+    let beside = MARKER * sample.width();
+    sample.inflate(beside, beside)
+}
+
+/// The colour of the pixel that differs most from that of the ground, of one and those around it: the middle of a thin
+/// stroke lies between pixels. None where there is no stroke.
+fn colour_on(raster: &Raster, at: usize, ground: usize) -> Option<Colour> {
+    let (width, height) = (raster.size().width as usize, raster.size().height as usize);
+    let light = |at: usize, plane: &Vec<f32>| plane[at].max(0.0).sqrt();
+    let way = |at: usize| -> Colour {
+        let mut planes = raster.planes().iter().map(|plane| light(at, plane) - light(ground, plane));
+        std::array::from_fn(|_| planes.next().unwrap_or(0.0))
+    };
+    let length = |way: &Colour| way.iter().map(|part| part * part).sum::<f32>().sqrt();
+    let columns = beside(at % width, width);
+    let pixels = beside(at / width, height).flat_map(|y| columns.clone().map(move |x| y * width + x));
+    let far = pixels.map(way).max_by(|a, b| length(a).total_cmp(&length(b)))?;
+    let all = length(&far);
+    (all >= INK).then(|| far.map(|part| part / all))
+}
+
+/// The cosine of the angle between two colours.
+fn cosine(a: Colour, b: Colour) -> f32 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// A number of so many, and those next to it.
+fn beside(number: usize, count: usize) -> std::ops::RangeInclusive<usize> {
+    number.saturating_sub(1)..=(number + 1).min(count - 1)
+}
+
+/// The samples that stand in a column or a row with others which are about as long.
+fn in_line(samples: Vec<Sample>) -> Vec<Sample> {
+    let is_with = |a: MmRect, b: MmRect| {
+        let off = (a.min.x - b.min.x).abs().min((a.center().y - b.center().y).abs());
+        off <= IN_LINE && a.width().min(b.width()) >= ALIKE * a.width().max(b.width())
+    };
+    let has_other = |number: usize| {
+        let mut others = samples.iter().enumerate().filter(|(other, _)| *other != number);
+        others.any(|(_, other)| is_with(samples[number].place, other.place))
+    };
+    let mut stay = (0..samples.len()).map(has_other).collect::<Vec<bool>>().into_iter();
+    samples.into_iter().filter(|_| stay.next().unwrap_or(false)).collect()
+}
+
+/// The place of a curve at which its word is taken for that of no other: an end, the right one rather than the left, or
+/// one that is clearly farther from other curves. None where there is no such place.
+fn best_place(curve: &[MmPoint], others: &[&[MmPoint]]) -> Option<MmPoint> {
+    let (&first, &last) = (curve.first()?, curve.last()?);
+    let far = |at: MmPoint| {
+        let segments = others.iter().flat_map(|other| other.windows(2));
+        segments.map(|pair| nearest_on_segment(at, pair[0], pair[1]).0).fold(ENOUGH, f32::min)
+    };
+    let is_straight = (last - first).length() >= STRAIGHT * polyline::length(curve);
+    let ends = if first.x > last.x { [first, last] } else { [last, first] };
+    let ends = ends.into_iter().filter(|_| !is_straight).map(|at| (at, AT_END));
+    // not near the ends of a straight line either
+    let from = if is_straight { 3 } else { 1 };
+    let inner = (from..=PARTS - from).map(|part| (curve[part * (curve.len() - 1) / PARTS], 0.0));
+    let mut best: Option<(MmPoint, f32)> = None;
+    for (at, more) in ends.chain(inner) {
+        let far = far(at);
+        let is_better = best.is_none_or(|(_, most)| far + more > most);
+        if far >= APART && is_better {
+            best = Some((at, far + more));
+        }
+    }
+    best.map(|(at, _)| at)
+}
+
+#[cfg(test)]
+mod tests;
