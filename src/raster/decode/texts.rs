@@ -2,7 +2,7 @@
 //! kept as data.
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use usvg::{Group, Node, Text, Tree};
+use usvg::{Group, Node, Text, TextAnchor, TextChunk, Tree};
 
 use super::colour::one_line;
 use crate::listing::{counted, first_few};
@@ -125,7 +125,12 @@ fn add_group(group: &Group, transform: Transform, size: Size, found: &mut Vec<Dr
 
 /// A text, if it has letters and a part of it is in the picture.
 fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
-    let letters = text.chunks().iter().map(|chunk| chunk.text()).collect::<Vec<_>>().join(" ");
+    let piece = |chunk: &TextChunk| Piece {
+        text: chunk.text().trim().to_owned(),
+        at: chunk.x().zip(chunk.y()).filter(|_| chunk.anchor() == TextAnchor::Start),
+        size: chunk.spans().iter().map(|span| span.font_size().get()).fold(0.0, f32::max),
+    };
+    let letters = joined(&text.chunks().iter().map(piece).collect::<Vec<_>>());
     let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
     let place = text.abs_bounding_box().transform(transform)?;
     let is_seen = place.left() < size.width as f32
@@ -147,6 +152,102 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
         hidden: false,
     })
 }
+
+/// A part of a text that has a place of its own, as programs write each sign of a formula.
+struct Piece {
+    text: String,
+    /// Where it begins, if that is known.
+    at: Option<(f32, f32)>,
+    /// Size of its font.
+    size: f32,
+}
+
+/// Two digits, or the point of a decimal and a digit, begin no farther apart where no space is between them, in sizes
+/// of their font: digits are at most 0.64 wide, and with a space 0.75 at least, but in narrow fonts.
+const DIGIT: f32 = 0.68;
+const POINT: f32 = 0.45;
+/// No sign is broader, in sizes of its font.
+const BROADEST: f32 = 1.1;
+/// A raised or lowered sign is as small as this beside those on the line, and stands so far off it, in sizes of these.
+const SMALL: f32 = 0.85;
+const OFF_LINE: f32 = 0.1;
+
+/// The pieces of a text as one: with a space between them, but for the digits of one number and what is raised or
+/// lowered behind a sign, which has characters of its own. So "1", "0" and a small "3" above the line are 10 to the
+/// power of 3, and not "1 0 3".
+fn joined(pieces: &[Piece]) -> String {
+    let mut all = String::new();
+    // the last piece, and the last that stands on the line
+    let mut before: Option<[&Piece; 2]> = None;
+    for piece in pieces {
+        let script = before.and_then(|[last, on_line]| script(piece, last, on_line));
+        if let Some(script) = &script {
+            all.push_str(script);
+        } else {
+            if before.is_some_and(|[last, on_line]| !goes_right_on(piece, last, on_line)) {
+                all.push(' ');
+            }
+            all.push_str(&piece.text);
+        }
+        let on_line = before.filter(|_| script.is_some()).map_or(piece, |[_, on_line]| on_line);
+        before = Some([piece, on_line]);
+    }
+    all
+}
+
+/// How far to the right and how far up a piece begins from another.
+fn from(other: &Piece, piece: &Piece) -> Option<(f32, f32)> {
+    let ((x, y), (from_x, from_y)) = (piece.at?, other.at?);
+    Some((x - from_x, from_y - y))
+}
+
+/// Whether a piece stands on the line right behind the last one: both are of one number, or the last one is a raised or
+/// lowered number.
+fn goes_right_on(piece: &Piece, last: &Piece, on_line: &Piece) -> bool {
+    let is_point = |text: &str| text == "." || text == ",";
+    let is_digit = |text: &str| text.len() == 1 && text.chars().all(|sign| sign.is_ascii_digit());
+    let is_script = !std::ptr::eq(last, on_line);
+    let farthest = match (&last.text[..], &piece.text[..]) {
+        (last, own) if is_digit(last) && (is_script || is_digit(own) || is_point(own)) => DIGIT,
+        (last, own) if is_point(last) && is_digit(own) => POINT,
+        _ => return false,
+    };
+    let is_alike = (piece.size - on_line.size).abs() <= 0.05 * on_line.size;
+    let is_near = from(last, piece).is_some_and(|(right, _)| (0.0..=farthest * last.size).contains(&right));
+    is_alike && is_near && from(on_line, piece).is_some_and(|(_, up)| up.abs() <= OFF_LINE * on_line.size)
+}
+
+/// A piece in raised or lowered characters, if it stands small above or below the line right behind the last one.
+fn script(piece: &Piece, last: &Piece, on_line: &Piece) -> Option<String> {
+    let (right, _) = from(last, piece)?;
+    let (_, up) = from(on_line, piece)?;
+    let widest = BROADEST * last.size * last.text.chars().count() as f32;
+    let is_script = piece.size <= SMALL * on_line.size
+        && (0.0..=widest).contains(&right)
+        && (OFF_LINE * on_line.size..=on_line.size).contains(&up.abs());
+    let sign = |sign: char| {
+        let known = SCRIPTS.iter().find(|(own, ..)| *own == sign)?;
+        Some(if up > 0.0 { known.1 } else { known.2 })
+    };
+    (is_script && !piece.text.is_empty()).then(|| piece.text.chars().map(sign).collect::<Option<_>>())?
+}
+
+/// Signs, raised and lowered.
+const SCRIPTS: [(char, char, char); 13] = [
+    ('0', '\u{2070}', '\u{2080}'),
+    ('1', '\u{b9}', '\u{2081}'),
+    ('2', '\u{b2}', '\u{2082}'),
+    ('3', '\u{b3}', '\u{2083}'),
+    ('4', '\u{2074}', '\u{2084}'),
+    ('5', '\u{2075}', '\u{2085}'),
+    ('6', '\u{2076}', '\u{2086}'),
+    ('7', '\u{2077}', '\u{2087}'),
+    ('8', '\u{2078}', '\u{2088}'),
+    ('9', '\u{2079}', '\u{2089}'),
+    ('+', '\u{207a}', '\u{208a}'),
+    ('-', '\u{207b}', '\u{208b}'),
+    ('\u{2212}', '\u{207b}', '\u{208b}'),
+];
 
 #[cfg(test)]
 mod tests;

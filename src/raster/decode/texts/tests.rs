@@ -33,3 +33,24 @@ fn lists_and_texts_apart_are_several() {
     let ended = [text("The end.", 10.0, 10.0), text("not its own", 10.0, 34.0)];
     assert_eq!(strings(ended.to_vec()).len(), 2, "the sentence has ended");
 }
+
+#[test]
+fn digits_and_powers_of_a_formula_are_one_number() {
+    let pieces = |of: &[(&str, f32, f32, f32)]| -> String {
+        let piece =
+            |&(text, x, y, size): &(&str, f32, f32, f32)| Piece { text: text.to_owned(), at: Some((x, y)), size };
+        joined(&of.iter().map(piece).collect::<Vec<_>>())
+    };
+    // as matplotlib writes the numbers of a logarithmic axis
+    assert_eq!(pieces(&[("1", 0.0, -0.7, 10.0), ("0", 6.4, -0.7, 10.0), ("3", 12.8, -4.8, 7.0)]), "10\u{b3}");
+    let negative =
+        [("1", 0.0, 0.0, 10.0), ("0", 6.4, 0.0, 10.0), ("\u{2212}", 12.8, -4.1, 7.0), ("2", 18.7, -4.1, 7.0)];
+    assert_eq!(pieces(&negative), "10\u{207b}\u{b2}");
+    assert_eq!(pieces(&[("H", 0.0, 0.0, 10.0), ("2", 7.6, 1.6, 7.0), ("O", 12.1, 0.0, 10.0)]), "H\u{2082}O");
+    assert_eq!(pieces(&[("1", 0.0, 0.0, 10.0), (".", 6.4, 0.0, 10.0), ("5", 9.6, 0.0, 10.0)]), "1.5");
+    assert_eq!(pieces(&[("1", 0.0, 0.0, 10.0), ("2", 9.5, 0.0, 10.0)]), "1 2", "a space between them");
+    assert_eq!(pieces(&[("1", 0.0, 0.0, 10.0), ("2", 0.0, 12.0, 10.0)]), "1 2", "below one another");
+    assert_eq!(pieces(&[("Rain", 0.0, 0.0, 10.0), ("2", 60.0, -4.0, 7.0)]), "Rain 2", "too far off");
+    let unknown = ["Rain", "in mm"].map(|text| Piece { text: text.to_owned(), at: None, size: 9.0 });
+    assert_eq!(joined(&unknown), "Rain in mm");
+}
