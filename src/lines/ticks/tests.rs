@@ -191,3 +191,21 @@ fn ticks_of_a_scale_are_taken_in_order_and_those_parted_by_a_point_are_one() {
     assert!(scale.iter().all(|tick| tick.ends[0].is_some_and(|end| end.y < 50.0)), "the same side is the left one");
     assert_eq!(lines.len(), 3, "the axis and the box");
 }
+
+#[test]
+fn of_a_logarithmic_scale_all_ticks_are_tried_then_the_long_ones() {
+    // three decades of 20 mm
+    let scale = |is_long: fn(usize) -> bool| -> Vec<TickMark> {
+        let at = |k: usize| 10.0 + 20.0 * ((k / 9) as f32 + ((k % 9 + 1) as f32).log10());
+        let tick = |k: usize| TickMark {
+            at: MmPoint::new(at(k), 50.0),
+            along: MmVector::new(1.0, 0.0),
+            ends: [None, Some(MmPoint::new(at(k), if is_long(k) { 51.0 } else { 50.6 }))],
+        };
+        (0..28).map(tick).collect()
+    };
+    let all = (1, (0..28).collect::<Vec<usize>>());
+    assert_eq!(tick_selections(&scale(|k| k % 9 == 0)), [all.clone(), (9, vec![0, 9, 18, 27])]);
+    assert_eq!(tick_selections(&scale(|_| false)), [all.clone()], "none is long");
+    assert_eq!(tick_selections(&scale(|k| k % 9 == 0 && k != 9)), [all], "the long ones are uneven, too");
+}
