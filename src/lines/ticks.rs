@@ -42,6 +42,10 @@ const LONGEST: f32 = 2.0;
 /// A tick is at least this share of the longest one of its scale: the short ticks of rulers and clocks are a third or
 /// more of the long ones, and what is shorter is a crumb.
 const OF_LONGEST: f32 = 0.25;
+/// Ticks stand on one straight side of a line that runs one way there (the cosine: 2.5 degrees; the ticks of a clock
+/// differ by more), so near to one straight line, mm.
+const ONE_WAY: f32 = 0.999;
+const ON_SIDE: f32 = 1.0;
 /// A point so near to where a tick crosses its line, mm, is at that place.
 const AT_POINT: f32 = 1.0;
 
@@ -92,16 +96,48 @@ pub(super) fn lengthen(
     for on_axis in ticks.chunk_by(|a, b| a.axis == b.axis) {
         let Some(scale) = scale(on_axis, polylines, params) else { continue };
         let scale = in_order(&scale, polylines);
-        let Some((every, drawn)) = lengthen_scale(&scale, points, polylines, area, params) else { continue };
-        let left_out = || scale.iter().enumerate().filter(|(member, _)| !drawn.contains(member)).map(|(_, of)| of);
-        let Some((_, first)) = left_out().next() else { continue };
-        left_out().for_each(|(tick, _)| taken[tick.number] = true);
-        let left_out: Vec<TickMark> = left_out().map(|(_, mark)| *mark).collect();
-        let lost = LostScale { ticks: scale.len(), lost: left_out.len(), every, first: first.at };
-        thinned.push(ThinnedScale { left_out, lost });
+        let parts = match lengthen_scale(&scale, points, polylines, area, params) {
+            Some(drawn) => vec![(scale, drawn)],
+            None => sides(&scale)
+                .into_iter()
+                .filter_map(|side| {
+                    let drawn = lengthen_scale(&side, points, polylines, area, params)?;
+                    Some((side, drawn))
+                })
+                .collect(),
+        };
+        for (scale, (every, drawn)) in parts {
+            let left_out = || scale.iter().enumerate().filter(|(member, _)| !drawn.contains(member)).map(|(_, of)| of);
+            let Some((_, first)) = left_out().next() else { continue };
+            left_out().for_each(|(tick, _)| taken[tick.number] = true);
+            let left_out: Vec<TickMark> = left_out().map(|(_, mark)| *mark).collect();
+            let lost = LostScale { ticks: scale.len(), lost: left_out.len(), every, first: first.at };
+            thinned.push(ThinnedScale { left_out, lost });
+        }
     }
     without(polylines, &taken);
     thinned
+}
+
+/// The ticks on each straight side of a line, as of the frame of a plot, where they are scales by themselves, in order.
+fn sides<'t>(scale: &[(&'t Tick, TickMark)]) -> Vec<Vec<(&'t Tick, TickMark)>> {
+    let mut sides: Vec<Vec<(&'t Tick, TickMark)>> = Vec::new();
+    for &(tick, mark) in scale {
+        let is_on = |side: &Vec<(&Tick, TickMark)>| {
+            let TickMark { at, along, .. } = side[0].1;
+            along.dot(mark.along).abs() >= ONE_WAY && along.cross(mark.at - at).abs() <= ON_SIDE
+        };
+        match sides.iter_mut().find(|side| is_on(side)) {
+            Some(side) => side.push((tick, mark)),
+            None => sides.push(vec![(tick, mark)]),
+        }
+    }
+    sides.retain(|side| (SCALE..scale.len()).contains(&side.len()));
+    for side in &mut sides {
+        let along = side[0].1.along;
+        side.sort_by(|a, b| along.dot(a.1.at.to_vector()).total_cmp(&along.dot(b.1.at.to_vector())));
+    }
+    sides
 }
 
 /// Lines without those that are taken.

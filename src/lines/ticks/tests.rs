@@ -209,3 +209,23 @@ fn of_a_logarithmic_scale_all_ticks_are_tried_then_the_long_ones() {
     assert_eq!(tick_selections(&scale(|_| false)), [all.clone()], "none is long");
     assert_eq!(tick_selections(&scale(|k| k % 9 == 0 && k != 9)), [all], "the long ones are uneven, too");
 }
+
+#[test]
+fn ticks_of_each_side_of_a_frame_are_a_scale_where_all_have_no_room() {
+    let ring = |corners: &[(f32, f32)]| {
+        let mut ring = line(corners[0], corners[1]);
+        for pair in corners[1..].windows(2) {
+            ring.vertices.extend(line(pair[0], pair[1]).vertices.into_iter().skip(1));
+        }
+        ring.closed = true;
+        ring
+    };
+    // below the frame ticks with room, on its left such that are too near to one another
+    let below = [30.0, 45.0, 60.0, 75.0].map(|x| line((x, 80.0), (x, 82.0)));
+    let left = [30.0, 32.5, 36.0, 38.5, 70.0].map(|y| line((18.0, y), (20.0, y)));
+    let mut lines: Vec<_> = below.into_iter().chain(left).collect();
+    lines.push(ring(&[(20.0, 20.0), (90.0, 20.0), (90.0, 80.0), (20.0, 80.0), (20.0, 22.0)]));
+    lengthen(&mut lines, &[], MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), &PARAMS);
+    let lengths: Vec<f32> = lines[..9].iter().map(|line| (10.0 * line.length()).round() / 10.0).collect();
+    assert_eq!(lengths, [8.2, 8.2, 8.2, 8.2, 2.0, 2.0, 2.0, 2.0, 2.0]);
+}
