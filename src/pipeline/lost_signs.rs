@@ -1,6 +1,8 @@
 //! Small closed shapes of a drawing that are not on the page, such as a town on a river or a sample of a colour in a
 //! legend: a label may stand beside them, so they are told by its name.
 
+use std::collections::BTreeSet;
+
 use super::label::Label;
 use super::legend::LegendEntry;
 use super::texts::Text;
@@ -8,9 +10,9 @@ use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
 use crate::geom::polygon::{area, distance_to_box, holds_box, roundness};
-use crate::geom::polyline;
+use crate::geom::{nearest_on_segment, polyline};
 use crate::labels::NEAR;
-use crate::lines::{Line, Lines, LostSign, SignKind, is_triangle};
+use crate::lines::{Line, Lines, LostSign, Run, SignKind, is_triangle};
 use crate::page::Figure;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -172,7 +174,8 @@ pub(super) fn told(
     let all: Vec<(&str, MmRect)> = labels.chain(texts).collect();
     let are_labels = words.own_texts || !words.labels.is_empty();
     let of = |kind: SignKind| lost.iter().copied().filter(|sign| sign.kind == kind).collect::<Vec<_>>();
-    let (heads_lost, others) = (of(SignKind::Arrowhead), of(SignKind::Ring));
+    let (heads_lost, rings) = (of(SignKind::Arrowhead), of(SignKind::Ring));
+    let (of_lines, others): (Vec<LostSign>, Vec<LostSign>) = points_of_lines(rings, &figure.lines);
     let arrows = (!heads_lost.is_empty()).then(|| {
         let count = heads_lost.len();
         let (heads, them, line_leads) = match count {
@@ -190,7 +193,42 @@ pub(super) fn told(
         )
     });
     let points = told_of_points(&of(SignKind::Point), sheets);
-    told_of_shapes(&others, (&all, &tips), are_labels, sheets).into_iter().chain(points).chain(arrows).collect()
+    let shapes = told_of_shapes(&others, (&all, &tips), are_labels, sheets);
+    shapes.into_iter().chain(told_of_line_points(&of_lines, sheets)).chain(points).chain(arrows).collect()
+}
+
+/// So many rings on one line are the points of a curve.
+const CURVE: usize = 3;
+/// The middle of a point lies so near to its line, mm: lines are moved a little.
+const ON_LINE: f32 = 1.5;
+
+/// Rings that are the points of a curve, which is drawn without them, and the others.
+fn points_of_lines(rings: Vec<LostSign>, lines: &[Line]) -> (Vec<LostSign>, Vec<LostSign>) {
+    let mut are = vec![false; rings.len()];
+    for line in lines.iter().filter(|line| rings.len() >= CURVE && !line.ends_meet()) {
+        let around = extent(line).inflate(ON_LINE, ON_LINE);
+        let is_at = |run: &Run, at: MmPoint| {
+            let points: Vec<MmPoint> = run.path().collect();
+            points.windows(2).any(|pair| nearest_on_segment(at, pair[0], pair[1]).0 <= ON_LINE)
+        };
+        let is_on = |at: MmPoint| around.contains(at) && line.runs.iter().any(|run| is_at(run, at));
+        let on: Vec<usize> = (0..rings.len()).filter(|&ring| is_on(rings[ring].at)).collect();
+        if on.len() >= CURVE {
+            on.into_iter().for_each(|ring| are[ring] = true);
+        }
+    }
+    let mut are = are.into_iter();
+    rings.into_iter().partition(|_| are.next().unwrap_or(false))
+}
+
+/// What is told of the points of curves that are drawn without them.
+fn told_of_line_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Option<Note> {
+    let first = place_in_words(lost.first()?.at, sheets);
+    let count = lost.len();
+    let why = "there is no room for all points of a line beside other lines, and it is drawn without them; say in a \
+               label that it has points, or make the figure larger";
+    let told = format!("{count} points of lines (the first at {first}): {why}");
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, told))
 }
 
 /// What is told of points of a cloud that have no room.
@@ -246,8 +284,8 @@ fn told_of_shapes(
     let mut of: Vec<&str> = lost.iter().filter_map(|sign| led(sign.at)).collect();
     let without = lost.iter().filter(|sign| led(sign.at).is_none());
     let mut beside: Vec<&str> = without.filter_map(|sign| beside(sign.at)).collect();
-    of.dedup();
-    beside.dedup();
+    each_once(&mut of);
+    each_once(&mut beside);
     let (shapes, them, which, at) = match lost.len() {
         1 => ("1 small closed shape".to_owned(), "it", "that", "at"),
         count => (format!("{count} small closed shapes"), "them", "those", "the first at"),
@@ -258,6 +296,12 @@ fn told_of_shapes(
     let what = format!("{shapes} ({names}{at} {}), in part or as a whole", place_in_words(first, sheets));
     let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger");
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{what}: {why}")))
+}
+
+/// Keeps the first of names that are equal.
+fn each_once(names: &mut Vec<&str>) {
+    let mut known = BTreeSet::new();
+    names.retain(|name| known.insert(*name));
 }
 
 #[cfg(test)]

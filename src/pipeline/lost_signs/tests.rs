@@ -1,7 +1,6 @@
 //! Tests of `lost_signs`.
 
 use super::*;
-use crate::lines::Run;
 
 #[test]
 fn arrowheads_and_points_are_told_by_themselves() {
@@ -46,6 +45,36 @@ fn a_lost_shape_is_told_by_the_text_whose_leader_line_ends_there() {
     assert!(both.contains(names), "{both}");
     let none = told(&[sign(150.0)], &tip);
     assert!(none.contains("1 small closed shape (at 150, 50 mm)") && !none.contains("not felt"), "{none}");
+}
+
+#[test]
+fn the_points_of_a_curve_are_told_as_such() {
+    let at = |x: f32, y: f32| MmPoint::new(x, y);
+    let line = |points: Vec<MmPoint>| Line { strength: 1.0, runs: vec![Run::stroke(1.0, points)] };
+    let figure = Figure {
+        place: MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)),
+        source: crate::units::Size::new(100, 100),
+        textures: Vec::new(),
+        lines: vec![line(vec![at(10.0, 10.0), at(50.0, 50.0), at(90.0, 20.0)])],
+    };
+    let told = |places: &[MmPoint]| -> Vec<String> {
+        let lost: Vec<LostSign> = places.iter().map(|&at| LostSign { at, kind: SignKind::Ring }).collect();
+        told(&lost, &[], &Words::default(), &figure, None).iter().map(ToString::to_string).collect()
+    };
+    let curve = [at(10.0, 10.0), at(50.0, 49.0), at(90.0, 20.0)];
+    let all = told(&[&curve[..], &[at(80.0, 80.0)]].concat());
+    assert_eq!(all.len(), 2, "{all:?}");
+    assert!(all[0].contains("1 small closed shape (at 80, 80 mm)"), "{all:?}");
+    assert!(all[1].contains("3 points of lines (the first at 10, 10 mm)"), "{all:?}");
+    let towns = told(&curve[..2]);
+    assert!(towns.len() == 1 && towns[0].contains("2 small closed shapes"), "{towns:?}");
+}
+
+#[test]
+fn each_name_beside_lost_shapes_is_told_once() {
+    let mut names = vec!["C", "4", "C", "C", "4"];
+    each_once(&mut names);
+    assert_eq!(names, ["C", "4"]);
 }
 
 #[test]
