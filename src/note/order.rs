@@ -28,6 +28,8 @@ impl Note {
             | Self::ShapesNotInOverview(_)
             | Self::LinesNotInOverview { .. }
             | Self::NoRoomForOverview => 5,
+            // all of it is there
+            Self::TakenAs(_, Reason::InMargin | Reason::OneUnit, _) => 4,
             // the page says something else
             Self::TakenAs(About::Leaders | About::Braille, ..) | Self::InOtherCells(_) | Self::MixedAreas { .. } => 2,
             Self::NotOnPage(About::Widths | About::Print, ..) => 4,

@@ -7,6 +7,7 @@ use crate::Reason;
 fn what_makes_a_page_wrong_is_told_first() {
     let lost = |percent: u32| Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false };
     let told = |about: About| Note::TakenAs(about, Reason::NoSign, String::new());
+    let in_margin = Note::TakenAs(About::Braille, Reason::InMargin, String::new());
     let notes = [
         lost(1),
         told(About::Overview),
@@ -14,10 +15,11 @@ fn what_makes_a_page_wrong_is_told_first() {
         lost(30),
         Note::EmptyPage,
         told(About::Leaders),
+        in_margin,
     ];
     let mut sorted = notes.to_vec();
     Note::sort(&mut sorted);
-    assert_eq!(sorted, [4, 5, 2, 3, 0, 1].map(|number: usize| notes[number].clone()));
+    assert_eq!(sorted, [4, 5, 2, 3, 0, 6, 1].map(|number: usize| notes[number].clone()));
 }
 
 #[test]
