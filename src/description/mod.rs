@@ -4,6 +4,7 @@
 //! written and after it is read.
 
 mod shapes;
+mod shares;
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -173,24 +174,28 @@ fn areas(page: &Page, wording: &Wording) -> Vec<String> {
     let of_class = |class: Class| {
         let own: Vec<_> = page.figure.textures.iter().filter(|texture| texture.class == class).collect();
         let largest = own.iter().max_by(|a, b| a.area.total_cmp(&b.area))?;
-        let share = page.figure.share(class);
         let middle = middle(largest.glyphs.iter().map(|glyph| glyph.at))?;
+        Some((page.figure.share(class), class, own.len(), part_of(middle, place)))
+    };
+    let mut all: Vec<_> = Class::ALL.into_iter().filter_map(of_class).collect();
+    // those of one size stay in the order of the colours, whatever their numbers in a file are rounded to
+    let size = |share: f32| (share / SAME_SHARE).round() as u32;
+    all.sort_by_key(|(share, ..)| std::cmp::Reverse(size(*share)));
+    let blank = 1.0 - page.figure.textured_share();
+    let blank = (!all.is_empty() && blank >= LEAST_BLANK).then_some(blank);
+    let mut told = shares::told(&all.iter().map(|(share, ..)| *share).chain(blank).collect::<Vec<_>>());
+    let blank = blank.and_then(|_| told.pop());
+    let blank = blank.map(|share| wording.say("blank", &[("share", wording.percent(share).into())]));
+    let sentence = |((_, class, areas, ninth), share): ((f32, Class, usize, usize), f32)| {
         let values = [
             ("colour", wording.colour(class.name()).into()),
             ("share", wording.percent(share).into()),
-            ("areas", own.len().into()),
-            ("place", wording.place(part_of(middle, place)).into()),
+            ("areas", areas.into()),
+            ("place", wording.place(ninth).into()),
         ];
-        Some((share, wording.say("area", &values)))
+        wording.say("area", &values)
     };
-    let mut all: Vec<(f32, String)> = Class::ALL.into_iter().filter_map(of_class).collect();
-    // those of one size stay in the order of the colours, whatever their numbers in a file are rounded to
-    let size = |share: f32| (share / SAME_SHARE).round() as u32;
-    all.sort_by_key(|(share, _)| std::cmp::Reverse(size(*share)));
-    let blank = 1.0 - page.figure.textured_share();
-    let blank = (!all.is_empty() && blank >= LEAST_BLANK).then(|| wording.percent(blank));
-    let blank = blank.map(|share| wording.say("blank", &[("share", share.into())]));
-    all.into_iter().map(|(_, text)| text).chain(blank).collect()
+    all.into_iter().zip(told).map(sentence).chain(blank).collect()
 }
 
 fn middle(points: impl Iterator<Item = MmPoint>) -> Option<MmPoint> {
