@@ -251,7 +251,7 @@ impl<'a> Ridges<'a> {
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
                 stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
             };
-            let met = tips::join_corners(found, params.sigma, &is_seen);
+            let met = tips::join_corners(found, params.sigma, size, &is_seen);
             let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
             found = discs::split_at_discs(rings::split_at_contact(reassigned, params.min_length), &discs, params);
         }

@@ -5,7 +5,7 @@ use super::contour::{Contour, ContourPoint, crossing};
 use super::stroke::Stroke;
 use crate::geom::link::{End, Part, link};
 use crate::geom::walk::runs;
-use crate::units::{Px, PxPoint};
+use crate::units::{Px, PxPoint, Size};
 
 /// A contour, and the width of the stroke along whose middle it runs, px; an edge has none.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,17 +55,26 @@ const SAME: f32 = 1e-3;
 pub(super) type IsSeen<'a> = dyn Fn(PxPoint, PxPoint, f32, f32) -> bool + 'a;
 
 /// Contours whose ends make a sharp corner end at its tip, if one of them is a stroke; two strokes become one, as they
-/// do where one goes on in the other. `sigma` is the scale of the edge detector, px.
+/// do where one goes on in the other. A tip beyond the border of the picture is none. `sigma` is the scale of the edge
+/// detector, px, and `size` that of the picture.
 ///
 /// `is_seen` tells whether the picture shows something along the segment between two points that has at least a
 /// contrast, given with the width of the stroke.
-pub(super) fn join_corners(mut found: Vec<FoundContour>, sigma: f32, is_seen: &IsSeen<'_>) -> Vec<FoundContour> {
+pub(super) fn join_corners(
+    mut found: Vec<FoundContour>,
+    sigma: f32,
+    size: Size,
+    is_seen: &IsSeen<'_>,
+) -> Vec<FoundContour> {
     let ends: Vec<End<Px>> = (0..found.len())
         .filter(|&number| !found[number].contour.closed && found[number].contour.vertices.len() > 2)
         .flat_map(|number| [true, false].map(|at_start| end(number, at_start, &found[number], sigma)))
         .collect();
     let reach = found.iter().map(|found| found.reach(sigma)).fold(0.0, f32::max);
-    let threads = link(found.len(), &ends, reach, |a, b| cost(a, b, &found, sigma, is_seen));
+    let (right, bottom) = (size.width as f32, size.height as f32);
+    let is_inside = |at: PxPoint| (0.0..=right).contains(&at.x) && (0.0..=bottom).contains(&at.y);
+    let may_meet = |a: &End<Px>, b: &End<Px>| goes_on(a, b) || is_inside(tip_of(a, b));
+    let threads = link(found.len(), &ends, reach, |a, b| cost(a, b, &found, sigma, is_seen).filter(|_| may_meet(a, b)));
     let of = |part: &Part, at_start: bool| {
         let at_start = at_start != part.reversed;
         ends.iter().find(|end| end.polyline == part.polyline && end.at_start == at_start)
@@ -79,8 +88,7 @@ pub(super) fn join_corners(mut found: Vec<FoundContour>, sigma: f32, is_seen: &I
             if goes_on(a, b) {
                 continue;
             }
-            let ahead = crossing((a.at, a.direction), (b.at, b.direction)).map_or(0.0, |(ahead, _)| ahead);
-            let tip = a.at + a.direction * ahead;
+            let tip = tip_of(a, b);
             [a, b].into_iter().for_each(|end| found[end.polyline].lead_to(tip, end.at_start, sigma));
         }
         let is_straight =
@@ -189,6 +197,12 @@ fn end(number: usize, at_start: bool, found: &FoundContour, sigma: f32) -> End<P
     let inwards = contour.heading(tip, at_start, found.heading(sigma)).unwrap_or_default();
     let at = contour.vertices[tip].at;
     End { polyline: number, at_start, at, direction: -inwards, contrast: [0.0; 3] }
+}
+
+/// The tip of the corner that two ends make.
+fn tip_of(a: &End<Px>, b: &End<Px>) -> PxPoint {
+    let ahead = crossing((a.at, a.direction), (b.at, b.direction)).map_or(0.0, |(ahead, _)| ahead);
+    a.at + a.direction * ahead
 }
 
 fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {

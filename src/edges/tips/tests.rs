@@ -5,6 +5,11 @@ use super::*;
 
 const SIGMA: f32 = 1.8;
 
+/// In a picture that all corners lie in.
+fn join_corners(found: Vec<FoundContour>, sigma: f32, is_seen: &IsSeen<'_>) -> Vec<FoundContour> {
+    super::join_corners(found, sigma, Size::new(300, 300), is_seen)
+}
+
 fn stroke(points: &[(f32, f32)]) -> FoundContour {
     FoundContour { stroke: Some(4.0), ..FoundContour::edge(polyline(points)) }
 }
@@ -111,4 +116,17 @@ fn an_edge_goes_on_in_a_stroke_as_one_line() {
     let edge = FoundContour { stroke: None, ..stroke(&[(20.0, 30.0), (60.0, 30.0)]) };
     let one = join_corners(vec![edge, stroke(&[(65.0, 30.0), (300.0, 30.0)])], SIGMA, &|_, _, _, _| true);
     assert!(matches!(&one[..], [one] if one.stroke.is_some() && (one.contour.length() - 280.0).abs() < 1.0));
+}
+
+#[test]
+fn a_tip_beyond_the_border_of_the_picture_is_none() {
+    // what lies beyond cannot be seen, and looks as the border does
+    let sides = vec![stroke(&[(-60.0, 10.0), (90.0, 47.5)]), stroke(&[(-60.0, 90.0), (92.0, 52.0)])];
+    let met_in =
+        |width, height| super::join_corners(sides.clone(), SIGMA, Size::new(width, height), &|_, _, _, _| true);
+    assert_eq!(met_in(101, 100).len(), 1);
+    let apart = met_in(95, 100);
+    let farthest = apart.iter().flat_map(|found| &found.contour.vertices).map(|vertex| vertex.at.x).fold(0.0, f32::max);
+    assert!(apart.len() == 2 && farthest < 95.0, "the tip is at (100, 50): {farthest}");
+    assert_eq!(met_in(300, 49).len(), 2);
 }
