@@ -20,6 +20,7 @@ mod joins;
 mod layer;
 mod leaders;
 mod limits;
+mod loose_ends;
 mod marks;
 mod overview;
 mod paths;
@@ -191,6 +192,7 @@ fn found<E>(
     let index = paths.index(CELL);
     go_on()?;
     found.extend(ends::findings(&paths, names, &index, limits));
+    found.extend(loose_ends::findings(&felt, &paths, &index, limits));
     go_on()?;
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(overview::lacks_much(&felt, names, &paths, limits));

@@ -137,6 +137,16 @@ pub(super) const BROKEN_LINE: Rule = Rule {
     remedy: "join the two, or shorten one so that the gap is clear",
     number: |limits| Some((limits.missed_gap(), MM)),
 };
+pub(super) const LOOSE_ENDS: Rule = Rule {
+    id: "loose-ends",
+    asks: "On a page of a photograph at most so many ends of lines lead to nothing: to no line, and not to the border \
+           of the figure.",
+    severity: Severity::Warning,
+    source: "chosen by us, by looking at pages: with more, photographs of leaves or grass are scraps that no finger \
+             follows",
+    remedy: "convert the picture with less detail, or a part of it, or delete lines that lead nowhere",
+    number: |limits| Some((limits.loose_ends(), "ends in 100 square cm")),
+};
 pub(super) const TEXTURE_GAP: Rule = Rule {
     id: "texture-gap",
     asks: "Between a line and the marks of a texture there is at least this blank.",
@@ -366,6 +376,7 @@ pub const RULES: &[Rule] = &[
     ELSEWHERE,
     LEFT_OUT,
     BROKEN_LINE,
+    LOOSE_ENDS,
     OVERVIEW,
     OVERVIEW_LACKS,
 ];

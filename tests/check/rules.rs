@@ -65,6 +65,12 @@ fn broken(rule: &str) -> String {
         "line-width" => with_lines(&["M60,250 H120"]).replace("stroke-width=\"1\"", "stroke-width=\"0.2\""),
         "line-length" => with_lines(&["M60,250 H63"]),
         "broken-line" => with_lines(&["M60,250 H87", "M93,250 H120"]),
+        "loose-ends" => with("coffee.png", |parts| {
+            let min = parts.figure.place.min.to_vector();
+            let at = |k: usize| MmPoint::new(15.0 + 20.0 * (k % 8) as f32, 15.0 + 14.0 * (k / 8) as f32) + min;
+            let scrap = |at: MmPoint| line(at, at + MmPoint::new(10.0, 0.0).to_vector());
+            parts.figure.lines = (0..48).map(at).map(scrap).collect();
+        }),
         "margin" => with_lines(&["M60,292 H120"]),
         "overlap" => with_lines(&["M60,250 H120", "M60,250 H120"]),
         "texture-gap" => with("coffee.png", |parts| {
