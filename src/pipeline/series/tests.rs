@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::page::{Glyph, Shape};
+use crate::pipeline::request::{Fit, OverviewSize};
+use crate::profile::Profile;
 use crate::raster::plane::Plane;
 use crate::textures::Sign;
 use crate::units::Size;
@@ -126,4 +128,25 @@ fn a_low_bar_has_a_texture_only_if_a_larger_area_has_it_too() {
     let mut textures: Vec<Texture> = bars.iter().map(texture).collect();
     assert_eq!(take_unlearned(&mut textures, 170.0, |class| class != Class::Green).len(), 1);
     assert_eq!(textures.iter().map(|of| of.class).collect::<Vec<_>>(), [Class::Blue, Class::Blue, Class::Grey]);
+}
+
+#[test]
+fn a_colour_of_which_too_little_is_left_has_no_texture_and_is_told() {
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.colours.min_area = 600.0;
+    let plan = Plan::new(&profile).expect("it is right");
+    let layout = Fit::default().layout(Size::new(80, 40), &plan, OverviewSize::Own).expect("there is room");
+    let cell = layout.figure.area() / 3200.0;
+    // areas of a photograph, no bars
+    let told = |height: f32| {
+        let parts = [bar(0.0, 60.0, 40.0, Class::Red), bar(62.0, 69.0, height, Class::Yellow)];
+        let areas = Some((classes(&parts), Vec::new()));
+        let (textures, notes) = textured(areas, (&mut Vec::new(), false), &layout, &[], &plan, &mut |_| ());
+        let has_texture = textures.iter().any(|of| of.class == Class::Yellow);
+        (7.0 * height * cell, has_texture, notes.iter().map(ToString::to_string).collect::<String>())
+    };
+    let (area, has_texture, notes) = told(20.0);
+    assert!(area > 601.0 && has_texture && notes.is_empty(), "{area}: {notes}");
+    let (area, has_texture, notes) = told(16.0);
+    assert!(area < 599.0 && !has_texture && notes.contains("learn a texture: yellow"), "{area}: {notes}");
 }
