@@ -254,6 +254,9 @@ tracings_fail() { # tracings_fail SAMPLE
   esac || return 1
   convert "$out/tracing.png" -colorspace Gray -threshold 50% "$out/tracing.pbm" || return 1
   potrace --svg "$out/tracing.pbm" -o "$out/potrace.svg" && tracing_fails "$out/potrace.svg" || return 1
+  # Inkscape traces by the same method: what it saves of that is one of its own drawings, with its layers and styles
+  inkscape "$out/potrace.svg" --export-filename="$out/potrace-saved.svg" || return 1
+  tracing_fails "$out/potrace-saved.svg" || return 1
   # Inkscape traces without a window since 1.3
   if ! inkscape --action-list 2>/dev/null | grep -q '^selection-trace'; then
     echo "skipped: Inkscape older than 1.3 (its tracing of $1)" >&3
