@@ -117,13 +117,20 @@ fn joins_of(number: usize, paths: &Paths, index: &Nearby, (widest, touch): (f32,
     let corners = own.iter().filter(|segment| paths.turns(number, segment.arc, touch));
     let corners = corners.map(|segment| (*segment, segment.a, segment.arc, false));
     for (own, at, arc, is_tip) in tips.chain(corners) {
+        // with each other line at its nearest place: in which order its segments come depends on all other lines
+        let mut nearest_of: BTreeMap<u32, (f32, f32)> = BTreeMap::new();
         index.around(at, at, own.half_width + widest + touch, |other| {
             let (distance, _, there) = nearest(other, at);
-            let may_join = is_tip || other.line as usize != number;
+            let is_other = other.line as usize != number;
+            let may_join = is_other || is_tip && path.between(arc, there) > BEND_LEAST;
             if may_join && distance <= own.half_width + other.half_width + touch {
-                add(arc, other.line, there);
+                let known = nearest_of.entry(other.line).or_insert((distance, there));
+                if (distance, there) < *known {
+                    *known = (distance, there);
+                }
             }
         });
+        nearest_of.into_iter().for_each(|(other, (_, there))| add(arc, other, there));
     }
     for segment in paths.segments_of(number) {
         index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {

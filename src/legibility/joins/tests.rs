@@ -74,6 +74,19 @@ fn lines_that_end_on_a_third_at_nearly_one_place_join_one_another() {
     assert_eq!(joined(&[BASE, STEM, &beside]), [vec![1, 2], vec![0], vec![0]], "they run beside one another");
 }
 
+/// Its first segment in reach was taken, which was another one on another page, so that lines that end on a third one
+/// joined there or did not.
+#[test]
+fn a_join_is_at_the_nearest_place_of_the_other_line_whatever_lies_elsewhere() {
+    let base: Vec<(f32, f32)> = (0..=120).map(|k| (0.5 * k as f32, 0.0)).collect();
+    for shift in 0..10 {
+        let far = [(-20.0 - 0.7 * shift as f32, -40.0), (-20.0, -60.0)];
+        let joins = joins_of_strokes(&[&base[..], STEM, &far]);
+        let there: Vec<f32> = joins[1].iter().map(|join| join.there).collect();
+        assert!(matches!(there[..], [there] if (there - 28.0).abs() < 0.01), "{there:?}");
+    }
+}
+
 /// Of many joins with one line each asks of the next on either side only.
 #[test]
 fn a_join_asks_of_its_neighbours_only() {
