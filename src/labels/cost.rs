@@ -12,6 +12,7 @@
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
 //!  30          for each point of another over or under which a label of a point stands: rather in two lines, or with a
 //!              leader line
+//!  50          for each mm of a leader line beside a line, of which it is felt as a part, beyond the first few
 //!  60          a line of cells right beside a label, which is read as a letter of it
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
 //!  1000        an abbreviation, which has to be looked up in the key (`forms`)
@@ -22,9 +23,9 @@
 
 use super::forms::ABBREVIATED;
 use super::placed::{Attachment, Wanted};
-use super::surroundings::{Named, Surroundings};
+use super::surroundings::{AT_END, Named, Surroundings};
 use crate::geom::polygon::distance_to_box;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect};
 
 /// For each mm that the middle of a label of a point at the lower side of a shape is off the point: half of its
 /// distance, so that it stands in the middle below the shape where there is room, and not below the next one.
@@ -70,6 +71,11 @@ const FROM_PRINT: f32 = 2.0;
 /// For each mm of a leader line across others that runs along a line, of which it would be felt as a part: 15 mm of it
 /// are as bad as crossing as the drawing does ([`ACROSS_AS_DRAWN`]).
 const ALONG_A_LINE: f32 = 20.0;
+/// For each mm over which a leader line that crosses no other runs beside one, as along a wire of a circuit, beyond
+/// those which it needs to pass the end of a line or to come up to a slanted one: with 30 mm it is worse than an
+/// abbreviation. Chosen by us.
+const BESIDE_A_LINE: f32 = 50.0;
+const PAST_A_LINE: f32 = 8.0;
 /// A leader line across others is felt as a line by itself before it meets the first, over so much of it, mm: three or
 /// four dots of a grid. Chosen by us.
 const FELT_BEFORE_LINE: f32 = 6.0;
@@ -104,7 +110,7 @@ pub(super) fn cost(
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance));
     let leader = match attachment {
         Attachment::Beside => 0.0,
-        Attachment::Leader(_) => LEADER,
+        Attachment::Leader(segment) => LEADER + beside_lines(segment, around),
         Attachment::LeaderAcross([from, to]) => {
             let across = if label.lost_leader.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
             let lacking = (FELT_BEFORE_LINE - room.before_first_line(from, to)).max(0.0);
@@ -122,6 +128,14 @@ pub(super) fn cost(
         false => LIKE_A_CELL,
     };
     of_form + distance + aside + elsewhere + over_others + GLYPH * glyphs + grid + leader + beside
+}
+
+/// What it costs that a leader line runs beside lines; where it ends it may. On dots it lies off its segment, so that a
+/// line that it only comes by is beside more of it.
+fn beside_lines([from, to]: [MmPoint; 2], around: &Surroundings<'_>) -> f32 {
+    let off = around.leader_off();
+    let beside = around.room.beside_lines(from, to, around.end.max(AT_END), off);
+    BESIDE_A_LINE * (beside - PAST_A_LINE - 2.0 * off).max(0.0)
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.

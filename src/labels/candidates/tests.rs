@@ -366,6 +366,24 @@ fn a_leader_line_from_a_corner_keeps_its_ink_off_its_label() {
     assert_eq!(begins(2.375), None, "a line of 0.75 mm is less than 2 mm from it");
 }
 
+/// As beside a wire of a circuit, of which fingers take it for a part.
+#[test]
+fn a_leader_line_beside_a_line_is_worse_than_one_by_itself() {
+    let label = at(100.0, 100.0);
+    let cost = |points: &[(f32, f32)]| {
+        // from the label at 125, 100 to the point
+        let found = placed(std::slice::from_ref(&label), box_at(125.0, 97.0), &room(points, false), &params());
+        let found = found.expect("it is led to its point");
+        assert!(matches!(found.attachment, Attachment::Leader(_)), "{:?}", found.attachment);
+        found.cost
+    };
+    let alone = cost(&[]);
+    let beside = cost(&[(80.0, 103.0), (140.0, 103.0)]) - alone;
+    assert!((400.0..600.0).contains(&beside), "50 for each mm of 22, but for the last 4 and 8: {beside}");
+    assert!((cost(&[(80.0, 105.0), (140.0, 105.0)]) - alone).abs() < 0.01, "as far off as a label");
+    assert!((cost(&[(112.0, 103.0), (112.0, 150.0)]) - alone).abs() < 0.01, "past the end of a line");
+}
+
 /// "6 cm" inside of a triangle, beside a leg, would say with a leader line to another side how long that is.
 #[test]
 fn a_length_is_led_to_the_side_that_it_stands_at() {
