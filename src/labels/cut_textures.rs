@@ -1,6 +1,8 @@
 //! Textures make room for labels and their leader lines. What these leave of a texture beside them is left out where it
 //! would be felt as something else: as dots by themselves, as a line, or as another texture.
 
+use std::cmp::Reverse;
+
 use super::placed::{Params, Placed};
 use crate::geom::components;
 use crate::geom::polygon::distance_to_box;
@@ -26,6 +28,27 @@ pub(super) fn make_room(texture: &mut Texture, placed: &[&Placed], params: &Para
     let is_cut = left.len() < before.len();
     left = without_stray(left, &before, placed);
     texture.glyphs = if is_cut { without_torn(left, &before, step, placed) } else { left };
+}
+
+/// A label stands in a texture, too, if it takes a third as many signs as another, or more.
+const ALSO_IN: usize = 3;
+
+/// Which of the labels stand in a texture that is as it was before they did: the one that takes most of its signs, and
+/// others that take about as many; what reaches into it from beside is none. Where none takes any itself, the one that
+/// is nearest to its middle.
+pub(super) fn labels_in(texture: &Texture, placed: &[&Placed], params: &Params) -> Vec<usize> {
+    let takes = |glyph: &&Glyph, label: &Placed| label.blank_to(glyph.at, params) < glyph.radius();
+    let count = |label: &Placed| texture.glyphs.iter().filter(|glyph| takes(glyph, label)).count();
+    let mut counts: Vec<(usize, usize)> = placed.iter().map(|label| count(label)).enumerate().collect();
+    let most = counts.iter().map(|(_, count)| *count).max().unwrap_or(0);
+    if most == 0 {
+        let middle = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at)).center();
+        let far = |label: &usize| placed[*label].distance(middle);
+        return (0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b))).into_iter().collect();
+    }
+    counts.retain(|(_, count)| ALSO_IN * count >= most);
+    counts.sort_by_key(|(label, count)| (Reverse(*count), *label));
+    counts.into_iter().map(|(label, _)| label).collect()
 }
 
 /// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so

@@ -402,10 +402,10 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
 pub struct MadeRoom {
     /// Of each line that is there now, which line it was, or was a part of.
     pub lines: Vec<usize>,
-    /// For each texture of which none is left, which of the labels lies nearest to its middle.
-    pub without_texture: Vec<usize>,
+    /// For each texture of which none is left, which of the labels stand in its place.
+    pub without_texture: Vec<Vec<usize>>,
     /// The same for each of which less than two thirds are left.
-    pub with_less_texture: Vec<usize>,
+    pub with_less_texture: Vec<Vec<usize>>,
 }
 
 /// A texture of which less than this share is left is told of: an area of which a half is blank, such as that on one
@@ -417,14 +417,13 @@ pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) -> Ma
     let lines = interrupted::interrupt(&mut figure.lines, placed, params);
     let (mut gone, mut cut) = (Vec::new(), Vec::new());
     figure.textures.retain_mut(|texture| {
-        let extent = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
-        let before = texture.glyphs.len();
+        let before = texture.clone();
         cut_textures::make_room(texture, placed, params);
         let left = texture.glyphs.len();
-        if (left as f32) < WITHOUT_A_THIRD * before as f32 {
-            let far = |label: &usize| placed[*label].distance(extent.center());
-            let nearest = (0..placed.len()).min_by(|a, b| far(a).total_cmp(&far(b)));
-            if left == 0 { gone.extend(nearest) } else { cut.extend(nearest) }
+        if (left as f32) < WITHOUT_A_THIRD * before.glyphs.len() as f32 {
+            let labels = cut_textures::labels_in(&before, placed, params);
+            let told = if left == 0 { &mut gone } else { &mut cut };
+            told.extend((!labels.is_empty()).then_some(labels));
         }
         left > 0
     });

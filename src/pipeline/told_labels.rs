@@ -6,7 +6,7 @@ use super::unwritten::{Lacks, RefusedTexts, named};
 use crate::geom::polygon::is_inside;
 use crate::labels::{self, Attachment, NEAR, Placed, PlacedAs, Unplaced, Wanted};
 use crate::lines::Line;
-use crate::listing::first_few;
+use crate::listing::{first_few, list};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note, Reason};
@@ -160,34 +160,46 @@ const NEARER: f32 = 4.0;
 /// Most of them that a note shows.
 const MOST_MOVED: usize = 5;
 
-/// What is told of textures in whose place labels stand, each with the label: an area without its texture seems white.
-pub(super) fn without_texture(labels: &[&str]) -> Option<Note> {
-    let (areas, they_stand) = match labels.len() {
+/// What is told of textures in whose place labels stand, each with its labels: an area without its texture seems white.
+pub(super) fn without_texture(areas: &[Vec<&str>]) -> Option<Note> {
+    let (of_areas, they_stand) = match areas.len() {
         0 => return None,
         1 => ("the texture of 1 area".to_owned(), "the label stands in its place"),
         count => (format!("the textures of {count} areas"), "labels stand in their places"),
     };
     let told = format!(
-        "{areas} ({}), as {they_stand}; make the figure larger, or say in the labels what the colours mean",
-        named(labels)
+        "{of_areas} ({}), as {they_stand}; make the figure larger, or say in the labels what the colours mean",
+        under(areas)
     );
     Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
 }
 
 /// The same of textures of which less than two thirds are left beside labels.
-pub(super) fn with_less_texture(labels: &[&str]) -> Option<Note> {
-    let (areas, they_stand) = match labels.len() {
+pub(super) fn with_less_texture(areas: &[Vec<&str>]) -> Option<Note> {
+    let (of_areas, they_stand) = match areas.len() {
         0 => return None,
         1 => ("the texture of 1 area".to_owned(), "the label stands"),
         count => (format!("each of the textures of {count} areas"), "labels stand"),
     };
     let told = format!(
-        "more than a third of {areas} ({}), where {they_stand} and in what is too narrow beside; make the \
+        "more than a third of {of_areas} ({}), where {they_stand} and in what is too narrow beside; make the \
          figure larger, or say in the labels what the colours mean",
-        named(labels)
+        under(areas)
     );
     Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
 }
+
+/// Says of areas under which labels they are; these may be names of something else, as of a town or a river.
+fn under(areas: &[Vec<&str>]) -> String {
+    let quoted = |labels: &Vec<&str>| {
+        let all: Vec<String> = labels.iter().map(|label| format!("\"{label}\"")).collect();
+        format!("under {}", list(&all, "and"))
+    };
+    first_few(areas, MOST_AREAS, quoted)
+}
+
+/// Most areas that a note names by their labels.
+const MOST_AREAS: usize = 5;
 
 /// Tells of leader lines that cross others.
 pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {

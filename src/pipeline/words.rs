@@ -255,7 +255,9 @@ impl<'a> WrittenWords<'a> {
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
         let MadeRoom { lines, without_texture, with_less_texture } = labels::make_room(figure, &placed, &params);
-        let texts = |labels: Vec<usize>| labels.into_iter().map(|label| of_placed[label]).collect::<Vec<_>>();
+        let texts = |areas: Vec<Vec<usize>>| -> Vec<Vec<&str>> {
+            areas.into_iter().map(|labels| labels.into_iter().map(|label| of_placed[label]).collect()).collect()
+        };
         notes.extend(told_labels::without_texture(&texts(without_texture)));
         notes.extend(told_labels::with_less_texture(&texts(with_less_texture)));
         notes.extend(told(&wanted, &results));

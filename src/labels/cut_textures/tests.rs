@@ -109,3 +109,16 @@ fn on_dots_pieces_of_rows_as_short_as_letters_go() {
     let left = left(texture, 106.0, false, 7.5);
     assert!(left.iter().any(|at| at.x < 26.0 && at.y < 80.0), "{left:?}");
 }
+
+#[test]
+fn an_area_is_told_by_the_labels_that_stand_in_it() {
+    let texture = rows(30);
+    let params = Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(110.0, 150.0)));
+    let label = |x: f32, y: f32, to: f32| Placed::of_test(MmRect::new(MmPoint::new(x, y), MmPoint::new(to, y + 6.0)));
+    // the middle of the texture is at 49, 69
+    let (town, name) = (label(5.0, 30.0, 25.0), label(5.0, 100.0, 35.0));
+    let (beside, far) = (label(30.0, 12.0, 50.0), label(150.0, 66.0, 170.0));
+    assert_eq!(labels_in(&texture, &[&town, &beside, &name, &far], &params), [2, 0]);
+    assert_eq!(labels_in(&texture, &[&far], &params), [0], "the nearest, where none stands in it");
+    assert!(labels_in(&texture, &[], &params).is_empty());
+}

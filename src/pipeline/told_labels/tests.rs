@@ -22,8 +22,10 @@ fn a_label_that_stands_at_what_another_names_is_told() {
 #[test]
 fn textures_that_labels_cut_by_a_third_are_told() {
     assert_eq!(with_less_texture(&[]), None);
-    let told = with_less_texture(&["North"]).expect("a note").to_string();
-    assert!(told.contains("more than a third of the texture of 1 area (\"North\"), where the label stands"), "{told}");
-    let told = with_less_texture(&["North", "South"]).expect("a note").to_string();
+    let told = with_less_texture(&[vec!["North"]]).expect("a note").to_string();
+    let expected = "more than a third of the texture of 1 area (under \"North\"), where the label stands";
+    assert!(told.contains(expected), "{told}");
+    let told = with_less_texture(&[vec!["North"], vec!["South", "Town"]]).expect("a note").to_string();
     assert!(told.contains("more than a third of each of the textures of 2 areas"), "{told}");
+    assert!(told.contains("(under \"North\", under \"South\" and \"Town\")"), "{told}");
 }
