@@ -10,6 +10,7 @@
 //!              read as a letter: more than a step of a grid of dots (2 to 2.5 mm)
 //!  8           a gridline that is interrupted: a value above its bar stands there rather than with a leader line
 //!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
+//!  10          for each mm that a leader line of dots lacks to be felt as a line
 //!  30          for each point of another over or under which a label of a point stands: rather in two lines, or with a
 //!              leader line
 //!  50          for each mm of a leader line beside a line, of which it is felt as a part, beyond the first few
@@ -79,6 +80,8 @@ const PAST_A_LINE: f32 = 8.0;
 /// A leader line across others is felt as a line by itself before it meets the first, over so much of it, mm: three or
 /// four dots of a grid. Chosen by us.
 const FELT_BEFORE_LINE: f32 = 6.0;
+/// So is any leader line of dots, with so many of them before the line in which its last one lies.
+const FEWEST_DOTS: f32 = 3.0;
 /// For each mm of that which it lacks: more than what the label loses by standing further from its tip and from where
 /// its print stood.
 const TOO_SHORT: f32 = 10.0;
@@ -110,7 +113,7 @@ pub(super) fn cost(
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance));
     let leader = match attachment {
         Attachment::Beside => 0.0,
-        Attachment::Leader(segment) => LEADER + beside_lines(segment, around),
+        Attachment::Leader(segment) => LEADER + beside_lines(segment, around) + of_few_dots(segment, around),
         Attachment::LeaderAcross([from, to]) => {
             let across = if label.lost_leader.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
             let lacking = (FELT_BEFORE_LINE - room.before_first_line(from, to)).max(0.0);
@@ -136,6 +139,13 @@ fn beside_lines([from, to]: [MmPoint; 2], around: &Surroundings<'_>) -> f32 {
     let off = around.leader_off();
     let beside = around.room.beside_lines(from, to, around.end.max(AT_END), off);
     BESIDE_A_LINE * (beside - PAST_A_LINE - 2.0 * off).max(0.0)
+}
+
+/// What it costs that a leader line of dots has too few to be felt as a line.
+fn of_few_dots([from, to]: [MmPoint; 2], around: &Surroundings<'_>) -> f32 {
+    let pitch = around.params.dot_pitch;
+    let least = if pitch > 0.0 { FELT_BEFORE_LINE.max(FEWEST_DOTS * pitch) } else { 0.0 };
+    TOO_SHORT * (least - (to - from).length()).max(0.0)
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.

@@ -398,3 +398,18 @@ fn a_length_is_led_to_the_side_that_it_stands_at() {
     assert_eq!(ends("6 cm", 101.0), None, "of the other side it is no length");
     assert!(ends("6 cm", 29.0).flatten().is_some_and(|x| (58.0..62.0).contains(&x)), "from beyond its own");
 }
+
+/// Two dots between a label and an outline are felt as dots by themselves.
+#[test]
+fn a_leader_line_of_two_dots_is_worse_than_a_longer_one() {
+    let (room, both) = (room(&[], false), [at(100.0, 100.0), at(100.0, 112.0)]);
+    let params = |dot_pitch: f32| Params { dot_pitch, leader_off: 2.2, ..params() };
+    // what it costs more on dots than in print, from a label so far on the right of its point, and 8 mm below it
+    let more = |x: f32| {
+        let found = |pitch: f32| placed(&both, box_at(100.0 + x, 108.0), &room, &params(pitch));
+        let cost = |pitch: f32| found(pitch).filter(|found| found.leader().is_some()).expect("it is led").cost;
+        cost(2.0) - cost(0.0)
+    };
+    assert!((more(6.0) - 12.0).abs() < 0.1, "4.8 mm of 6: {}", more(6.0));
+    assert!(more(10.0).abs() < 0.01, "7.6 mm");
+}
