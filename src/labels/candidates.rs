@@ -265,6 +265,9 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
         let parted = if is_point { Room::is_parted } else { Room::is_parted_from_text };
         !parted(room, nearest, anchor, beside)
     };
+    if around.is_sentence && is_open() && around.is_own(place) {
+        return Some(Attachment::Beside);
+    }
     let is_beside = match &around.angle {
         Some(angle) => around.is_in_angle(angle, nearest, place),
         None => {

@@ -31,6 +31,7 @@ mod predicted;
 mod room;
 mod rows;
 mod scale;
+mod sentence;
 mod shape;
 mod spacing;
 mod surroundings;

@@ -5,6 +5,7 @@ use super::groups::GroupDirection;
 use super::placed::{Params, Wanted};
 use super::room::{FURTHEST_OUTLINE, Room};
 use super::scale;
+use super::sentence;
 use super::shape::Shape;
 use crate::geom::polygon::{corners, distance_to_box};
 use crate::geom::{nearest_on_segment, segment_distance};
@@ -113,6 +114,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) before: Option<Shape>,
     /// Of a number of an axis, whether that is a row or a column.
     pub(super) scale: Option<GroupDirection>,
+    /// Whether it is a sentence in the open, such as an instruction: it names nothing, and has no leader line.
+    pub(super) is_sentence: bool,
     /// What labels beside it name.
     others: Vec<MmPoint>,
     /// Which of that are points.
@@ -147,10 +150,7 @@ impl<'a> Surroundings<'a> {
         let end = ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING));
         let is_blank = |place: MmPoint| !is_point && !room.is_ink(place);
         let is_text = !is_point && label.lost_leader.is_none();
-        // what is written across the lines of a grid stands in none of its squares
-        let cell = if is_text { room.cell_around(at) } else { None };
-        let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
-        let cell = cell.filter(|cell| is_around(cell) && !is_squared_paper(*cell, wanted, room));
+        let cell = if is_text { cell_of(anchor, wanted, room) } else { None };
         // the length of a side is none of the shape that it stands in; in a rectangle it may be the value of a bar
         let is_of_side = tip != at && cell.is_none() && scale::is_length(&label.text);
         let is_shut_in = || is_text && !is_of_side && room.is_in_room(at, FURTHEST_OUTLINE);
@@ -164,6 +164,8 @@ impl<'a> Surroundings<'a> {
             let shut_in = is_shut_in().then_some(ShutIn { side });
             Named::Text { line_on: room.comes_up_to(anchor, BESIDE_TEXT), shut_in }
         };
+        let is_in_open = is_text && cell.is_none() && angle.is_none() && label.kept_leader.is_none();
+        let is_in_open = is_in_open && matches!(names, Named::Text { shut_in: None, .. });
         Self {
             room,
             params,
@@ -177,6 +179,7 @@ impl<'a> Surroundings<'a> {
             angle,
             before: None,
             scale: None,
+            is_sentence: is_in_open && sentence::is_sentence(&label.text, tip != at),
             others,
             points,
         }
@@ -197,9 +200,9 @@ impl<'a> Surroundings<'a> {
         matches!(self.names, Named::Text { shut_in: Some(_), .. })
     }
 
-    /// Whether it stands for a text in the open, and neither in an angle nor at an axis.
+    /// Whether it stands for a text in the open that is no sentence, and neither in an angle nor at an axis.
     pub(super) fn is_text_in_open(&self) -> bool {
-        let is_in_open = matches!(self.names, Named::Text { shut_in: None, .. });
+        let is_in_open = matches!(self.names, Named::Text { shut_in: None, .. }) && !self.is_sentence;
         is_in_open && self.angle.is_none() && self.cell.is_none() && self.scale.is_none()
     }
 
@@ -359,6 +362,13 @@ fn line_beside(label: &Wanted, anchor: MmRect, room: &Room) -> Option<MmPoint> {
     let is_on_grid = || room.interrupts_grid(anchor.inflate(BESIDE_LINE, BESIDE_LINE));
     let is_of_any = scale::is_length(&label.text) && !is_on_grid();
     room.line_beside(anchor, BESIDE_LINE, if is_of_any { 0.0 } else { NEAR })
+}
+
+/// The box of lines in which a text stands, such as a cell of a table. What is written across the lines of a grid
+/// stands in none of its squares.
+fn cell_of(anchor: MmRect, wanted: &[Wanted], room: &Room) -> Option<MmRect> {
+    let is_around = |cell: &MmRect| cell.inflate(AROUND_CELL, AROUND_CELL).contains_box(&anchor);
+    room.cell_around(anchor.center()).filter(|cell| is_around(cell) && !is_squared_paper(*cell, wanted, room))
 }
 
 /// Whether a box of lines with a text is a square of squared paper, on which letters stand beside what is drawn over

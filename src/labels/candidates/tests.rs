@@ -413,3 +413,19 @@ fn a_leader_line_of_two_dots_is_worse_than_a_longer_one() {
     assert!((more(6.0) - 12.0).abs() < 0.1, "4.8 mm of 6: {}", more(6.0));
     assert!(more(10.0).abs() < 0.01, "7.6 mm");
 }
+
+/// As the instructions of a worksheet, which stand beside a drawing by chance.
+#[test]
+fn a_sentence_has_no_leader_line() {
+    let outline = room(&[(125.0, 60.0), (180.0, 60.0), (180.0, 140.0), (125.0, 140.0)], true);
+    let place_of_text = MmRect::new(MmPoint::new(80.0, 97.0), MmPoint::new(120.0, 103.0));
+    let is_led = |text: &str, place: MmRect| {
+        let label = Wanted { text: text.to_owned(), ..named(place_of_text) };
+        placed(&[label], place, &outline, &params()).map(|found| found.leader().is_some())
+    };
+    let sentence = "Colour the cells green.";
+    assert_eq!(is_led("cells", box_at(90.0, 75.0)), Some(true), "19 mm away, to the line beside the text");
+    assert_eq!(is_led(sentence, box_at(90.0, 75.0)), Some(false));
+    assert_eq!(is_led(sentence, box_at(90.0, 97.0)), Some(false), "in its place");
+    assert_ne!(is_led(sentence, box_at(130.0, 97.0)), Some(false), "it is no name of the shape");
+}
