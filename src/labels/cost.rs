@@ -17,6 +17,7 @@
 //!  60          a line of cells right beside a label, which is read as a letter of it
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
 //!  1000        an abbreviation, which has to be looked up in the key (`forms`)
+//!  1200        a place outside of the room of a plan in which the text stands: rather the abbreviation
 //!  1500        a leader line from a sentence, such as an instruction: rather the abbreviation
 //!  2000        any other leader line across lines: rather the abbreviation
 //! ```
@@ -63,6 +64,9 @@ const OFF_THE_ROW: f32 = 1.8;
 const LEADER: f32 = 10.0;
 /// For a leader line from a sentence, which names nothing: rather an abbreviation in its place.
 const FROM_SENTENCE: f32 = 1.5 * ABBREVIATED;
+/// For a label outside of the room of a plan in which its text stands: there it names what lies around the house, so
+/// rather an abbreviation in the room.
+const OUT_OF_ROOM: f32 = 1.2 * ABBREVIATED;
 /// For a leader line across other lines, along which a finger may go astray: more than an abbreviation, which is only
 /// slower.
 const ACROSS: f32 = 2.0 * ABBREVIATED;
@@ -124,7 +128,8 @@ pub(super) fn cost(
         }
     };
     let from_sentence = if around.is_sentence && attachment.leader().is_some() { FROM_SENTENCE } else { 0.0 };
-    let leader = leader + from_sentence;
+    let out_of_room = if !attachment.crosses() && around.is_out_of_room(place) { OUT_OF_ROOM } else { 0.0 };
+    let leader = leader + from_sentence + out_of_room;
     let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };
     // on the side where its text stood
     let aside = label.lost_leader.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));

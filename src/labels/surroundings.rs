@@ -77,6 +77,9 @@ pub(super) struct ShutIn {
     /// The place on its own side from which the line is reached on which its leader line ends, where it is not that
     /// line's own.
     side: Option<MmPoint>,
+    /// Whether it is seen from the text that they surround no plain shape, such as a box or a sector, but one in which
+    /// things stand, or with corners that lead inwards: a room of a plan, or a land.
+    is_room: bool,
 }
 /// A number of an upright axis stands no further above or below its tick or gridline, mm: the middle row of its dots is
 /// then the nearest to that, and a finger that follows the line comes to it.
@@ -161,7 +164,7 @@ impl<'a> Surroundings<'a> {
         let names = if is_point {
             Named::Point { is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR) }
         } else {
-            let shut_in = is_shut_in().then_some(ShutIn { side });
+            let shut_in = is_shut_in().then(|| ShutIn { side, is_room: room.hides_a_part(at, FURTHEST_OUTLINE) });
             Named::Text { line_on: room.comes_up_to(anchor, BESIDE_TEXT), shut_in }
         };
         let is_in_open = is_text && cell.is_none() && angle.is_none() && label.kept_leader.is_none();
@@ -234,7 +237,7 @@ impl<'a> Surroundings<'a> {
     /// Of such a text, the place on its own side from which its leader line has to reach its end.
     pub(super) fn own_side(&self) -> Option<MmPoint> {
         match self.names {
-            Named::Text { shut_in: Some(ShutIn { side }), .. } => side,
+            Named::Text { shut_in: Some(ShutIn { side, .. }), .. } => side,
             Named::Text { shut_in: None, .. } | Named::Point { .. } => None,
         }
     }
@@ -264,6 +267,13 @@ impl<'a> Surroundings<'a> {
     pub(super) fn is_in_blank(&self, place: MmRect) -> bool {
         let blank = self.params.texture_clearance;
         !self.params.has_coloured_ground && self.room.glyphs(place.inflate(blank, blank)) == 0.0
+    }
+
+    /// Whether a place lies in the open beyond the walls of the room in which the text stands.
+    pub(super) fn is_out_of_room(&self, place: MmRect) -> bool {
+        let is_of_room = matches!(self.names, Named::Text { shut_in: Some(ShutIn { is_room: true, .. }), .. });
+        let nearest = self.anchor.clamp(place.min, place.max);
+        is_of_room && self.room.is_parted_from_text(nearest, self.anchor, self.beside) && self.is_open(place)
     }
 
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text

@@ -429,3 +429,16 @@ fn a_sentence_has_no_leader_line() {
     assert_eq!(is_led(sentence, box_at(90.0, 97.0)), Some(false), "in its place");
     assert_ne!(is_led(sentence, box_at(130.0, 97.0)), Some(false), "it is no name of the shape");
 }
+
+/// Above the wall of a house its name would be that of a garden.
+#[test]
+fn outside_of_a_room_a_label_is_worse_than_an_abbreviation() {
+    let walls = [(115.0, 140.0), (140.0, 140.0), (140.0, 60.0), (60.0, 60.0), (60.0, 140.0), (115.0, 140.0)];
+    // a short wall inside hides a part of the room from the text
+    let (plain, with_wall) = (room(&walls, false), room(&[&[(115.0, 120.0)][..], &walls[..]].concat(), false));
+    let label = named(MmRect::new(MmPoint::new(95.0, 67.0), MmPoint::new(105.0, 73.0)));
+    let (outside, inside) = (box_at(90.0, 50.5), box_at(90.0, 70.0));
+    let more = |place: MmRect| cost_in(&with_wall, &label, place) - cost_in(&plain, &label, place);
+    assert!(more(outside) > 1000.0, "{}", more(outside));
+    assert!(more(inside).abs() < 0.01, "{}", more(inside));
+}

@@ -128,3 +128,24 @@ fn a_box_at_the_end_of_a_gridline_is_known() {
     assert!(!ends(16.0, 40.0), "between two lines");
     assert!(room.is_gridline(MmPoint::new(50.0, 50.0)) && !room.is_gridline(MmPoint::new(10.0, 40.0)));
 }
+
+#[test]
+fn a_room_hides_a_part_behind_its_furniture_and_a_box_or_a_sector_does_not() {
+    let line = |points: &[(f32, f32)]| {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength: 50.0, runs: vec![Run { closed: true, ..Run::stroke(1.0, points) }] }
+    };
+    let walls = line(&[(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)]);
+    let table = line(&[(40.0, 60.0), (60.0, 60.0), (60.0, 75.0), (40.0, 75.0)]);
+    let hides =
+        |lines: &[Line], x: f32, y: f32| Room::new(lines, &[], &params()).hides_a_part(MmPoint::new(x, y), 90.0);
+    assert!(hides(&[walls.clone(), table.clone()], 50.0, 40.0));
+    assert!(!hides(&[walls.clone(), table], 50.0, 68.0), "the table is a box");
+    assert!(!hides(&[walls], 20.0, 80.0));
+    assert!(!hides(&[line(&[(10.0, 46.0), (90.0, 46.0), (90.0, 54.0), (10.0, 54.0)])], 25.0, 50.0), "a long box");
+    let arc = (0..=20_u32)
+        .map(|k| (-0.5 + 0.05 * k as f32).sin_cos())
+        .map(|(sin, cos)| (50.0 + 60.0 * sin, 90.0 - 60.0 * cos));
+    let sector: Vec<(f32, f32)> = std::iter::once((50.0, 90.0)).chain(arc).collect();
+    assert!(!hides(&[line(&sector)], 50.0, 40.0), "a sector");
+}
