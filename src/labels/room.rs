@@ -1,5 +1,6 @@
 //! Which places of a figure are free of lines, and how many glyphs of textures a place would cost.
 
+mod leader_lines;
 mod squares;
 
 use std::f32::consts::TAU;
@@ -189,6 +190,11 @@ impl Room {
     /// Whether there is so much more than the clearance between a box and the lines on its left and on its right.
     pub(super) fn is_free_aside(&self, place: MmRect, more: f32) -> bool {
         more <= 0.0 || self.taken.within(place.inflate(more, 0.0), &self.squares) == 0
+    }
+
+    /// Whether there is so much more than the clearance between a box and all lines but gridlines.
+    pub(super) fn is_free_around(&self, place: MmRect, more: f32) -> bool {
+        self.taken.within(place.inflate(more, more), &self.squares) == 0
     }
 
     /// How far a leader line is felt before it meets a line, mm.
@@ -420,37 +426,6 @@ impl Room {
         let steps = (2.0 * reach / SQUARE).ceil() as u32;
         let distances = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|distance| *distance <= reach);
         distances.into_iter().find(|distance| marked.holds(at + direction * *distance, &self.squares))
-    }
-
-    /// How much of a straight leader line lies near to other lines, mm, without the last `end` mm.
-    pub(super) fn along(&self, from: MmPoint, to: MmPoint, end: f32) -> f32 {
-        let length = (to - from).length();
-        let steps = (length / SQUARE).ceil().max(1.0);
-        let is_near = |step: u32| {
-            let along = step as f32 / steps;
-            (1.0 - along) * length > end && self.for_leader.holds(from.lerp(to, along), &self.squares)
-        };
-        (0..=steps as u32).filter(|step| is_near(*step)).count() as f32 * length / (steps + 1.0)
-    }
-
-    /// The longest piece of a straight leader line that runs nearer to lines, but for gridlines, than a label may lie,
-    /// mm, without the last `end` mm; its marks lie up to `off` mm off it.
-    pub(super) fn beside_lines(&self, from: MmPoint, to: MmPoint, end: f32, off: f32) -> f32 {
-        let length = (to - from).length();
-        let steps = (length / SQUARE).ceil().max(1.0);
-        // no box without a side, which would touch no square
-        let reach = off + 0.25 * SQUARE;
-        let is_near = |step: u32| {
-            let along = step as f32 / steps;
-            let at = from.lerp(to, along);
-            (1.0 - along) * length > end
-                && self.taken.within(MmRect::new(at, at).inflate(reach, reach), &self.squares) > 0
-        };
-        let (_, longest) = (0..=steps as u32).fold((0_u32, 0_u32), |(run, longest), step| {
-            let run = if is_near(step) { run + 1 } else { 0 };
-            (run, longest.max(run))
-        });
-        longest as f32 * length / (steps + 1.0)
     }
 
     fn meets(&self, marked: &MarkedSquares, from: MmPoint, to: MmPoint, end: f32) -> bool {

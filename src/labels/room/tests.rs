@@ -149,3 +149,11 @@ fn a_room_hides_a_part_behind_its_furniture_and_a_box_or_a_sector_does_not() {
     let sector: Vec<(f32, f32)> = std::iter::once((50.0, 90.0)).chain(arc).collect();
     assert!(!hides(&[line(&sector)], 50.0, 40.0), "a sector");
 }
+
+#[test]
+fn lines_that_a_leader_line_crosses_are_counted() {
+    let bars = room(&[(20.0, 20.0), (20.0, 80.0), (40.0, 80.0), (40.0, 20.0), (60.0, 20.0), (60.0, 80.0)], false);
+    let crossed = |to: f32, end: f32| bars.crossed(MmPoint::new(10.0, 50.0), MmPoint::new(to, 50.0), end);
+    assert_eq!([crossed(15.0, 0.0), crossed(30.0, 0.0), crossed(50.0, 0.0), crossed(70.0, 0.0)], [0, 1, 2, 3]);
+    assert_eq!(crossed(61.0, 4.0), 2, "where it ends it may");
+}
