@@ -25,6 +25,8 @@ pub(super) struct Candidate {
     pub(super) stands: PlacedAs,
     /// Where the leader line begins that the drawing has to what it names, if that is on the page.
     kept_leader: Option<MmPoint>,
+    /// Whether it blanks the texture by which the shape of its text is told from those beside it.
+    blanks: bool,
 }
 
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
@@ -59,7 +61,7 @@ const APART: f32 = 4.0;
 impl Candidate {
     /// One that is placed together with its row.
     pub(super) fn of_row(form: usize, place: MmRect, attachment: Attachment, cost: f32, stands: PlacedAs) -> Self {
-        Self { form, place, attachment, cost, stands, kept_leader: None }
+        Self { form, place, attachment, cost, stands, kept_leader: None, blanks: false }
     }
 
     /// The line that leads from it to what it names, if it does not stand beside that.
@@ -229,7 +231,26 @@ fn candidate(
     };
     let cost = cost(form.kind.cost(), label, place, attachment, around) + near_corner;
     let (stands, kept_leader) = (PlacedAs::Alone, label.kept_leader);
-    Some(Candidate { form: number, place, attachment, cost, stands, kept_leader })
+    let blank = around.params.texture_clearance;
+    let blanks = around.is_blanked_by(around.room.glyphs(place.inflate(blank, blank)));
+    Some(Candidate { form: number, place, attachment, cost, stands, kept_leader, blanks })
+}
+
+/// What it costs to blank the texture of a sector of a pie: more than any place outside within reach, also beside the
+/// text, where a mm counts three times, and less than an abbreviation.
+const BLANKED: f32 = 200.0;
+
+/// The same candidates with what it costs to blank such a texture; none where no candidate does.
+pub(super) fn sparing(candidates: &[Vec<Candidate>]) -> Option<Vec<Vec<Candidate>>> {
+    if !candidates.iter().flatten().any(|candidate| candidate.blanks) {
+        return None;
+    }
+    let mut sparing = candidates.to_vec();
+    for of in &mut sparing {
+        of.iter_mut().filter(|candidate| candidate.blanks).for_each(|candidate| candidate.cost += BLANKED);
+        of.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    }
+    Some(sparing)
 }
 
 /// A finger that comes from a leader line of the drawing finds its label no farther from where it begins, mm: as the
@@ -439,7 +460,8 @@ pub(super) fn better(
         }
         let least = best.as_ref().map_or(now.cost - WORTH_A_MOVE, |best| best.cost);
         let found = candidate(label, now.form, form, place, around);
-        if let Some(found) = found.filter(|found| found.cost < least && free(found)) {
+        let is_better = |found: &Candidate| found.cost < least && (now.blanks || !found.blanks) && free(found);
+        if let Some(found) = found.filter(is_better) {
             best = Some(found);
         }
     }

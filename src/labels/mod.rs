@@ -31,6 +31,7 @@ mod predicted;
 mod room;
 mod rows;
 mod scale;
+mod sectors;
 mod sentence;
 mod shape;
 mod spacing;
@@ -99,6 +100,13 @@ pub fn place(
     };
     let mut candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
     let (mut chosen, mut spacing) = chosen_of(&candidates, &forms, cells, params.leader_off, (wanted, &room));
+    // a name leaves its sector if it takes no place there, and no whole word, from another
+    if let Some(sparing) = candidates::sparing(&candidates) {
+        let with = chosen_of(&sparing, &forms, cells, params.leader_off, (wanted, &room));
+        if loss(&with.0, &sparing, &forms).lost <= loss(&chosen, &candidates, &forms).lost {
+            ((chosen, spacing), candidates) = (with, sparing);
+        }
+    }
     if let Some(alike) = alike(&chosen, &candidates, &forms, wanted) {
         let with = chosen_of(&alike, &forms, cells, params.leader_off, (wanted, &room));
         let count = |chosen: &[Option<usize>]| chosen.iter().flatten().count();
@@ -164,6 +172,7 @@ fn place_rows_first<'a>(
     let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
     let reach: Vec<f32> = forms.iter().map(|of| longest(of, cells, params)).collect();
     before::look(&mut around, wanted, is_alone, &reach);
+    sectors::look(&mut around, wanted);
     let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
     let mut rows = RowsPlaced { wanted, cells, room, params, forms, around, placed, thinned, titles };
     let rows::InRows { mut placed, thinned } = rows::placed(&groups, &rows.context());

@@ -22,7 +22,7 @@ const CORNER: f32 = 0.354;
 const RAYS: u32 = 32;
 /// The same where outlines are looked for: at 40 mm they are met every 2 mm, and less often beyond, where only the
 /// longest labels reach.
-const FINE_RAYS: u32 = 128;
+pub(super) const FINE_RAYS: u32 = 128;
 /// A place is in the open if it is seen in so many of them, an eighth of the circle: a door of 16 mm is narrower from
 /// 20 mm on. Chosen by us.
 const OPEN: usize = 4;
@@ -71,6 +71,8 @@ pub(super) struct Room {
     strong: Option<MarkedSquares>,
     /// Glyphs, in shares of one.
     glyphs: SquareSums,
+    /// Where those of each texture are.
+    textures: Vec<Vec<MmPoint>>,
     /// Width of the widest line, mm.
     widest: f32,
     /// Whether its lines are those of a page, and not contours of a drawing.
@@ -103,7 +105,8 @@ impl Room {
         let angles = angles::of(others.iter().map(|(line, _)| *line));
         let (taken, grid) = (near(others, true), near(of_grid, false));
         let (rings, strong) = (named_points::rings(lines), room.strong(lines, least_strength));
-        Self { angles, rings, strong, taken, grid, is_drawn: true, ..room }
+        let textures = textures.iter().map(|of| of.glyphs.iter().map(|glyph| glyph.at).collect()).collect();
+        Self { angles, rings, strong, taken, grid, textures, is_drawn: true, ..room }
     }
 
     /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
@@ -148,6 +151,7 @@ impl Room {
             for_leader,
             ink,
             glyphs,
+            textures: Vec::new(),
             widest,
             bounds,
             strong: None,
@@ -275,6 +279,16 @@ impl Room {
     /// How many glyphs lie in a box; the dots of a device count by what is printed in their place.
     pub(super) fn glyphs(&self, place: MmRect) -> f32 {
         self.glyphs.within(place, &self.squares) as f32 / WHOLE as f32
+    }
+
+    /// How many glyphs the texture has that lies around a point, counted likewise; none where none is within `reach`
+    /// mm.
+    pub(super) fn texture_around(&self, at: MmPoint, reach: f32, params: &Params) -> Option<f32> {
+        let all = self.textures.iter().flat_map(|of| of.iter().map(move |glyph| (*glyph, of.len())));
+        let far = |glyph: MmPoint| (glyph - at).length();
+        let (nearest, count) = all.min_by(|a, b| far(a.0).total_cmp(&far(b.0)))?;
+        let is_around = far(nearest) <= reach && !self.is_parted(at, nearest, 0.0);
+        is_around.then(|| count as f32 * share_of_glyph(params) as f32 / WHOLE as f32)
     }
 
     /// Whether a straight leader line would keep clear of other lines; `end` mm before its end it need not, as there is

@@ -40,6 +40,8 @@ const FARTHEST_ARC: f32 = 25.0;
 const OFF_LINE: f32 = 2.5;
 /// Print in a cell of a table reaches beyond its lines by at most this, mm: lines are moved, and are broader.
 const AROUND_CELL: f32 = 2.0;
+/// Most of the texture of a sector that a label may take: what leaves less than two thirds of one is told of.
+const MOST_OF_TEXTURE: f32 = 1.0 / 3.0;
 /// Points nearer than this are one, mm: a point that is given seldom lies exactly in the middle of its ring.
 const SAME: f32 = 3.0;
 /// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
@@ -119,6 +121,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) scale: Option<GroupDirection>,
     /// Whether it is a sentence in the open, such as an instruction: it names nothing, and has no leader line.
     pub(super) is_sentence: bool,
+    /// Of a name in a shape that has others beside it, such as the sector of a pie, how many glyphs its texture has.
+    pub(super) texture: Option<f32>,
     /// What labels beside it name.
     others: Vec<MmPoint>,
     /// Which of that are points.
@@ -157,10 +161,8 @@ impl<'a> Surroundings<'a> {
         // the length of a side is none of the shape that it stands in; in a rectangle it may be the value of a bar
         let is_of_side = tip != at && cell.is_none() && scale::is_length(&label.text);
         let is_shut_in = || is_text && !is_of_side && room.is_in_room(at, FURTHEST_OUTLINE);
-        let side = (tip != at && is_blank(at)).then(|| {
-            let to_text = at - tip;
-            tip + to_text.normalize() * to_text.length().min(OFF_LINE)
-        });
+        let side =
+            (tip != at && is_blank(at)).then(|| tip + (at - tip).normalize() * (at - tip).length().min(OFF_LINE));
         let names = if is_point {
             Named::Point { is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR) }
         } else {
@@ -183,6 +185,7 @@ impl<'a> Surroundings<'a> {
             before: None,
             scale: None,
             is_sentence: is_in_open && sentence::is_sentence(&label.text, tip != at),
+            texture: None,
             others,
             points,
         }
@@ -207,6 +210,18 @@ impl<'a> Surroundings<'a> {
     pub(super) fn is_text_in_open(&self) -> bool {
         let is_in_open = matches!(self.names, Named::Text { shut_in: None, .. }) && !self.is_sentence;
         is_in_open && self.angle.is_none() && self.cell.is_none() && self.scale.is_none()
+    }
+
+    /// Whether it stands for a text that lines shut in, but for the angles between lines, boxes and numbers of axes.
+    pub(super) fn is_text_in_shape(&self) -> bool {
+        let is_shut_in = matches!(self.names, Named::Text { shut_in: Some(_), .. });
+        is_shut_in && self.angle.is_none() && self.cell.is_none() && self.scale.is_none()
+    }
+
+    /// Whether a label that takes so many glyphs leaves too little of the texture by which its shape is told from those
+    /// beside it.
+    pub(super) fn is_blanked_by(&self, glyphs: f32) -> bool {
+        self.texture.is_some_and(|all| glyphs > MOST_OF_TEXTURE * all)
     }
 
     /// The text stands before a shape and names that, also from a little further away than others name a line.

@@ -454,3 +454,18 @@ fn the_label_of_a_box_rather_stands_beside_no_other_line() {
     let more = |x: f32| cost_in(&boxes(x), &label, box_at(90.0, 70.0));
     assert!((more(114.0) - more(125.0) - 12.0).abs() < 0.01, "4 mm right of the label, and 15 mm");
 }
+
+#[test]
+fn candidates_that_blank_a_texture_come_last_where_it_is_to_be_spared() {
+    let candidate = |cost: f32, blanks: bool| {
+        let of = Candidate::of_row(0, box_at(90.0, 90.0), Attachment::Beside, cost, PlacedAs::Alone);
+        Candidate { blanks, ..of }
+    };
+    let costs = |all: &[Candidate]| all.iter().map(|of| of.cost.round() as i32).collect::<Vec<_>>();
+    assert_eq!(sparing(&[vec![candidate(1.0, false)], Vec::new()]), None);
+    let all =
+        [vec![candidate(1.0, true), candidate(60.0, false), candidate(1001.0, true)], vec![candidate(2.0, false)]];
+    let sparing = sparing(&all).expect("some blank a texture");
+    assert_eq!(costs(&sparing[0]), [60, 201, 1201]);
+    assert_eq!(costs(&sparing[1]), [2]);
+}
