@@ -17,13 +17,14 @@ const AROUND: f32 = 4.0;
 const OTHERS: usize = FINE_RAYS as usize / 5;
 const BLANK: usize = FINE_RAYS as usize / 10;
 
-/// Finds the textures around names that stand in such shapes. Numbers there are shares, beside which a name may stand
-/// outside already; in a box, such as the bar of a chart, a text is looked for. On an area of its own colour, as a map
+/// Finds the textures around names and shares in percent that stand in such shapes. Another number may be a value that
+/// is looked for where it is, as a text is in a box, such as the bar of a chart. On an area of its own colour, as a map
 /// in the sea, nothing has a place outside.
 pub(super) fn look(around: &mut [Surroundings<'_>], wanted: &[Wanted]) {
     for (of, label) in around.iter_mut().zip(wanted) {
-        let is_name = !scale::is_number(&label.text) && !of.params.has_coloured_ground;
-        if is_name && of.is_text_in_shape() && is_one_of_several(of.anchor, of.room) {
+        let is_share = label.text.trim_end().ends_with('%');
+        let is_told_outside = (is_share || !scale::is_number(&label.text)) && !of.params.has_coloured_ground;
+        if is_told_outside && of.is_text_in_shape() && is_one_of_several(of.anchor, of.room) {
             of.texture = of.room.texture_around(of.anchor, NEAR, of.params);
         }
     }
