@@ -38,6 +38,8 @@ const THICKEST_ARC: f32 = 3.0;
 const FARTHEST_ARC: f32 = 25.0;
 /// So far from its middle one is beside a line, mm: more than half of the widest.
 const OFF_LINE: f32 = 2.5;
+/// So far behind the side of a line is its other side, mm: more than the widest.
+const BEHIND_LINE: f32 = 4.0;
 /// Print in a cell of a table reaches beyond its lines by at most this, mm: lines are moved, and are broader.
 const AROUND_CELL: f32 = 2.0;
 /// Most of the texture of a sector that a label may take: what leaves less than two thirds of one is told of.
@@ -160,17 +162,18 @@ impl<'a> Surroundings<'a> {
         let cell = if is_text { cell_of(anchor, wanted, room) } else { None };
         // the length of a side is none of the shape that it stands in; in a rectangle it may be the value of a bar
         let is_of_side = tip != at && cell.is_none() && scale::is_length(&label.text);
-        let is_shut_in = || is_text && !is_of_side && room.is_in_room(at, FURTHEST_OUTLINE);
+        let is_shut_in = is_text && !is_of_side && room.is_in_room(at, FURTHEST_OUTLINE);
+        let is_room = is_shut_in && room.hides_a_part(at, FURTHEST_OUTLINE);
+        let tip = if is_room && is_of_other(tip, anchor, &others, room) { at } else { tip };
         let side =
             (tip != at && is_blank(at)).then(|| tip + (at - tip).normalize() * (at - tip).length().min(OFF_LINE));
         let names = if is_point {
             Named::Point { is_at_lower_side: label.anchor.is_empty() && room.is_at_lower_side(at, BELOW, NEAR) }
         } else {
-            let shut_in = is_shut_in().then(|| ShutIn { side, is_room: room.hides_a_part(at, FURTHEST_OUTLINE) });
+            let shut_in = is_shut_in.then_some(ShutIn { side, is_room });
             Named::Text { line_on: room.comes_up_to(anchor, BESIDE_TEXT), shut_in }
         };
-        let is_in_open = is_text && cell.is_none() && angle.is_none() && label.kept_leader.is_none();
-        let is_in_open = is_in_open && matches!(names, Named::Text { shut_in: None, .. });
+        let is_in_open = is_text && !is_shut_in && cell.is_none() && angle.is_none() && label.kept_leader.is_none();
         Self {
             room,
             params,
@@ -387,6 +390,15 @@ fn line_beside(label: &Wanted, anchor: MmRect, room: &Room) -> Option<MmPoint> {
     let is_on_grid = || room.interrupts_grid(anchor.inflate(BESIDE_LINE, BESIDE_LINE));
     let is_of_any = scale::is_length(&label.text) && !is_on_grid();
     room.line_beside(anchor, BESIDE_LINE, if is_of_any { 0.0 } else { NEAR })
+}
+
+/// Whether the line beside a text in a room is that of a thing which another text names, such as a table: right behind
+/// it is what that names, which is not seen from the text.
+fn is_of_other(tip: MmPoint, anchor: MmRect, others: &[MmPoint], room: &Room) -> bool {
+    let Some(away) = (tip - tip.clamp(anchor.min, anchor.max)).try_normalize() else { return false };
+    let behind = tip + away * BEHIND_LINE;
+    let is_parted = |from: MmPoint, other: MmPoint| room.is_parted_from_text(from, other, 0.0);
+    others.iter().any(|&other| !is_parted(behind, other) && is_parted(anchor.center(), other))
 }
 
 /// The box of lines in which a text stands, such as a cell of a table. What is written across the lines of a grid

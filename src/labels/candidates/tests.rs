@@ -469,3 +469,23 @@ fn candidates_that_blank_a_texture_come_last_where_it_is_to_be_spared() {
     assert_eq!(costs(&sparing[0]), [60, 201, 1201]);
     assert_eq!(costs(&sparing[1]), [2]);
 }
+
+#[test]
+fn the_name_of_a_room_is_led_to_no_table_that_has_a_name() {
+    let line = |(low, high): ((f32, f32), (f32, f32))| {
+        let points = [low, (high.0, low.1), high, (low.0, high.1)].map(|(x, y)| MmPoint::new(x, y));
+        Line { strength: 50.0, runs: vec![Run { closed: true, ..Run::stroke(1.0, points.to_vec()) }] }
+    };
+    let lines = [line(((50.0, 20.0), (150.0, 100.0))), line(((80.0, 52.0), (120.0, 72.0)))];
+    let (params, room) = (params(), Room::new(&lines, &[], &params()));
+    let text = |x: f32, y: f32| named(MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 10.0, y + 6.0)));
+    let tip = |wanted: &[Wanted]| {
+        let anchors: Vec<MmRect> = wanted.iter().map(|label| label.anchor).collect();
+        Surroundings::of(0, LabelsAt { wanted, anchors: &anchors }, 20.0, &room, &params).tip
+    };
+    // 4 mm above the table
+    let (own, table) = (text(95.0, 41.0), text(95.0, 59.0));
+    assert!(tip(std::slice::from_ref(&own)).y > 50.0, "a table without a name");
+    assert_eq!(tip(&[own.clone(), table]), own.anchor.center());
+    assert!(tip(&[own.clone(), text(60.0, 80.0)]).y > 50.0, "another text of the room");
+}
