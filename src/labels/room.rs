@@ -1,6 +1,7 @@
 //! Which places of a figure are free of lines, and how many glyphs of textures a place would cost.
 
 mod leader_lines;
+mod sight;
 mod squares;
 
 use std::f32::consts::TAU;
@@ -26,10 +27,6 @@ pub(super) const FINE_RAYS: u32 = 128;
 /// A place is in the open if it is seen in so many of them, an eighth of the circle: a door of 16 mm is narrower from
 /// 20 mm on. Chosen by us.
 const OPEN: usize = 4;
-/// A part of a shape is hidden behind a line that is so far from what is seen beside it, mm, with no line so near to
-/// the middle between, mm, as there is along a wall: on a grid lines have steps.
-const HIDDEN: f32 = 10.0;
-const BESIDE_SIGHT: f32 = 2.0;
 /// How far the ink of a line reaches below a point on its middle, at most, mm: half of the widest line, and the corner
 /// of a square.
 const ON_A_LINE: f32 = 1.75;
@@ -365,23 +362,6 @@ impl Room {
             (!ink.holds(place, &self.squares)).then_some([at + direction * far, place])
         };
         (0..FINE_RAYS).filter_map(met).collect()
-    }
-
-    /// Whether a part of the shape around a point is hidden from it within `reach` mm, as behind the furniture and
-    /// doors of a room: two lines that are seen side by side lie far from one another, with a blank between. Nothing is
-    /// hidden in a box or in the sector of a pie.
-    pub(super) fn hides_a_part(&self, at: MmPoint, reach: f32) -> bool {
-        let ink = self.strong.as_ref().unwrap_or(&self.ink);
-        let seen = |ray: u32| {
-            let (sin, cos) = (TAU * ray as f32 / FINE_RAYS as f32).sin_cos();
-            let direction = MmVector::new(cos, sin);
-            self.first_in(ink, at, direction, reach).map(|far| at + direction * far)
-        };
-        let is_blank = |at: MmPoint| self.nearest(MmRect::new(at, at), BESIDE_SIGHT, ink).is_none();
-        (0..FINE_RAYS).any(|ray| {
-            let Some((a, b)) = seen(ray).zip(seen(ray + 1)) else { return false };
-            (b - a).length() >= HIDDEN && is_blank(a.lerp(b, 0.5))
-        })
     }
 
     /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as

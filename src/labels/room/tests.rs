@@ -141,7 +141,9 @@ fn a_room_hides_a_part_behind_its_furniture_and_a_box_or_a_sector_does_not() {
         |lines: &[Line], x: f32, y: f32| Room::new(lines, &[], &params()).hides_a_part(MmPoint::new(x, y), 90.0);
     assert!(hides(&[walls.clone(), table.clone()], 50.0, 40.0));
     assert!(!hides(&[walls.clone(), table], 50.0, 68.0), "the table is a box");
-    assert!(!hides(&[walls], 20.0, 80.0));
+    assert!(!hides(std::slice::from_ref(&walls), 20.0, 80.0));
+    let with_a_gap = [walls, line(&[(50.0, 10.0), (50.0, 45.0)]), line(&[(50.0, 55.0), (50.0, 90.0)])];
+    assert!(!hides(&with_a_gap, 25.0, 50.0), "the other half is seen through a gap");
     assert!(!hides(&[line(&[(10.0, 46.0), (90.0, 46.0), (90.0, 54.0), (10.0, 54.0)])], 25.0, 50.0), "a long box");
     let arc = (0..=20_u32)
         .map(|k| (-0.5 + 0.05 * k as f32).sin_cos())
