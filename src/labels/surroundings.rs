@@ -44,6 +44,8 @@ const BEHIND_LINE: f32 = 4.0;
 const AROUND_CELL: f32 = 2.0;
 /// Most of the texture of a sector that a label may take: what leaves less than two thirds of one is told of.
 const MOST_OF_TEXTURE: f32 = 1.0 / 3.0;
+/// The same of dots, where what it leaves in strips and short rows beside it goes as well: seen on pies of an Index.
+const MOST_OF_DOTS: f32 = 0.2;
 /// Points nearer than this are one, mm: a point that is given seldom lies exactly in the middle of its ring.
 const SAME: f32 = 3.0;
 /// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
@@ -224,7 +226,8 @@ impl<'a> Surroundings<'a> {
     /// Whether a label that takes so many glyphs leaves too little of the texture by which its shape is told from those
     /// beside it.
     pub(super) fn is_blanked_by(&self, glyphs: f32) -> bool {
-        self.texture.is_some_and(|all| glyphs > MOST_OF_TEXTURE * all)
+        let most = if self.params.dot_pitch > 0.0 { MOST_OF_DOTS } else { MOST_OF_TEXTURE };
+        self.texture.is_some_and(|all| glyphs > most * all)
     }
 
     /// The text stands before a shape and names that, also from a little further away than others name a line.
