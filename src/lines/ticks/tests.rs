@@ -206,7 +206,7 @@ fn of_a_logarithmic_scale_all_ticks_are_tried_then_the_long_ones() {
     };
     let all = (1, (0..28).collect::<Vec<usize>>());
     assert_eq!(tick_selections(&scale(|k| k % 9 == 0)), [all.clone(), (9, vec![0, 9, 18, 27])]);
-    assert_eq!(tick_selections(&scale(|_| false)), [all.clone()], "none is long");
+    assert_eq!(tick_selections(&scale(|_| false)), std::slice::from_ref(&all), "none is long");
     assert_eq!(tick_selections(&scale(|k| k % 9 == 0 && k != 9)), [all], "the long ones are uneven, too");
 }
 
