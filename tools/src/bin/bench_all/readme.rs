@@ -114,6 +114,31 @@ mod tests {
         assert_eq!([row(0), row(2), row(5), row(6), row(7)], ["0.24 39", "0.14 38", "26 78", "0.07 4", "0.43 76"]);
     }
 
+    /// The tables of a page, by these titles.
+    fn written(page: &str, titles: &[&'static str]) -> Vec<Table> {
+        let cells = |line: &str| -> Vec<String> {
+            line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+        };
+        let table = |&title: &&'static str| {
+            let (_, section) = page.split_once(&format!("\n## {title}\n")).expect("the table is there");
+            let mut lines = section.lines().skip_while(|line| !line.starts_with('|'));
+            let head = cells(lines.next().expect("a head"));
+            let head: Vec<&str> = head.iter().map(String::as_str).collect();
+            let mut table = Table::new(title, "", &head);
+            table.rows.extend(lines.skip(1).take_while(|line| line.starts_with('|')).map(cells));
+            table
+        };
+        titles.iter().map(table).collect()
+    }
+
+    /// Sources are known by their words: another name of a row elsewhere would be seen only when all has been measured.
+    #[test]
+    fn the_rows_in_readme_are_those_of_the_tables_in_docs() {
+        let page = |name: &str| std::fs::read_to_string(format!("{}/{name}", tactograph_tools::ROOT)).unwrap();
+        let all = written(&page("docs/speed.md"), &["Beside others", "Other work", "Throughput"]);
+        assert!(page("README.md").contains(&table(&all).unwrap().body()));
+    }
+
     #[test]
     fn a_figure_that_was_not_measured_is_told() {
         let mut all = tables();

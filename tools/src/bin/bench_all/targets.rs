@@ -31,15 +31,35 @@ pub(crate) struct Row {
     pub(crate) work: String,
     /// Ours by the clock, ms; its working time, ms; its memory, MB.
     pub(crate) ours: [Option<f64>; 3],
-    pub(crate) peer: String,
-    /// The same of the peer.
-    pub(crate) theirs: [Option<f64>; 3],
-    /// Ours to theirs by the clock, and of working times: medians over the rounds.
-    pub(crate) ratios: [Option<f64>; 2],
+    pub(crate) beside: Beside,
     pub(crate) wanted: String,
     pub(crate) met: Option<bool>,
     /// Whether the short table has it also where nothing is wanted.
     pub(crate) is_short: bool,
+}
+
+/// What is held against the goal.
+pub(crate) enum Beside {
+    /// A figure of ours, in the unit that the work names.
+    Nobody(Option<f64>),
+    /// Ours beside another program.
+    Peer {
+        name: String,
+        /// Its time by the clock, ms; its working time, ms; its memory, MB.
+        figures: [Option<f64>; 3],
+        /// Ours to theirs by the clock, and of working times: medians over the rounds.
+        ratios: [Option<f64>; 2],
+    },
+}
+
+impl Beside {
+    /// What the program is called.
+    fn name(&self) -> String {
+        match self {
+            Self::Nobody(_) => String::new(),
+            Self::Peer { name, .. } => name.clone(),
+        }
+    }
 }
 
 /// One picture, ours first, then the peers with the ratio that is wanted.
@@ -189,9 +209,7 @@ fn limit(work: &str, ours: &Outcome, value: Option<f64>, most: f64) -> Row {
     Row {
         work: work.into(),
         ours: [ours.wall(), ours.cpu(), ours.peak()],
-        peer: String::new(),
-        theirs: [None; 3],
-        ratios: [value, None],
+        beside: Beside::Nobody(value),
         wanted: format!("at most {most}"),
         met: value.map(|value| value <= most),
         is_short: true,
@@ -199,20 +217,18 @@ fn limit(work: &str, ours: &Outcome, value: Option<f64>, most: f64) -> Row {
 }
 
 fn versus(work: &str, ours: &Outcome, theirs: &Outcome, wanted: Option<f64>) -> Row {
-    let mut peer = theirs.name.clone();
+    let mut name = theirs.name.clone();
     if let Err(fault) = &theirs.runs {
-        peer += &format!(" (failed: {fault})");
+        name += &format!(" (failed: {fault})");
     } else if let Some(alone) = theirs.median(|run| stage(run, "alone")).filter(|&alone| alone < LONG) {
-        peer += &format!(" ({} ms without its start)", number(Some(alone)));
+        name += &format!(" ({} ms without its start)", number(Some(alone)));
     }
     let ratio = ours.beside(theirs, |our, their| Some(our.wall / their.wall));
     let cpu = ours.beside(theirs, |our, their| Some(our.cpu / their.cpu));
     Row {
         work: work.into(),
         ours: [ours.wall(), ours.cpu(), ours.peak()],
-        peer,
-        theirs: [theirs.wall(), theirs.cpu(), theirs.peak()],
-        ratios: [ratio, cpu],
+        beside: Beside::Peer { name, figures: [theirs.wall(), theirs.cpu(), theirs.peak()], ratios: [ratio, cpu] },
         wanted: wanted.map_or(String::new(), |most| format!("at most {most}")),
         met: wanted.and_then(|most| Some(ratio? <= most)),
         is_short: wanted.is_some(),
@@ -229,10 +245,14 @@ pub(crate) fn long_table(title: &'static str, about: &str, rows: &[Row]) -> Tabl
         ["work", "ms", "CPU ms", "MB", "beside", "ms", "CPU ms", "MB", "ratio or value", "of CPU", "wanted", "met"];
     let mut table = Table::new(title, about, &head);
     table.rows.extend(rows.iter().map(|row| {
+        let (theirs, ratios) = match row.beside {
+            Beside::Nobody(value) => ([None; 3], [value, None]),
+            Beside::Peer { figures, ratios, .. } => (figures, ratios),
+        };
         let mut cells = vec![row.work.clone()];
         cells.extend(row.ours.map(number));
-        cells.push(row.peer.clone());
-        cells.extend(row.theirs.iter().chain(&row.ratios).map(|&value| number(value)));
+        cells.push(row.beside.name());
+        cells.extend(theirs.into_iter().chain(ratios).map(number));
         cells.extend([row.wanted.clone(), answer(row.met)]);
         cells
     }));
@@ -244,13 +264,12 @@ pub(crate) fn long_table(title: &'static str, about: &str, rows: &[Row]) -> Tabl
 pub(crate) fn short_table(rows: &[Row]) -> Table {
     let mut table = Table::new("", "", &["work", "tactograph", "beside", "", "ratio", "wanted", "met"]);
     table.rows.extend(rows.iter().filter(|row| row.is_short).map(|row| {
-        let [ours, _, _] = row.ours.map(number);
-        let [theirs, _, _] = row.theirs.map(number);
-        let is_limit = row.peer.is_empty();
-        let ours = if is_limit { number(row.ratios[0]) } else { format!("{ours} ms") };
-        let theirs = if is_limit { String::new() } else { format!("{theirs} ms") };
-        let ratio = if is_limit { String::new() } else { number(row.ratios[0]) };
-        vec![row.work.clone(), ours, row.peer.clone(), theirs, ratio, row.wanted.clone(), answer(row.met)]
+        let ms = |time| format!("{} ms", number(time));
+        let [ours, theirs, ratio] = match row.beside {
+            Beside::Nobody(value) => [number(value), String::new(), String::new()],
+            Beside::Peer { figures, ratios, .. } => [ms(row.ours[0]), ms(figures[0]), number(ratios[0])],
+        };
+        vec![row.work.clone(), ours, row.beside.name(), theirs, ratio, row.wanted.clone(), answer(row.met)]
     }));
     table
 }
