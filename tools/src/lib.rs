@@ -11,6 +11,7 @@ pub mod drawn;
 pub mod full_page;
 pub mod fuzz;
 pub mod killing;
+pub mod marks;
 pub mod median;
 pub mod near;
 pub mod photo;

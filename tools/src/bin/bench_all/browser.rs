@@ -11,15 +11,16 @@ const TARGET: &str = "wasm32-wasip1";
 /// Vectors, which all browsers have.
 const FLAGS: &str = "-C target-feature=+simd128";
 
-/// Builds the library for it and makes the job that runs it; none if the target or Node.js is missing, which is told.
+/// Builds the library for it and makes the job that runs it; none if the target is missing, which is told, or Node.js,
+/// which is told with the other programs.
 pub(crate) fn job(name: &str, picture: &str, ours: &Ours, target: &Path) -> Option<Job> {
-    let lacks = |what: &str| eprintln!("{what}: its row is left out; run tools/src/bin/bench_all/peers.sh");
     if !Command::new("node").arg("--version").stdout(Stdio::null()).status().is_ok_and(|ended| ended.success()) {
-        lacks("Node.js is not installed");
         return None;
     }
     let Some(program) = built(target) else {
-        lacks(&format!("the library could not be built for {TARGET}"));
+        eprintln!(
+            "the library could not be built for {TARGET}: its row is left out; run tools/src/bin/bench_all/peers.sh"
+        );
         return None;
     };
     let page = ours.page("browser.svg");

@@ -7,7 +7,9 @@
 //!                      does not run again (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
 //!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "other work", "throughput", "skipped", "growth"
-//!   --write            also writes the tables into docs/speed.md, a short one at its head, and a few rows into README.md
+//!   --write            also writes the tables into docs/speed.md, a short one at its head, and a few rows into README.md; not
+//!                      where a program is missing, or djpeg took more than a tenth longer in one table than in the other, as then
+//!                      something else kept the machine busy
 //!   --program FILE     another program than the one built here, such as one with other settings
 //! ```
 //!
@@ -20,7 +22,8 @@
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
 //! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages (`plot.rs` draws
 //! them), `work.rs` at drawings, PDF and pages, `browser.rs` at the library as WebAssembly, `throughput.rs` at many photographs in
-//! one call (`at_once.rs`: at their memory). `written.rs` puts the tables into the pages, `readme.rs` chooses the rows of README.
+//! one call (`at_once.rs`: at their memory). `written.rs` puts the tables into the pages unless `refused.rs` has a reason not to,
+//! `readme.rs` chooses the rows of README.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 mod args;
@@ -34,6 +37,7 @@ mod ours;
 mod peers;
 mod plot;
 mod readme;
+mod refused;
 mod rounds;
 mod stages;
 mod table;
@@ -47,6 +51,7 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::ExitCode;
 
+use tactograph_tools::marks;
 use tactograph_tools::words::Words;
 
 use args::Args;
@@ -94,11 +99,16 @@ fn measure() -> Result<(), String> {
     let this = std::env::current_exe().map_err(|fault| fault.to_string())?;
     let profile = this.parent().ok_or("this program lies in no build folder")?;
     let target = profile.parent().ok_or("this program lies in no build folder")?;
+    // now, as what is changed from here on is not measured
+    let made = marks::made();
     let ours = Ours::build(target, profile, args.program.clone())?;
     let inputs = Inputs::make(target, args.quick)?;
     let peers = Peers::find(target);
-    for line in &peers.missing {
-        eprintln!("{line}; run tools/src/bin/bench_all/peers.sh");
+    for program in &peers.missing {
+        eprintln!("{program} is not installed: its rows are left out; run tools/src/bin/bench_all/peers.sh");
+    }
+    if args.write {
+        refused::missing(&peers.missing)?;
     }
     let bench = Bench { args: &args, ours: &ours, peers: &peers, inputs: &inputs, target };
 
@@ -107,8 +117,11 @@ fn measure() -> Result<(), String> {
     let mut tables = Vec::new();
     for (title, about, rows) in [("Beside others", BESIDE, &beside), ("The same with one core", ONE_CORE, &one_core)] {
         if !rows.is_empty() {
-            tables.push(targets::long_table(title, about, rows));
+            tables.push(told_of(targets::long_table(title, about, rows)));
         }
+    }
+    if args.write {
+        refused::check([&beside, &one_core])?;
     }
     let alone: [(&str, Measure); 5] = [
         ("kinds", stages::kinds),
@@ -120,16 +133,19 @@ fn measure() -> Result<(), String> {
     for (name, table) in alone {
         if args.wants(name) {
             eprintln!("{name}");
-            tables.push(table(&bench));
+            tables.push(told_of(table(&bench)));
         }
     }
-    for table in &tables {
-        print!("{}", table.text());
-    }
     if args.write {
-        written::write(&targets::short_table(&beside), &tables, &args)?;
+        written::write(&targets::short_table(&beside), &tables, &args, &made)?;
     }
     Ok(())
+}
+
+/// A table, once it is printed.
+fn told_of(table: Table) -> Table {
+    print!("{}", table.text());
+    table
 }
 
 /// What makes a table of our own program alone.

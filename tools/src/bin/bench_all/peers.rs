@@ -17,7 +17,7 @@ const MAGICK: [&str; 3] = ["magick", "convert-im6.q16", "convert-im6"];
 pub(crate) struct Peers {
     python: Option<PathBuf>,
     magick: Option<&'static str>,
-    /// What is not, and what it would have been for.
+    /// Names of what is not.
     pub(crate) missing: Vec<String>,
 }
 
@@ -25,8 +25,9 @@ impl Peers {
     /// Looks for all of them.
     pub(crate) fn find(target: &Path) -> Self {
         let mut missing = Vec::new();
-        let mut lacks = |name: &str| missing.push(format!("{name} is not installed: its rows are left out"));
-        for program in ["djpeg", "vips", "potrace"] {
+        let mut lacks = |name: &str| missing.push(name.to_owned());
+        // Node.js runs our own library, as a browser would
+        for program in ["djpeg", "vips", "potrace", "node"] {
             if !is_program(program) {
                 lacks(program);
             }

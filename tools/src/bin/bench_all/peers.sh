@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what bench_all runs beside our program, and what writes its pictures: from Debian as root, and from PyPI into an
-# environment of its own under target/bench. What cannot be had is told; bench_all leaves its rows out.
+# environment of its own under target/bench. What cannot be had is told; bench_all leaves its rows out, and with --write it
+# refuses. Without cjpeg and cwebp it measures nothing, as they write its pictures.
 #
 # Inkscape is not among them: that of Debian 12 (1.2) traces bitmaps only in its window, by no command. What its window
 # runs is potrace, which is here.
@@ -14,10 +15,12 @@ missing=()
 for i in "${!TOOLS[@]}"; do
   command -v "${TOOLS[i]}" >/dev/null || missing+=("${PACKAGES[i]}")
 done
+# what Debian's python3 lacks to make an environment
+python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
 if [ ${#missing[@]} != 0 ]; then
   if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
     apt-get update -qq
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" python3-venv
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
   else
     echo "missing: install ${missing[*]}" >&2
   fi
