@@ -3,6 +3,7 @@
 pub mod agreement;
 pub mod bitmap;
 pub mod blanks;
+pub mod camera_scene;
 pub mod cjpeg;
 pub mod cores;
 pub mod correction;

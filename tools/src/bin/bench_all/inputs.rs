@@ -5,6 +5,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use tactograph_tools::camera_scene::Scene;
 use tactograph_tools::cjpeg::cjpeg;
 use tactograph_tools::photo::{self, Picture};
 
@@ -14,6 +15,11 @@ const EDITION: &str = "2";
 /// Widths and heights of the photograph, with what they are called in megapixels.
 pub(crate) const SIZES: [(&str, usize, usize); 4] =
     [("0.25", 576, 432), ("3", 2000, 1500), ("12", 4000, 3000), ("50", 8160, 6120)];
+
+/// Colours of a photograph at full size, not at half.
+pub(crate) const FULL_COLOUR: &str = "photo-12-progressive-444.jpg";
+/// A drawing of few pixels, with the grain of a camera.
+pub(crate) const DRAWING: &str = "drawing-0.75.png";
 
 /// Where the pictures lie.
 pub(crate) struct Inputs {
@@ -46,12 +52,14 @@ impl Inputs {
             let mut wanted = vec![name(".jpg"), name("-progressive.jpg")];
             if megapixels == "12" {
                 wanted.extend([name(".png"), name("-16.png"), name(".webp"), name("-grey.jpg")]);
+                wanted.push(FULL_COLOUR.into());
             }
             inputs.picture(&wanted, || photo::photo(width, height))?;
         }
         inputs.picture(&["white-12.jpg".into()], || photo::white(4000, 3000))?;
         inputs.picture(&["noise-3.png".into()], || photo::noise(2000, 1500))?;
         inputs.picture(&["lawn-3.jpg".into()], || photo::lawn(2000, 1500))?;
+        inputs.picture(&[DRAWING.into()], drawing)?;
         Ok(inputs)
     }
 
@@ -67,6 +75,7 @@ impl Inputs {
             let part = self.file("part"); // a file has its name only when it is whole
             let jpeg = |options: &[&str]| cjpeg(&picture.bytes(), [picture.width, picture.height], options, &part);
             match name.as_str() {
+                FULL_COLOUR => jpeg(&["-progressive", "-sample", "1x1"]),
                 name if name.ends_with("-progressive.jpg") => jpeg(&["-progressive"]),
                 name if name.ends_with("-grey.jpg") => jpeg(&["-grayscale"]),
                 name if name.ends_with(".jpg") => jpeg(&[]),
@@ -81,6 +90,24 @@ impl Inputs {
 
 fn told(file: &Path, fault: impl std::fmt::Display) -> String {
     format!("{}: {fault}", file.display())
+}
+
+/// A scene of a camera at a quarter of its width and height: means of its pixels.
+fn drawing() -> Picture {
+    const SIDE: usize = 4;
+    let scene = Scene::new(3);
+    let pixels = scene.pixels();
+    let [width, height] = scene.size.map(|side| side / SIDE);
+    let mut rgb = Vec::with_capacity(3 * width * height);
+    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+        for c in 0..3 {
+            let at = |k: usize| 3 * ((SIDE * y + k / SIDE) * scene.size[0] + SIDE * x + k % SIDE) + c;
+            let sum: u32 = (0..SIDE * SIDE).map(|k| u32::from(pixels[at(k)])).sum();
+            // 257 takes 255 to 65535
+            rgb.push((257 * sum / (SIDE * SIDE) as u32) as u16);
+        }
+    }
+    Picture { width, height, rgb }
 }
 
 fn cwebp(from: &Path, file: &Path) -> Result<(), String> {

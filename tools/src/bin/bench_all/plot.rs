@@ -15,18 +15,24 @@ const LONGEST: f64 = 640.0;
 /// Where the first bar begins.
 const TOP: f64 = 66.0;
 /// A bar that would be longer is cut, and says how long it is: one picture of 50 megapixels would hide all others.
-pub(crate) const MOST: f64 = 250.0;
+const MOST: f64 = 250.0;
 /// Parts of bars narrower than this have no number in them, px.
 const NARROW: f64 = 14.0;
+
+/// What the number at a bar is.
+pub(crate) fn about_numbers() -> String {
+    format!(
+        "The number at a bar is the sum of its stages, which is more than the time where stages run side by side. Bars \
+         are cut at {MOST} ms; their numbers are not."
+    )
+}
 
 /// The drawing as SVG. Stages that run side by side have their own time each.
 pub(crate) fn plot(outcomes: &[Outcome]) -> String {
     let height = TOP + ROW * outcomes.len() as f64 + 10.0;
-    let mut svg = plot::head(
-        [WIDTH, height],
-        "Time by stage",
-        "One bar for each kind of picture, made of the time of each stage in turn. The figures are in the table above it.",
-    );
+    let says = "One bar for each kind of picture, made of the time of each stage in turn.";
+    let says = format!("{says} {} The figures are in the table above it.", about_numbers());
+    let mut svg = plot::head([WIDTH, height], "Time by stage", &says);
     for (number, name) in (1..).zip(STAGES) {
         let (x, y) = (10.0 + 150.0 * ((number - 1) % 6) as f64, 20.0 + 20.0 * ((number - 1) / 6) as f64);
         swatch(&mut svg, [x, y - 11.0, 14.0, 14.0], number);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::inputs::Inputs;
+use crate::inputs::{FULL_COLOUR, Inputs};
 use crate::measured::Job;
 use crate::ours::{Ours, after_decoding, stage};
 use crate::peers::Peers;
@@ -96,6 +96,7 @@ fn contests(bench: &Bench<'_>, one_core: bool) -> Vec<Contest> {
     let slow_contest = |work, name: &str, peak, list| Contest { is_slow: true, ..contest(work, name, peak, list) };
     let file = |name: &str| inputs.file(name);
     let (plain, slow) = (file("photo-12.jpg"), file("photo-12-progressive.jpg"));
+    let full = file(FULL_COLOUR);
     let (large, large_slow) = (file("photo-50.jpg"), file("photo-50-progressive.jpg"));
     let decode = |name: &str| Some(Job::new("decoding alone, png crate", crate::floor::command(&inputs.file(name))));
     let mut contests = vec![
@@ -109,6 +110,12 @@ fn contests(bench: &Bench<'_>, one_core: bool) -> Vec<Contest> {
             "photo-12-progressive.jpg",
             None,
             vec![(peers.djpeg(&slow, "1/4"), Some(1.45)), (peers.vips(&slow, ours), None)],
+        ),
+        contest(
+            "12 MP progressive JPEG, 4:4:4",
+            FULL_COLOUR,
+            None,
+            vec![(peers.djpeg(&full, "1/4"), None), (peers.vips(&full, ours), None)],
         ),
         slow_contest(
             "50 MP JPEG",

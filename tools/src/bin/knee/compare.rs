@@ -5,7 +5,8 @@ use tactograph::internals::touch::{Ink, report};
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 use crate::run::Outcome;
-use crate::scene::{P, Scene};
+use tactograph_tools::P;
+use tactograph_tools::camera_scene::Scene;
 use tactograph_tools::near::Near;
 
 /// A fingertip, mm.

@@ -12,7 +12,7 @@
 //! below the working size). Where that is given, the program gets pixels, and so does not know that it was a JPEG: such
 //! rows are to be compared with one another.
 //!
-//! **Pictures** (`pictures.rs`, `scene.rs`): drawn scenes of 9 to 12 megapixels whose outlines, steps and colours are known, with
+//! **Pictures** (`pictures.rs`, `tools/src/camera_scene.rs`): drawn scenes of 9 to 12 megapixels whose outlines, steps and colours are known, with
 //! the blur and the grain of a camera; the photo-like picture of `bench_all` with 12 megapixels; samples.
 //!
 //! **Errors** (`compare.rs`): scenes are held against what was drawn, all others against the page of the highest resolution at
@@ -40,7 +40,6 @@ mod pictures;
 mod plot;
 mod rows;
 mod run;
-mod scene;
 mod sweep;
 
 use std::path::{Path, PathBuf};

@@ -3,9 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use tactograph_tools::camera_scene::Scene;
 use tactograph_tools::cjpeg::cjpeg;
-
-use crate::scene::Scene;
 
 /// A picture as its file.
 pub(crate) struct Picture {

@@ -18,8 +18,8 @@ const SHAPES: usize = 26;
 /// Least distance of two shapes, px: 7 mm and more on an A4 page, so that no line makes way for another.
 const APART: f64 = 125.0;
 
-pub(crate) use tactograph_tools::P;
-use tactograph_tools::rng::{dice, hash};
+use crate::P;
+use crate::rng::{dice, hash};
 
 /// Hues in the middle of their classes, degrees; grey has none.
 const HUES: [(Class, f64); 5] =
@@ -120,8 +120,9 @@ impl Shape {
 }
 
 /// A scene.
-pub(crate) struct Scene {
-    pub(crate) size: [usize; 2],
+pub struct Scene {
+    /// Width and height, px.
+    pub size: [usize; 2],
     sky: Paint,
     ground: Paint,
     wave: [f64; 3],
@@ -130,14 +131,16 @@ pub(crate) struct Scene {
 }
 
 /// A true outline, in pixels of the scene, and the height of its step.
-pub(crate) struct Outline {
-    pub(crate) points: Vec<P>,
-    pub(crate) step: f64,
+pub struct Outline {
+    /// About a pixel apart.
+    pub points: Vec<P>,
+    /// The distance of the colours on both sides, as in CIELAB.
+    pub step: f64,
 }
 
 impl Scene {
     /// The scene of a seed.
-    pub(crate) fn new(seed: u32) -> Self {
+    pub fn new(seed: u32) -> Self {
         let mut number = 0;
         let mut roll = || {
             number += 1;
@@ -193,7 +196,7 @@ impl Scene {
     }
 
     /// Its outlines.
-    pub(crate) fn outlines(&self) -> Vec<Outline> {
+    pub fn outlines(&self) -> Vec<Outline> {
         let [level, high, long] = self.wave;
         let wave = (0..=self.size[0]).map(|x| [x as f64, level + high * (x as f64 / long).sin()]).collect();
         let mut outlines = vec![Outline { points: wave, step: self.sky.step(&self.ground) }];
@@ -205,19 +208,19 @@ impl Scene {
     }
 
     /// How far a place is from every outline, px; exact near one.
-    pub(crate) fn clearance(&self, p: P) -> f64 {
+    pub fn clearance(&self, p: P) -> f64 {
         self.shapes.iter().map(|shape| shape.depth(p).abs()).fold(self.under(p).abs(), f64::min)
     }
 
     /// The class at a place.
-    pub(crate) fn class(&self, p: P) -> Class {
+    pub fn class(&self, p: P) -> Class {
         let shape = self.shapes.iter().find(|shape| shape.depth(p) > 0.0);
         let behind = if self.under(p) > 0.0 { self.ground.class } else { self.sky.class };
         shape.map_or(behind, |shape| shape.paint.class)
     }
 
     /// The picture: three bytes a pixel.
-    pub(crate) fn pixels(&self) -> Vec<u8> {
+    pub fn pixels(&self) -> Vec<u8> {
         let [sky, ground] = [self.sky.light(), self.ground.light()];
         let paints: Vec<[f64; 3]> = self.shapes.iter().map(|shape| shape.paint.light()).collect();
         let mut pixels = Vec::with_capacity(3 * self.size[0] * self.size[1]);
