@@ -1,9 +1,10 @@
 //! Run time against error on the page: at which working resolution does a finger notice nothing any more?
 //!
 //! ```text
-//! cargo run --release -p tactograph-tools --bin knee    writes docs/speed/knee.csv and knee.svg (half an hour or more)
+//! cargo run --release -p tactograph-tools --bin knee    writes docs/speed/knee.csv and knee.svg, and the table of
+//!                          --quality in docs/speed.md (nine minutes on two cores)
 //!   --rounds N             how often each setting is timed (default 5)
-//!   --profile NAME         another profile than swell-a4; of one of dots only a table is printed
+//!   --profile NAME         another profile than swell-a4: then tables are printed and nothing is written
 //!   --draw DIR             writes the pictures and the page of each, too
 //! ```
 //!
@@ -38,6 +39,7 @@ mod compare;
 mod dotted;
 mod pictures;
 mod plot;
+mod qualities;
 mod rows;
 mod run;
 mod sweep;
@@ -45,7 +47,11 @@ mod sweep;
 use std::path::{Path, PathBuf};
 
 use rayon::ThreadPoolBuilder;
+use tactograph_tools::marks;
 use tactograph_tools::words::Words;
+
+/// What is measured if no profile is named, and what the pages of the docs are about.
+const PROFILE: &str = "swell-a4";
 
 /// What is asked for.
 struct Args {
@@ -55,7 +61,7 @@ struct Args {
 }
 
 fn main() -> Result<(), String> {
-    let mut args = Args { rounds: 5, profile: "swell-a4".into(), draw: None };
+    let mut args = Args { rounds: 5, profile: PROFILE.into(), draw: None };
     let mut words = Words::of_program("tools/src/bin/knee/main.rs");
     while let Some(word) = words.next() {
         match word.as_str() {
@@ -69,17 +75,22 @@ fn main() -> Result<(), String> {
     let alone = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
     alone.map_err(|fault| fault.to_string())?;
     std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
+    // now, as what is changed from here on is not measured
+    let made = marks::made();
     let profile = rows::profile(&args.profile, &[])?;
     let pictures = pictures::all(Path::new("target/knee"))?;
     if profile.dots.device.is_some() {
         return dotted::table(&args.profile, &pictures, args.rounds);
     }
     let rows = sweep::sweep(&args.profile, &pictures, args.rounds, args.draw.as_deref())?;
+    print!("{}", rows::table(&rows));
+    if args.profile != PROFILE {
+        return Ok(());
+    }
     let folder = Path::new("docs/speed");
     let told = |fault: std::io::Error| format!("{}: {fault}", folder.display());
     std::fs::create_dir_all(folder).map_err(told)?;
     std::fs::write(folder.join("knee.csv"), rows::csv(&rows)).map_err(told)?;
     std::fs::write(folder.join("knee.svg"), plot::plot(&rows)).map_err(told)?;
-    print!("{}", rows::table(&rows));
-    Ok(())
+    marks::write(qualities::PAGE, qualities::MARK, &qualities::table(&rows, &made))
 }

@@ -70,11 +70,10 @@ fn panel(svg: &mut String, title: &str, left: f64, dots: &[Dot]) {
         mark(svg, dot.setting, place(dot.at));
     }
     let mut labels = Labels::beside(dots.iter().map(|dot| place(dot.at)), left + WIDTH, TOP + LINE..BOTTOM - 2.0);
-    for dot in dots.iter().filter(|dot| is_same(dot.setting.scale, DEFAULT_SCALE)) {
-        let Setting { resolution, eighths, .. } = dot.setting;
-        let name = eighths.map_or(format!("{resolution}"), |eighths| format!("{resolution} from {eighths}/8"));
-        let weight = if eighths.is_none() { "bold" } else { "normal" };
-        labels.add(svg, &name, place(dot.at), &format!("font-weight=\"{weight}\" "));
+    // crosses lie together where a name would stand far from its own
+    let full = |dot: &&Dot| is_same(dot.setting.scale, DEFAULT_SCALE) && dot.setting.eighths.is_none();
+    for dot in dots.iter().filter(full) {
+        labels.add(svg, &dot.setting.resolution.to_string(), place(dot.at), "font-weight=\"bold\" ");
     }
 }
 
@@ -106,8 +105,8 @@ fn head() -> String {
         the mean square distance of lines from where they should be, in millimetres on the page. Left, drawn scenes whose \
         outlines are known; right, a photo-like picture beside its page at 12 px for a millimetre. Labels are pixels for a \
         millimetre of the page. Full dots, joined by a line: edges at a scale of {usual} mm; triangles {finer} mm, squares \
-        {coarser} mm; crosses: decoded at the fraction that the label names, and handed over as pixels. The figures are in \
-        knee.csv."
+        {coarser} mm; crosses: a JPEG decoded at an eighth, a quarter, half or all of its size, and handed over as pixels. \
+        The figures are in knee.csv."
     );
     let mut svg = plot::head(SIZE, title, &description)
         + &format!(
@@ -115,7 +114,7 @@ fn head() -> String {
              megapixels</text>\n\
              <text x=\"{0}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of {usual} mm; triangles: \
              {finer} mm; squares: {coarser} mm;</text>\n\
-             <text x=\"{0}\" y=\"60\">crosses: JPEG decoded at the fraction that is named, and handed over as pixels</text>\n\
+             <text x=\"{0}\" y=\"60\">crosses: JPEG decoded at 1/8, 2/8, 4/8 or 8/8 of its size, and handed over as pixels</text>\n\
              <text transform=\"translate(22 {down}) rotate(-90)\" text-anchor=\"middle\">distance of lines (RMS), mm on \
              the page</text>\n",
             LEFTS[0],
