@@ -29,6 +29,29 @@ impl Plane {
         SubpixelPosition::new(size, x, y).look_up(values)
     }
 
+    /// [`Plane::at`] of several positions, the very same values: processors work the positions out side by side.
+    pub fn at_each<const N: usize>(&self, x: [f32; N], y: [f32; N]) -> [f32; N] {
+        let width = self.size.width as usize;
+        let ((left, right, tx), (top, bottom, ty)) = (between(x, self.size.width), between(y, self.size.height));
+        // left and right above, then below
+        let mut corners = [[0.0; N]; 4];
+        for i in 0..N {
+            let [left, right] = [left[i], right[i]].map(|column| column as usize);
+            let [above, below] = [top[i], bottom[i]].map(|row| row as usize * width);
+            corners[0][i] = self.values[above + left];
+            corners[1][i] = self.values[above + right];
+            corners[2][i] = self.values[below + left];
+            corners[3][i] = self.values[below + right];
+        }
+        let mut values = [0.0; N];
+        for i in 0..N {
+            let above = corners[0][i] * (1.0 - tx[i]) + corners[1][i] * tx[i];
+            let below = corners[2][i] * (1.0 - tx[i]) + corners[3][i] * tx[i];
+            values[i] = above * (1.0 - ty[i]) + below * ty[i];
+        }
+        values
+    }
+
     /// Blurs with a Gaussian of `sigma` pixels; beyond the edge the nearest pixel counts.
     pub fn blurred(self, sigma: f32) -> Self {
         if sigma <= 0.0 {
@@ -63,6 +86,20 @@ impl Plane {
         }
         Self { size: self.size, values }
     }
+}
+
+/// The pixels before and behind positions along an axis of `count` pixels, and the ways from the first towards the
+/// second, 0..1. Pixels are numbered by `i32`, into which processors turn several numbers at once.
+fn between<const N: usize>(at: [f32; N], count: u32) -> ([i32; N], [i32; N], [f32; N]) {
+    let last = (count - 1) as i32;
+    let (mut before, mut behind, mut way) = ([0; N], [0; N], [0.0; N]);
+    for i in 0..N {
+        let at = (at[i] - 0.5).clamp(0.0, last as f32);
+        before[i] = at as i32;
+        behind[i] = (before[i] + 1).min(last);
+        way[i] = at - before[i] as f32;
+    }
+    (before, behind, way)
 }
 
 /// A position between four pixels, to look up in several planes of one size.

@@ -108,22 +108,24 @@ pub(super) fn strokes(
         let Some(straight) = straight.flatten() else { return Vec::new() };
         line = straight;
     }
-    let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
-    for sigma in SMOOTHING {
+    let widest = params.widest_of_bitmap().min(2.0 * radius as f32 - 1.0);
+    let mut width = 2.0 * radius as f32 + 1.0;
+    for (round, sigma) in (1..).zip(SMOOTHING) {
         line = if is_dash { line } else { smoothed(&line, sigma) };
         let profiles: Vec<CrossSection> =
             (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
         let widths = sorted(profiles.iter().map(|profile| profile.width));
         width = quantile(&widths, 0.5).max(1.0);
-        is_even = quantile(&widths, 0.25) >= EVEN * quantile(&widths, 0.75);
+        let is_even = quantile(&widths, 0.25) >= EVEN * quantile(&widths, 0.75);
+        // most are none: what the last round tells of them is enough
+        if round == SMOOTHING.len() && (!is_even || width > widest) {
+            return Vec::new();
+        }
         line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
     }
     match is_dash {
         true => extend_dash(&mut line, residue),
         false => extend_ends(&mut line, free, residue, width),
-    }
-    if !is_even || width > params.widest_of_bitmap().min(2.0 * radius as f32 - 1.0) {
-        return Vec::new();
     }
     let contrasts: Vec<StrokeContrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_apart = || 2 * contrasts.iter().filter(|contrast| contrast.is_apart).count() > contrasts.len();
@@ -286,7 +288,7 @@ fn through_junctions(line: &Polyline<PxPoint>, junctions: &[PxPoint], reach: f32
 /// Goes straight on at the free ends of a line, as far as the residue is at least half of what it is along the line.
 /// Thinning shortens ends and leads them into a corner of the stroke, so the last half width is made anew.
 fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, width: f32) {
-    let along = median(line.vertices.iter().map(|&at| interpolated(residue, at)));
+    let along = median(line.vertices.iter().map(|&at| residue.at(at.x, at.y)));
     let unsure = UNSURE_WIDTHS * width + UNSURE;
     // the end, then the start
     for is_free in [free[1], free[0]] {
@@ -357,7 +359,7 @@ fn extend_end(line: &mut Polyline<PxPoint>, residue: &Plane, most: f32, along: f
     let is_inside = |at: PxPoint| (0.0..=width).contains(&at.x) && (0.0..=height).contains(&at.y);
     let is_stroke = |k: &i32| {
         let at = tip + heading * (*k as f32 * STEP);
-        is_inside(at) && interpolated(residue, at) >= 0.5 * along
+        is_inside(at) && residue.at(at.x, at.y) >= 0.5 * along
     };
     let steps = (1..=(2.0 * most / STEP) as i32).take_while(is_stroke).count() as i32;
     if steps > 0 {
@@ -375,13 +377,12 @@ fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
 
 /// The profile of the residue across the line at a vertex, as far as `reach`.
 fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> CrossSection {
-    let (at, across) = (line.vertices[i], right(line, i));
-    let value = |distance: f32| interpolated(residue, at + across * distance);
+    let mut steps_across = StepsAcross::new(residue, line.vertices[i], right(line, i));
     let steps = (reach / STEP).ceil() as i32;
     // the largest value near the line is the stroke's
     let near = (1.0 / STEP) as i32;
     let (peak, top) = (-near..=near)
-        .map(|k| (value(k as f32 * STEP), k))
+        .map(|k| (steps_across.value(k), k))
         .fold((0.0_f32, 0), |best, here| if here.0 > best.0 { here } else { best });
     if peak <= 0.0 {
         return CrossSection::default();
@@ -389,18 +390,67 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> C
     let (mut sum, mut weights, mut moment) = (peak, (1.0 - END) * peak, (1.0 - END) * peak * top as f32 * STEP);
     for direction in [1, -1] {
         for k in 1..=steps {
-            let distance = (top + direction * k) as f32 * STEP;
-            let here = value(distance);
+            let step = top + direction * k;
+            let here = steps_across.value(step);
             if here < END * peak {
                 break;
             }
             sum += here;
             // a weight without a jump, so that the middle does not depend on where the steps lie
             weights += here - END * peak;
-            moment += (here - END * peak) * distance;
+            moment += (here - END * peak) * (step as f32 * STEP);
         }
     }
     CrossSection { shift: moment / weights, width: sum * STEP / peak }
+}
+
+/// So many values of a profile are read at once: a processor works out their places side by side.
+const AT_ONCE: usize = 8;
+/// The first step of those to the left of the point.
+const FIRST_LEFT: i32 = -(AT_ONCE as i32);
+
+/// The values of a plane across a line at one of its points, numbered by the steps to its right. Each is read once.
+struct StepsAcross<'a> {
+    plane: &'a Plane,
+    at: PxPoint,
+    across: PxVector,
+    /// Those to the left of the point, and those from it on to the right.
+    near: [[f32; AT_ONCE]; 2],
+    /// Those read last farther away, and the first of their steps.
+    far: (i32, [f32; AT_ONCE]),
+}
+
+impl<'a> StepsAcross<'a> {
+    fn new(plane: &'a Plane, at: PxPoint, across: PxVector) -> Self {
+        let near = [FIRST_LEFT, 0].map(|first| values_across(plane, at, across, first));
+        Self { plane, at, across, near, far: (0, near[1]) }
+    }
+
+    fn value(&mut self, step: i32) -> f32 {
+        let place = step.rem_euclid(AT_ONCE as i32);
+        let first = step - place;
+        let values = match first {
+            FIRST_LEFT => &self.near[0],
+            0 => &self.near[1],
+            _ => {
+                if self.far.0 != first {
+                    self.far = (first, values_across(self.plane, self.at, self.across, first));
+                }
+                &self.far.1
+            }
+        };
+        values[place as usize]
+    }
+}
+
+/// The values across a line at one of its points, from a step on.
+fn values_across(plane: &Plane, at: PxPoint, across: PxVector, first: i32) -> [f32; AT_ONCE] {
+    let (mut x, mut y) = ([0.0; AT_ONCE], [0.0; AT_ONCE]);
+    for i in 0..AT_ONCE {
+        let place = at + across * ((first + i as i32) as f32 * STEP);
+        (x[i], y[i]) = (place.x, place.y);
+    }
+    plane.at_each(x, y)
 }
 
 /// The contrast at a vertex of a line.
@@ -433,14 +483,17 @@ fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) ->
 
 fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> StrokeContrast {
     let outside = 0.5 * width + OUTSIDE;
-    let norm = |of: &dyn Fn(&Plane) -> f32| planes.iter().map(|plane| of(plane) * of(plane)).sum::<f32>().sqrt();
-    let value = |plane: &Plane, distance: f32| interpolated(plane, at + across * distance);
-    let step = norm(&|plane| value(plane, outside) - value(plane, -outside));
-    let excess = norm(&|plane| value(plane, 0.0) - 0.5 * (value(plane, outside) + value(plane, -outside)));
-    let beyond = norm(&|plane| {
-        let (a, b) = (value(plane, outside), value(plane, -outside));
-        value(plane, 0.0) - value(plane, 0.0).clamp(a.min(b), a.max(b))
-    });
+    let places = [outside, -outside, 0.0].map(|distance| at + across * distance);
+    let (x, y) = (places.map(|place| place.x), places.map(|place| place.y));
+    let (mut step, mut excess, mut beyond) = (0.0, 0.0, 0.0);
+    for plane in planes {
+        let [a, b, here] = plane.at_each(x, y);
+        let add = |sum: &mut f32, difference: f32| *sum += difference * difference;
+        add(&mut step, a - b);
+        add(&mut excess, here - 0.5 * (a + b));
+        add(&mut beyond, here - here.clamp(a.min(b), a.max(b)));
+    }
+    let [step, excess, beyond] = [step, excess, beyond].map(f32::sqrt);
     let (is_stroke, is_apart) = (beyond >= OF_STEP * step, step <= SAME_GROUND * excess);
     StrokeContrast { height: excess.max(step), is_stroke, is_apart }
 }
@@ -450,18 +503,6 @@ fn is_border(line: &Polyline<PxPoint>, plane: &Plane) -> bool {
     let (width, height) = (plane.size.width as f32, plane.size.height as f32);
     let near = |at: &PxPoint| at.x.min(at.y).min(width - at.x).min(height - at.y) <= BORDER;
     2 * line.vertices.iter().filter(|at| near(at)).count() > line.vertices.len()
-}
-
-pub(super) fn interpolated(plane: &Plane, at: PxPoint) -> f32 {
-    let axis = |at: f32, count: u32| {
-        let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
-        let first = (at as usize).min(count as usize - 1);
-        (first, (first + 1).min(count as usize - 1), at - first as f32)
-    };
-    let ((left, to, x), (above, below, y)) = (axis(at.x, plane.size.width), axis(at.y, plane.size.height));
-    let width = plane.size.width as usize;
-    let row = |row: usize| plane.values[row * width + left] * (1.0 - x) + plane.values[row * width + to] * x;
-    row(above) * (1.0 - y) + row(below) * y
 }
 
 /// The median; of an even number of values the mean of the two in the middle, so that the median of what lies to the

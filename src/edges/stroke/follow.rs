@@ -8,7 +8,7 @@
 use std::collections::HashSet;
 
 use super::Stroke;
-use super::centre::{contrast_across, interpolated};
+use super::centre::contrast_across;
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::params::{HEADING, Params};
 use crate::geom::link::{End, LinkedChain, link};
@@ -217,7 +217,8 @@ fn middle(at: PxPoint, across: PxVector, reach: f32, planes: &[Plane]) -> f32 {
     for k in -steps..=steps {
         let aside = k as f32 * SLOPE;
         let slope = |plane: &Plane| {
-            interpolated(plane, at + across * (aside + SLOPE)) - interpolated(plane, at + across * (aside - SLOPE))
+            let [right, left] = [aside + SLOPE, aside - SLOPE].map(|distance| at + across * distance);
+            plane.at(right.x, right.y) - plane.at(left.x, left.y)
         };
         let square = planes.iter().map(|plane| slope(plane).powi(2)).sum::<f32>();
         sum += square;

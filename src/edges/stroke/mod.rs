@@ -228,16 +228,20 @@ fn smoothed(plane: &Plane) -> Plane {
     let mean = |before: f32, here: f32, after: f32| 0.25 * before + 0.5 * here + 0.25 * after;
     let mut rows = vec![0.0; plane.values.len()];
     for (out, row) in rows.chunks_exact_mut(width).zip(plane.values.chunks_exact(width)) {
-        for x in 0..width {
-            out[x] = mean(row[x.saturating_sub(1)], row[x], row[(x + 1).min(width - 1)]);
+        let last = width - 1;
+        out[0] = mean(row[0], row[0], row[last.min(1)]);
+        out[last] = mean(row[last.saturating_sub(1)], row[last], row[last]);
+        for (out, near) in out[1..].iter_mut().zip(row.windows(3)) {
+            *out = mean(near[0], near[1], near[2]);
         }
     }
     let mut values = vec![0.0; rows.len()];
     for y in 0..height {
         let row = |y: usize| &rows[y * width..][..width];
         let (before, here, after) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        let out = &mut values[y * width..][..width];
         for x in 0..width {
-            values[y * width + x] = mean(before[x], here[x], after[x]);
+            out[x] = mean(before[x], here[x], after[x]);
         }
     }
     Plane { size: plane.size, values }

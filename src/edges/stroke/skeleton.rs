@@ -32,6 +32,8 @@ const AROUND: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (
 pub(super) struct StrokeMask {
     stride: usize,
     cells: Vec<bool>,
+    /// The pixels that are set, in order.
+    set: Vec<usize>,
     /// Distance of each pixel to the next that is not set, px: the larger of the two along the axes.
     depths: Vec<u16>,
 }
@@ -45,8 +47,9 @@ impl StrokeMask {
         for pixel in set {
             cells[(pixel / width + 1) * stride + pixel % width + 1] = true;
         }
-        let depths = depths(&cells, stride);
-        Self { stride, cells, depths }
+        let set: Vec<usize> = (0..cells.len()).filter(|&cell| cells[cell]).collect();
+        let depths = depths(&set, cells.len(), stride);
+        Self { stride, cells, set, depths }
     }
 
     fn neighbour(&self, cell: usize, k: usize) -> usize {
@@ -65,14 +68,25 @@ impl StrokeMask {
 
     /// Thins the mask until it is a pixel wide (Z. Guo and R. W. Hall 1989, algorithm A1). The algorithm of T. Y. Zhang
     /// and C. Y. Suen (1984) takes diagonal lines away altogether that are two pixels wide.
+    ///
+    /// Which neighbours of a pixel are set is kept beside the mask: most pixels stay for many rounds, and each is asked
+    /// in every one.
     pub(super) fn thin(&mut self) {
-        let mut set: Vec<usize> = (0..self.cells.len()).filter(|&cell| self.cells[cell]).collect();
+        let mut rings = vec![0_u8; self.cells.len()];
+        for &cell in &self.set {
+            (0..8).for_each(|k| rings[self.neighbour(cell, k)] |= 1 << ((k + 4) % 8));
+        }
+        let mut set = std::mem::take(&mut self.set);
         loop {
             let mut changed = false;
-            for second in [false, true] {
-                let removed: Vec<usize> = set.iter().copied().filter(|&cell| self.is_removable(cell, second)).collect();
+            for removable in &REMOVABLE {
+                let removed: Vec<usize> =
+                    set.iter().copied().filter(|&cell| removable[usize::from(rings[cell])]).collect();
                 changed |= !removed.is_empty();
-                removed.iter().for_each(|&cell| self.cells[cell] = false);
+                for cell in removed {
+                    self.cells[cell] = false;
+                    (0..8).for_each(|k| rings[self.neighbour(cell, k)] &= !(1 << ((k + 4) % 8)));
+                }
                 set.retain(|&cell| self.cells[cell]);
             }
             if !changed {
@@ -80,21 +94,13 @@ impl StrokeMask {
             }
         }
         // steps of staircases: a pixel whose neighbours are connected without it
-        for cell in set {
+        for &cell in &set {
             if self.is_step(cell) {
                 self.cells[cell] = false;
             }
         }
-    }
-
-    fn is_removable(&self, cell: usize, second: bool) -> bool {
-        let ring = self.ring(cell);
-        let [n, ne, e, se, s, sw, w, nw] = ring;
-        let count = |set: [bool; 4]| set.into_iter().filter(|set| *set).count();
-        let connected = count([!n && (ne || e), !e && (se || s), !s && (sw || w), !w && (nw || n)]);
-        let neighbours = count([nw || n, ne || e, se || s, sw || w]).min(count([n || ne, e || se, s || sw, w || nw]));
-        let sides = if second { (s || sw || !nw) && w } else { (n || ne || !se) && e };
-        connected == 1 && (2..=3).contains(&neighbours) && !sides
+        set.retain(|&cell| self.cells[cell]);
+        self.set = set;
     }
 
     /// Whether a pixel only fills the corner between two neighbours that touch one another.
@@ -109,8 +115,8 @@ impl StrokeMask {
 
     /// The paths and junctions of a mask that is thinned.
     pub(super) fn paths(&self) -> (Vec<SkeletonPath>, Vec<SkeletonNode>) {
-        let set: Vec<usize> = (0..self.cells.len()).filter(|&cell| self.cells[cell]).collect();
-        let (node_of, nodes) = self.nodes(&set);
+        let set = &self.set;
+        let (node_of, nodes) = self.nodes(set);
         let mut walk = Walk { mask: self, node_of: &node_of, seen: vec![false; self.cells.len()], paths: Vec::new() };
         // from junctions, then from free ends, then round rings
         for &cell in set.iter().filter(|&&cell| node_of[cell].is_some()) {
@@ -121,7 +127,7 @@ impl StrokeMask {
         for &cell in set.iter().filter(|&&cell| self.ring(cell).iter().filter(|set| **set).count() == 1) {
             walk.follow_from_end(cell);
         }
-        for &cell in &set {
+        for &cell in set {
             walk.follow_ring(cell);
         }
         (walk.paths, nodes)
@@ -157,21 +163,53 @@ impl StrokeMask {
     }
 }
 
-/// The chessboard distance of each cell to the next that is not set (A. Rosenfeld and J. Pfaltz 1966). The cells have a
-/// border that is not set.
-fn depths(cells: &[bool], stride: usize) -> Vec<u16> {
-    let mut depths: Vec<u16> = cells.iter().map(|set| if *set { u16::MAX - 1 } else { 0 }).collect();
-    for cell in 0..cells.len() {
-        if cells[cell] {
-            let before = [cell - stride - 1, cell - stride, cell - stride + 1, cell - 1].map(|other| depths[other]);
-            depths[cell] = depths[cell].min(before.into_iter().fold(u16::MAX, u16::min).saturating_add(1));
-        }
+/// For the first half of a round of thinning and the second: whether a pixel goes whose neighbours are set as the bits
+/// of a number say, from the one above it on.
+static REMOVABLE: [[bool; 256]; 2] = [removable(false), removable(true)];
+
+const fn removable(second: bool) -> [bool; 256] {
+    let mut removable = [false; 256];
+    let mut ring = 0;
+    while ring < 256 {
+        removable[ring] = is_removable(ring, second);
+        ring += 1;
     }
-    for cell in (0..cells.len()).rev() {
-        if cells[cell] {
-            let after = [cell + stride + 1, cell + stride, cell + stride - 1, cell + 1].map(|other| depths[other]);
-            depths[cell] = depths[cell].min(after.into_iter().fold(u16::MAX, u16::min).saturating_add(1));
-        }
+    removable
+}
+
+const fn is_removable(ring: usize, second: bool) -> bool {
+    let mut is_set = [false; 8];
+    let mut k = 0;
+    while k < 8 {
+        is_set[k] = (ring >> k) & 1 == 1;
+        k += 1;
+    }
+    let [n, ne, e, se, s, sw, w, nw] = is_set;
+    let connected = count([!n && (ne || e), !e && (se || s), !s && (sw || w), !w && (nw || n)]);
+    let (a, b) = (count([nw || n, ne || e, se || s, sw || w]), count([n || ne, e || se, s || sw, w || nw]));
+    let neighbours = if a < b { a } else { b };
+    let sides = if second { (s || sw || !nw) && w } else { (n || ne || !se) && e };
+    connected == 1 && matches!(neighbours, 2..=3) && !sides
+}
+
+const fn count([a, b, c, d]: [bool; 4]) -> u8 {
+    a as u8 + b as u8 + c as u8 + d as u8
+}
+
+/// The chessboard distance of each of so many cells to the next that is not set (A. Rosenfeld and J. Pfaltz 1966).
+/// Those that are set come in order, and none is at the border.
+fn depths(set: &[usize], cells: usize, stride: usize) -> Vec<u16> {
+    let mut depths = vec![0_u16; cells];
+    for &cell in set {
+        depths[cell] = u16::MAX - 1;
+    }
+    for &cell in set {
+        let before = [cell - stride - 1, cell - stride, cell - stride + 1, cell - 1].map(|other| depths[other]);
+        depths[cell] = depths[cell].min(before.into_iter().fold(u16::MAX, u16::min).saturating_add(1));
+    }
+    for &cell in set.iter().rev() {
+        let after = [cell + stride + 1, cell + stride, cell + stride - 1, cell + 1].map(|other| depths[other]);
+        depths[cell] = depths[cell].min(after.into_iter().fold(u16::MAX, u16::min).saturating_add(1));
     }
     depths
 }

@@ -31,3 +31,15 @@ fn the_median_of_opposite_values_is_opposite() {
         assert!(sum.abs() < f32::EPSILON, "{values:?}");
     }
 }
+
+#[test]
+fn values_across_a_line_are_those_of_the_plane_in_whatever_order_they_are_asked_for() {
+    let size = Size::new(12, 9);
+    let plane = Plane { size, values: (0..size.len()).map(|i| (i * i % 11) as f32).collect() };
+    let (at, across) = (PxPoint::new(6.3, 4.1), PxVector::new(0.6, -0.8));
+    let mut steps = StepsAcross::new(&plane, at, across);
+    for step in [-4, 0, 4, 7, 8, 9, 20, 8, -1, -8, -9, -17, -30, -9] {
+        let place = at + across * (step as f32 * STEP);
+        assert_eq!(steps.value(step).to_bits(), plane.at(place.x, place.y).to_bits(), "step {step}");
+    }
+}

@@ -1,6 +1,7 @@
 //! Tests of `skeleton`.
 
 use super::*;
+use proptest::prelude::*;
 
 fn skeleton(rows: &[&str]) -> (Vec<SkeletonPath>, Vec<SkeletonNode>) {
     let size = Size::new(rows[0].len() as u32, rows.len() as u32);
@@ -70,4 +71,43 @@ fn junctions_side_by_side_are_one() {
     let (paths, nodes) = skeleton(&rows);
     assert_eq!((paths.len(), nodes.len()), (4, 1), "{paths:?}\n{nodes:?}");
     assert!((nodes[0].at - PxPoint::new(4.0, 3.5)).length() < 0.1, "{nodes:?}");
+}
+
+/// Thins a mask without keeping which neighbours of pixels are set.
+fn thin_plainly(mask: &mut StrokeMask) {
+    let ring = |mask: &StrokeMask, cell: usize| {
+        let is_set = |k: &usize| mask.cells[mask.neighbour(cell, *k)];
+        (0..8).filter(is_set).map(|k| 1_usize << k).sum::<usize>()
+    };
+    loop {
+        let before = mask.cells.clone();
+        for second in [false, true] {
+            let goes = |cell: &usize| mask.cells[*cell] && is_removable(ring(mask, *cell), second);
+            let gone: Vec<usize> = (0..before.len()).filter(goes).collect();
+            gone.iter().for_each(|&cell| mask.cells[cell] = false);
+        }
+        if mask.cells == before {
+            break;
+        }
+    }
+    for cell in 0..mask.cells.len() {
+        if mask.cells[cell] && mask.is_step(cell) {
+            mask.cells[cell] = false;
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn neighbours_that_are_kept_beside_the_mask_are_those_in_it(
+        is_set in prop::collection::vec(prop::bool::weighted(0.8), 14 * 9),
+    ) {
+        let mut mask = StrokeMask::new(Size::new(14, 9), (0..is_set.len()).filter(|&cell| is_set[cell]));
+        let mut plain = mask.clone();
+        mask.thin();
+        thin_plainly(&mut plain);
+        prop_assert_eq!(&mask.cells, &plain.cells);
+        let left: Vec<usize> = (0..mask.cells.len()).filter(|&cell| mask.cells[cell]).collect();
+        prop_assert_eq!(mask.set, left);
+    }
 }
