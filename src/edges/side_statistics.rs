@@ -98,8 +98,8 @@ impl StatisticsBuilder {
 
     /// Sets the numbers of the first rows that are pushed, if they are not the first of the picture.
     pub(super) fn start(&mut self, colour_row: usize, tensor_row: usize) {
-        self.colours.iter_mut().chain([&mut self.square]).for_each(|shrinker| shrinker.start(colour_row));
-        self.gradient.iter_mut().for_each(|shrinker| shrinker.start(tensor_row));
+        self.colours.iter_mut().chain([&mut self.square]).for_each(|shrinker| shrinker.skip_to(colour_row));
+        self.gradient.iter_mut().for_each(|shrinker| shrinker.skip_to(tensor_row));
     }
 
     /// Appends the cells of the band below.

@@ -145,7 +145,8 @@ impl<A: Accumulator> Narrow<A> {
     }
 }
 
-/// Shrinks a plane whose rows come one after another.
+/// Shrinks a plane whose rows come one after another, the first one first: whoever has others calls
+/// [`Shrinker::skip_to`].
 #[derive(Debug, Clone)]
 pub struct Shrinker<A = f32> {
     arch: Arch,
@@ -183,15 +184,13 @@ impl Shrinker<f32> {
             rows.min(to.height.into()) as usize
         };
         let rows = before(begin.start)..before(begin.end).max(before(begin.start));
-        let mut shrinker = Self::of_rows(from.width, across, down, to, rows);
-        shrinker.next_row = 0;
-        shrinker
+        Self::of_rows(from.width, across, down, to, rows)
     }
 }
 
 impl<A: Accumulator> Shrinker<A> {
     /// For rows of `width` pixels, of which the extents `across` and `down` become a plane of `to` pixels, which is not
-    /// larger; makes only the rows `rows` of it. The first row to come is the first of [`Shrinker::rows`].
+    /// larger; makes only the rows `rows` of it.
     pub(crate) fn of_rows(width: u32, across: Extent, down: Extent, to: Size, rows: Range<usize>) -> Self {
         let is_copy = across.is_copied_to(to.width) && down.is_copied_to(to.height);
         let size = Size::new(to.width, rows.len() as u32);
@@ -203,7 +202,7 @@ impl<A: Accumulator> Shrinker<A> {
             across,
             is_copy,
             sum: if is_copy { Vec::new() } else { vec![A::default(); width as usize] },
-            next_row: down.first().map_or(0, |span| span.start),
+            next_row: 0,
             down,
             target: 0,
             out: Vec::new(),
@@ -224,9 +223,16 @@ impl<A: Accumulator> Shrinker<A> {
         }
     }
 
-    /// Sets which row of the large plane comes first. Rows that are not looked at may come as well.
-    pub fn start(&mut self, row: usize) {
+    /// The next row to come is this one of the large plane. Those before it that have not come count as 0.
+    pub fn skip_to(&mut self, row: usize) {
+        debug_assert!(row >= self.next_row, "row {} is the next", self.next_row);
         self.next_row = row;
+        if self.is_copy {
+            // they are no part of a sum
+            let skipped = self.down[self.target..].iter().take_while(|span| span.start < row).count();
+            self.target += skipped;
+            self.out.resize(self.out.len() + skipped * self.across.len(), 0.0);
+        }
     }
 
     /// Adds the rows below those made here.
@@ -237,7 +243,7 @@ impl<A: Accumulator> Shrinker<A> {
         self.size.height += below.size.height;
     }
 
-    /// Takes the next row, from the top.
+    /// Takes the next row, from the top. Rows that are not looked at may come as well.
     pub fn push(&mut self, row: &[f32]) {
         let width = self.across.len();
         // A row lies under one target row, or on the boundary of two.

@@ -84,10 +84,10 @@ fn majority(labels: &[u8], count: usize, [fine, coarse]: [Size; 2], sigma: f32) 
     for (label, has_row) in (0_u8..).zip(has_row) {
         let mut shrinker = Shrinker::new(fine, coarse);
         for (y, labels) in labels.chunks_exact(width).enumerate() {
-            // rows without the label add nothing, unless all are copied; the last finishes those before it
-            if has_row[y] || y + 1 == has_row.len() || fine == coarse {
+            // rows without the label add nothing; the last finishes those before it
+            if has_row[y] || y + 1 == has_row.len() {
                 row.iter_mut().zip(labels).for_each(|(share, &other)| *share = f32::from(u8::from(other == label)));
-                shrinker.start(y);
+                shrinker.skip_to(y);
                 shrinker.push(&row);
             }
         }

@@ -62,10 +62,7 @@ impl Samples {
 
     /// To take the rows one by one, from the top.
     pub(super) fn rows(self) -> Rows {
-        let mut shrink = self.shrink(0..self.stored.height as usize);
-        // Rows above the part that is used come as well.
-        shrink.as_mut_slice().iter_mut().for_each(|shrinker| shrinker.start(0));
-        Rows { shrink, samples: self }
+        Rows { shrink: self.shrink(0..self.stored.height as usize), samples: self }
     }
 
     /// The working picture of all rows, which lie one behind the other: the cores take bands of it side by side. `None`
@@ -78,6 +75,7 @@ impl Samples {
             let mut light = self.light.clone();
             let mut shrink = self.shrink(band * height / bands..(band + 1) * height / bands);
             let rows = shrink.as_slice().first().map_or(0..0, Shrinker::rows);
+            shrink.as_mut_slice().iter_mut().for_each(|shrinker| shrinker.skip_to(rows.start));
             for row in samples.chunks_exact(row_bytes).take(rows.end).skip(rows.start) {
                 push(row, &mut light, &mut shrink);
             }

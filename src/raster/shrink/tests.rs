@@ -66,6 +66,25 @@ proptest! {
     }
 
     #[test]
+    fn rows_that_are_skipped_count_as_zero(
+        (source, target, mut plane) in pictures(),
+        skipped in prop::collection::vec(any::<bool>(), 40),
+    ) {
+        let width = source.width as usize;
+        let last = source.height as usize - 1;
+        let mut shrinker = Shrinker::new(source, target);
+        for (y, row) in plane.chunks_exact_mut(width).enumerate() {
+            if skipped[y] && y < last {
+                row.fill(0.0);
+            } else {
+                shrinker.skip_to(y);
+                shrinker.push(row);
+            }
+        }
+        prop_assert_eq!(shrinker.finish(), shrink(&plane, source, target));
+    }
+
+    #[test]
     fn parts_put_together_are_the_whole((source, target, plane) in pictures(), cut in 0.0..1.0f32) {
         let cut = (cut * source.height as f32) as usize;
         let part = |begin: Range<usize>| {
