@@ -1,4 +1,4 @@
-//! What lies near a place: the one index of things by square cells, and of segments in particular.
+//! What lies near a place: the index of things by square cells, and of segments in particular.
 
 use std::ops::Range;
 
@@ -25,9 +25,6 @@ pub struct Segment<U = Mm> {
     pub arc: f32,
 }
 
-/// Segments, found again by place.
-pub type Nearby<U = Mm> = Index<Segment<U>, U>;
-
 /// Entries found again by place, in pixels or millimetres. A query looks at the cells within `reach` of it, no further.
 #[derive(Debug, Clone)]
 pub struct Index<T, U> {
@@ -40,8 +37,6 @@ pub struct Index<T, U> {
     cells: Vec<Vec<T>>,
     /// Which cells hold something, so that emptying the grid is cheap.
     used: Vec<usize>,
-    /// The length of the longest segment, of an index of segments.
-    longest: f32,
 }
 
 impl<T: Copy, U: Copy> Index<T, U> {
@@ -59,7 +54,6 @@ impl<T: Copy, U: Copy> Index<T, U> {
             rows,
             cells: vec![Vec::new(); columns * rows],
             used: Vec::new(),
-            longest: 0.0,
         }
     }
 
@@ -91,13 +85,18 @@ impl<T: Copy, U: Copy> Index<T, U> {
         for cell in self.used.drain(..) {
             self.cells[cell].clear();
         }
-        self.longest = 0.0;
     }
 
     /// Calls `visit` with the entries that may lie within `reach` of the box `low`-`high`; one entry can come several
     /// times, and some farther ones come too.
     pub fn around<'a>(&'a self, low: Point2D<f32, U>, high: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(&'a T)) {
         self.each_cell(low, high, reach, |cell| cell.iter().for_each(&mut visit));
+    }
+
+    /// The entries that reach into the cell of a point, in the order in which they came.
+    pub fn in_cell_of(&self, at: Point2D<f32, U>) -> &[T] {
+        let [column, row] = self.cell_of(at);
+        &self.cells[row * self.columns + column]
     }
 
     /// Calls `visit` with the cells within `reach` of the box `low`-`high`.
@@ -162,11 +161,46 @@ impl<T: Copy, U: Copy> Index<T, U> {
 /// What rounding may make of a distance, in millimetres or pixels.
 const ROUNDING: f32 = 0.01;
 
+/// Segments, found again by place.
+#[derive(Debug, Clone)]
+pub struct Nearby<U = Mm> {
+    index: Index<Segment<U>, U>,
+    /// The length of the longest segment.
+    longest: f32,
+}
+
 impl<U: Copy> Nearby<U> {
+    /// An empty index: see [`Index::new`].
+    pub fn new(area: Box2D<f32, U>, cell: f32) -> Self {
+        Self { index: Index::new(area, cell), longest: 0.0 }
+    }
+
     /// Adds a segment.
     pub fn insert(&mut self, segment: Segment<U>) {
         self.longest = self.longest.max((segment.b - segment.a).length());
-        self.put_over(segment.a.min(segment.b), segment.a.max(segment.b), segment);
+        self.index.put_over(segment.a.min(segment.b), segment.a.max(segment.b), segment);
+    }
+
+    /// Takes all segments out.
+    pub fn clear(&mut self) {
+        self.index.clear();
+        self.longest = 0.0;
+    }
+
+    /// [`Index::around`] for segments.
+    pub fn around<'a>(
+        &'a self,
+        low: Point2D<f32, U>,
+        high: Point2D<f32, U>,
+        reach: f32,
+        visit: impl FnMut(&'a Segment<U>),
+    ) {
+        self.index.around(low, high, reach, visit);
+    }
+
+    /// [`Index::along`] for segments.
+    pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, visit: impl FnMut(&Segment<U>)) {
+        self.index.along(from, to, visit);
     }
 
     /// Adds the segments of a polyline, which is the line of this number and twice `half_width` wide.
@@ -242,7 +276,6 @@ impl<U: Copy> Nearby<U> {
         wanted: impl Fn(&Segment<U>) -> bool,
     ) -> Option<(f32, Point2D<f32, U>, Segment<U>)> {
         let mut best = Best::new(self, at, reach);
-        // the distance first: it is cheaper than most questions of `wanted`
         self.around(at, at, reach, |segment| best.look(segment, &wanted));
         best.found()
     }
@@ -256,10 +289,8 @@ impl<U: Copy> Nearby<U> {
         line: u32,
     ) -> Option<(f32, Point2D<f32, U>, Segment<U>)> {
         let mut best = Best::new(self, at, reach);
-        self.each_cell(at, at, reach, |cell| {
-            let start = cell.partition_point(|segment| segment.line < line);
-            let of_line = cell[start..].iter().take_while(|segment| segment.line == line);
-            of_line.for_each(|segment| best.look(segment, |_| true));
+        self.index.each_cell(at, at, reach, |cell| {
+            of_line(cell, line).for_each(|segment| best.look(segment, |_| true));
         });
         best.found()
     }
@@ -268,17 +299,23 @@ impl<U: Copy> Nearby<U> {
     /// than is needed.
     pub fn is_near_line(&self, at: Point2D<f32, U>, reach: f32, line: u32) -> bool {
         let square = self.farthest(reach).powi(2);
-        let is_near = |cell: &Vec<Segment<U>>| {
-            let start = cell.partition_point(|segment| segment.line < line);
-            cell[start..].iter().take_while(|segment| segment.line == line).any(|segment| {
+        let is_near = |cell: &[Segment<U>]| {
+            of_line(cell, line).any(|segment| {
                 (segment.a - at).square_length() <= square && nearest_on_segment(at, segment.a, segment.b).0 <= reach
             })
         };
-        let [column, row] = self.cell_of(at);
-        let (columns, mut rows) = self.covered(at - Vector2D::splat(reach), at + Vector2D::splat(reach));
-        is_near(&self.cells[row * self.columns + column])
-            || rows.any(|row| self.cells[row * self.columns..][columns.clone()].iter().any(is_near))
+        let index = &self.index;
+        let (columns, mut rows) = index.covered(at - Vector2D::splat(reach), at + Vector2D::splat(reach));
+        is_near(index.in_cell_of(at))
+            || rows.any(|row| index.cells[row * index.columns..][columns.clone()].iter().any(|cell| is_near(cell)))
     }
+}
+
+/// The segments of a line in a cell into which lines came one after another.
+fn of_line<U>(cell: &[Segment<U>], line: u32) -> impl Iterator<Item = &Segment<U>> {
+    debug_assert!(cell.is_sorted_by_key(|segment| segment.line), "lines came one after another");
+    let start = cell.partition_point(|segment| segment.line < line);
+    cell[start..].iter().take_while(move |segment| segment.line == line)
 }
 
 /// The nearest segment to a point among those looked at.
@@ -302,6 +339,7 @@ impl<'a, U: Copy> Best<'a, U> {
             return;
         }
         let (distance, point) = nearest_on_segment(self.at, segment.a, segment.b);
+        // `wanted` last: most of its questions cost more than the distance
         if distance <= self.reach && self.found.is_none_or(|(least, ..)| distance < least) && wanted(segment) {
             self.found = Some((distance, point, segment));
             self.square = (distance + self.longest + ROUNDING).powi(2);
