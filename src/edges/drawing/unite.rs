@@ -2,13 +2,16 @@
 
 use std::cmp::Reverse;
 
+use lyon::geom::euclid::Box2D;
+
 use super::confirm::most_hidden;
 use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
 use crate::edges::faint::{FaintStrokes, WeighedStroke};
+use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::units::{PxPoint, PxVector, Size};
+use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// Two contours this near to one another, px, are one if they are parallel; beside the half width of a stroke.
 const SAME: f32 = 0.75;
@@ -144,18 +147,13 @@ struct PathPiece {
     strength: f32,
 }
 
-/// The contours that are kept so far, found by place.
-pub(super) struct Covered {
-    columns: usize,
-    rows: usize,
-    cells: Vec<Vec<PathPiece>>,
-}
+/// The contours that are kept so far, found by place: each piece lies in all cells that its reach takes in.
+pub(super) struct Covered(Index<PathPiece, Px>);
 
 impl Covered {
     fn new(size: Size) -> Self {
-        let cells = |pixels: u32| (pixels as f32 / CELL) as usize + 1;
-        let (columns, rows) = (cells(size.width), cells(size.height));
-        Self { columns, rows, cells: vec![Vec::new(); columns * rows] }
+        let side = |pixels: u32| ((pixels as f32 / CELL).floor() + 1.0) * CELL;
+        Self(Index::new(Box2D::new(PxPoint::zero(), PxPoint::new(side(size.width), side(size.height))), CELL))
     }
 
     /// All contours, each with the same reach.
@@ -169,26 +167,16 @@ impl Covered {
 
     fn add(&mut self, line: &Polyline<Edgel>, reach: f32) {
         let strength = strength(line);
+        let beyond = PxVector::splat(reach);
         for (a, b) in line.segments() {
             let piece = PathPiece { a: a.at, b: b.at, reach, strength };
-            for cell in self.cells_around(a.at.min(b.at), a.at.max(b.at), reach) {
-                self.cells[cell].push(piece);
-            }
+            self.0.put_over(a.at.min(b.at) - beyond, a.at.max(b.at) + beyond, piece);
         }
-    }
-
-    fn cells_around(&self, low: PxPoint, high: PxPoint, reach: f32) -> impl Iterator<Item = usize> + use<> {
-        let axis = |low: f32, high: f32, count: usize| {
-            let cell = |at: f32| ((at / CELL).floor().max(0.0) as usize).min(count - 1);
-            cell(low - reach)..=cell(high + reach)
-        };
-        let (columns, rows, width) = (axis(low.x, high.x, self.columns), axis(low.y, high.y, self.rows), self.columns);
-        rows.flat_map(move |row| columns.clone().map(move |column| row * width + column))
     }
 
     /// The pieces whose reach may take in a point.
     fn at(&self, at: PxPoint) -> impl Iterator<Item = &PathPiece> {
-        self.cells_around(at, at, 0.0).flat_map(|cell| &self.cells[cell])
+        self.0.in_cell_of(at).iter()
     }
 
     /// The point of a contour on which the middle of a segment lies, if the two are parallel there. A stroke lies on
