@@ -12,6 +12,7 @@ use super::job::{DecodeOptions, Decoded, Job, ends_early};
 use super::light::SampleLayout;
 use super::rows::{Extents, Samples};
 use super::scans;
+use super::segments::{JpegSegments, START_OF_SCAN};
 use crate::Error;
 use crate::raster::shrink::Extent;
 use crate::units::Size;
@@ -156,34 +157,22 @@ impl Head {
         let mut head = Self::default();
         #[cfg(feature = "turbojpeg")]
         let mut is_sized = false;
-        let mut rest = bytes.get(2..).unwrap_or_default();
-        // A segment: FF (any number of times), its kind, its length with the two bytes of the length, its data.
-        while let [0xFF, kind, after @ ..] = rest {
-            match (*kind, after) {
-                (0xFF, _) => rest = &rest[1..],
-                (0xDA | 0xD9, _) => break,
-                (0x01 | 0xD0..=0xD8, _) => rest = after,
-                (kind, [high, low, ..]) => {
-                    let length = usize::from(u16::from_be_bytes([*high, *low]));
-                    let Some(segment) = after.get(2..length) else { break };
-                    match (kind, segment) {
-                        // Version and two flags of two bytes each lie between.
-                        (0xEE, [b'A', b'd', b'o', b'b', b'e', _, _, _, _, _, _, transform, ..]) => {
-                            head.adobe = Some(*transform);
-                        }
-                        (0xE0, [b'J', b'F', b'I', b'F', 0, ..]) => head.jfif = true,
-                        _ => (), // other segments do not matter here
-                    }
-                    head.progressive |= kind == 0xC2;
-                    #[cfg(feature = "turbojpeg")]
-                    {
-                        // tables of codes and arithmetic conditions have numbers among those of frames
-                        is_sized |= matches!(kind, 0xC0..=0xCF) && !matches!(kind, 0xC4 | 0xC8 | 0xCC);
-                        head.icc_behind_size |= is_sized && kind == 0xE2;
-                    }
-                    rest = &after[length..];
+        let segments = JpegSegments::of(bytes).map_while(Result::ok);
+        for segment in segments.take_while(|segment| segment.kind != START_OF_SCAN) {
+            match (segment.kind, segment.data) {
+                // Version and two flags of two bytes each lie between.
+                (0xEE, [b'A', b'd', b'o', b'b', b'e', _, _, _, _, _, _, transform, ..]) => {
+                    head.adobe = Some(*transform);
                 }
-                _ => break,
+                (0xE0, [b'J', b'F', b'I', b'F', 0, ..]) => head.jfif = true,
+                _ => (), // other segments do not matter here
+            }
+            head.progressive |= segment.kind == 0xC2;
+            #[cfg(feature = "turbojpeg")]
+            {
+                // tables of codes and arithmetic conditions have numbers among those of frames
+                is_sized |= matches!(segment.kind, 0xC0..=0xCF) && !matches!(segment.kind, 0xC4 | 0xC8 | 0xCC);
+                head.icc_behind_size |= is_sized && segment.kind == 0xE2;
             }
         }
         head

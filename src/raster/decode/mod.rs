@@ -22,6 +22,7 @@ mod pdf;
 mod png;
 mod rows;
 mod scans;
+mod segments;
 mod sniff;
 mod texts;
 
