@@ -13,6 +13,18 @@ enum Row {
     Skipped(&'static str),
 }
 
+impl Row {
+    /// Both, one after the other: what was skipped took no time.
+    fn and(self, later: Self) -> Self {
+        match (self, later) {
+            (Self::Took(sum, all_worked), Self::Took(time, worked)) => {
+                Self::Took(sum + time, all_worked.zip(worked).map(|(a, b)| a + b))
+            }
+            (_, later) => later,
+        }
+    }
+}
+
 /// A stopwatch for one picture. Clones are the same stopwatch.
 #[derive(Debug, Clone)]
 pub(super) struct Timings(Arc<Mutex<Clock>>);
@@ -29,6 +41,8 @@ struct Clock {
     rows: Vec<(&'static str, Option<Stage>, Row)>,
     /// Stages that ran while others did.
     beside: Vec<Stage>,
+    /// What the rows took, those side by side as a whole.
+    told: Row,
 }
 
 /// A moment, by the clock and by the working time of all threads of the program.
@@ -61,6 +75,10 @@ fn worked() -> Option<Duration> {
 
 /// The row of all stages that ran side by side.
 const TOGETHER: &str = "together";
+/// The row of what no stage tells of, as where a page is drawn a second time because its words have no room, told if it
+/// took so long by the clock.
+const OTHER: &str = "other";
+const TOLD: Duration = Duration::from_millis(1);
 
 /// What the stopwatch says when the picture is done, which is before its turn to be told of may come.
 #[derive(Debug)]
@@ -70,7 +88,8 @@ impl Timings {
     /// Starts the clock. Working time is told if the program works on nothing else meanwhile.
     pub(super) fn start(is_alone: bool) -> Self {
         let (start, begun, rows, beside) = (Moment::now(), Vec::new(), Vec::new(), Vec::new());
-        let clock = Clock { start, begun, together: None, is_alone, rows, beside };
+        let told = Row::Took(Duration::ZERO, Some(Duration::ZERO));
+        let clock = Clock { start, begun, together: None, is_alone, rows, beside, told };
         Self(Arc::new(Mutex::new(clock)))
     }
 
@@ -78,7 +97,11 @@ impl Timings {
     pub(super) fn step<T>(&self, name: &'static str, work: impl FnOnce() -> T) -> T {
         let start = Moment::now();
         let done = work();
-        self.with(|clock| clock.add(name, None, start.took()));
+        self.with(|clock| {
+            let took = start.took();
+            clock.add(name, None, took);
+            clock.told = clock.told.and(took);
+        });
         done
     }
 
@@ -110,12 +133,11 @@ impl Clock {
             Event::End(stage) => {
                 if let Some(index) = self.begun.iter().rposition(|(begun, _)| *begun == stage) {
                     let (_, start) = self.begun.remove(index);
-                    self.add(stage.name(), Some(stage), start.took());
-                }
-                if let (true, Some(start)) = (self.begun.is_empty(), self.together) {
-                    self.together = None;
-                    let last = self.beside.iter().max().copied();
-                    self.add(TOGETHER, last, start.took());
+                    let took = start.took();
+                    self.add(stage.name(), Some(stage), took);
+                    if self.begun.is_empty() {
+                        self.alone_again(took);
+                    }
                 }
             }
             // where another part of it has run, that is what it took
@@ -126,18 +148,23 @@ impl Clock {
         }
     }
 
+    /// Nothing runs any more: the last stage took this, and maybe it was one of several side by side.
+    fn alone_again(&mut self, last: Row) {
+        let mut took = last;
+        if let Some(start) = self.together.take() {
+            took = start.took();
+            self.add(TOGETHER, self.beside.iter().max().copied(), took);
+        }
+        self.told = self.told.and(took);
+    }
+
     /// A stage that runs in several parts is one row, also where some of them are skipped.
     fn add(&mut self, name: &'static str, stage: Option<Stage>, took: Row) {
         let Some((.., row)) = self.rows.iter_mut().find(|(row_name, ..)| *row_name == name) else {
             self.insert(name, stage, took);
             return;
         };
-        *row = match (*row, took) {
-            (Row::Took(sum, all_worked), Row::Took(time, worked)) => {
-                Row::Took(sum + time, all_worked.zip(worked).map(|(a, b)| a + b))
-            }
-            (_, took) => took,
-        };
+        *row = row.and(took);
     }
 
     /// Stages stand in their own order, whichever of two side by side ended first.
@@ -148,7 +175,9 @@ impl Clock {
     }
 
     fn stop(&mut self) -> Stopped {
-        self.rows.push(("total", None, self.start.took()));
+        let total = self.start.took();
+        self.rows.extend(self.left_of(total).map(|left| (OTHER, None, left)));
+        self.rows.push(("total", None, total));
         let is_beside =
             |name, stage: Option<Stage>| name != TOGETHER && stage.is_some_and(|of| self.beside.contains(&of));
         let told = |row: Row, is_beside: bool| match row {
@@ -160,6 +189,14 @@ impl Clock {
             (name, told(row, is_beside), is_beside)
         });
         Stopped(rows.collect())
+    }
+
+    /// What the rows leave of the total, if it is long enough to be told.
+    fn left_of(&self, total: Row) -> Option<Row> {
+        let (Row::Took(all, all_worked), Row::Took(told, worked)) = (total, self.told) else { return None };
+        let left = all.saturating_sub(told);
+        let worked = all_worked.zip(worked).map(|(all, told)| all.saturating_sub(told));
+        (left >= TOLD).then_some(Row::Took(left, worked))
     }
 }
 

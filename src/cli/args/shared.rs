@@ -60,10 +60,10 @@ pub(in crate::cli) struct Shared {
     #[arg(long, value_name = "N|N-M", allow_hyphen_values = true)]
     pub(in crate::cli) page: Option<Pages>,
 
-    /// Tells how long each stage took, in milliseconds
+    /// Tells how long each stage took, by the clock and in working time (CPU), in milliseconds
     ///
     /// Written to standard error for each picture, also under --quiet. Stages that are not needed are listed as
-    /// "skipped" with the reason.
+    /// "skipped" with the reason; "other" is what is part of no stage.
     #[arg(long, hide_short_help = true)]
     pub(in crate::cli) timings: bool,
 
