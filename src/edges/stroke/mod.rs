@@ -50,6 +50,8 @@ const SMALLEST_RADIUS: usize = 3;
 /// A pixel belongs to a structure if its residue is at least this share of the largest within [`LOCAL`] px.
 const SHARE: f32 = 0.45;
 const LOCAL: usize = 3;
+/// Values below this share of a number have means below that number, whatever rounding adds to them.
+const ROUNDED: f32 = 0.999;
 /// Strokes whose lengths differ by less than about this, px, are equally long.
 const ALIKE: f32 = 16.0;
 
@@ -127,6 +129,10 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
     // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are
     // even.
     let residue = Plane { size: plane.size, values: residue(&plane.values, plane.size, radius, polarity) };
+    // means are no larger than the largest value, but for rounding
+    if residue.values.iter().all(|value| *value < ROUNDED * params.high) {
+        return Vec::new();
+    }
     let residue = smoothed(&residue);
     if residue.values.iter().all(|value| *value < params.high) {
         return Vec::new();
