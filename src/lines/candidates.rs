@@ -162,13 +162,16 @@ fn ranks(polylines: &[Polyline<Vertex>], of_outlines: &[Rank], area: MmRect, par
     let closed_outlines = nearby(polylines[contours..].iter().filter(|line| line.closed), area, params);
     let is_ring =
         |line: &Polyline<Vertex>| Rank::may_be_ring(line, params) && !Rank::is_along(line, &closed_outlines, params);
+    let all_outlines = nearby(polylines[contours..].iter(), area, params);
+    let is_curve =
+        |line: &Polyline<Vertex>| Rank::may_be_curve(line, params) && !Rank::is_along(line, &all_outlines, params);
     // in the figure others have made room for them already
     let is_first = |line: &Polyline<Vertex>| params.part == PagePart::Overview && few::is_of_person(line);
     let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
         _ if is_first(line) => Rank::Person,
         _ if faint::is_faint(line) => Rank::Faint,
         _ if of_outlines.is_empty() => Rank::Ordinary,
-        _ if number < contours && is_ring(line) => Rank::StrokeOrRing,
+        _ if number < contours && (is_ring(line) || is_curve(line)) => Rank::Untorn,
         _ if number < contours => Rank::of(line),
         _ => of_outlines[number - contours],
     };

@@ -1,12 +1,13 @@
 //! The middle of a stroke to a fraction of a pixel, its width and its contrast.
 
 use super::arms::Strand;
+use super::dash;
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
+use crate::geom::right_of;
 use crate::geom::walk::runs;
-use crate::geom::{first_eigenvector, right_of};
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
 
@@ -42,15 +43,6 @@ const SHORTEST: f32 = 3.0;
 /// A stroke with the same ground on both sides is at least so many least lengths long: the end of an axis beyond a bar
 /// is part of a longer line. Between two areas there is an edge that is longer.
 const SHORTEST_APART: f32 = 1.5;
-/// A dash that joins nothing may be thinned to this, px, which takes up to 3 px off its length: those of plotting
-/// programs are four widths of the line long, of a chart 900 px wide 7 px, and on a small device it is shrunk.
-const SHORTEST_DASH: f32 = 2.5;
-/// It is at least this many times as long as wide; what is shorter is a dot.
-const LONG_DASH: f32 = 1.7;
-/// Its direction is that of what lies no farther beyond what is left of it than this, px.
-const AROUND_DASH: f32 = 1.0;
-/// It is led on straight by at most twice this, px.
-const ENDING_OF_DASH: f32 = 2.0;
 /// The ground on both sides is the same if the step between them is at most this share of the contrast with it.
 const SAME_GROUND: f32 = 0.25;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
@@ -104,7 +96,7 @@ pub(super) fn strokes(
     let is_dash = length < SHORTEST_APART * params.min_length;
     let is_lone = !line.closed && free == [true; 2] && junctions.is_empty();
     if is_dash {
-        let straight = (is_lone && length >= SHORTEST_DASH).then(|| straight_dash(&line, residue));
+        let straight = (is_lone && length >= dash::SHORTEST).then(|| dash::straight(&line, residue));
         let Some(straight) = straight.flatten() else { return Vec::new() };
         line = straight;
     }
@@ -124,7 +116,7 @@ pub(super) fn strokes(
         line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
     }
     match is_dash {
-        true => extend_dash(&mut line, residue),
+        true => dash::extend(&mut line, residue),
         false => extend_ends(&mut line, free, residue, width),
     }
     let contrasts: Vec<StrokeContrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
@@ -133,7 +125,7 @@ pub(super) fn strokes(
         return Vec::new();
     }
     let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
-    let long = if is_dash { LONG_DASH } else { LONG };
+    let long = if is_dash { dash::LONG } else { LONG };
     let strokes = stretches.into_iter().filter(|(line, contrasts)| {
         line.length() >= long * width
             && contrasts.iter().any(|contrast| contrast.of_stroke() >= params.high)
@@ -300,41 +292,6 @@ fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, w
     }
 }
 
-/// What thinning has left of a dash, as a straight line along which its residue lies: it has the steps of pixels, and is
-/// too short to be smoothed.
-fn straight_dash(line: &Polyline<PxPoint>, residue: &Plane) -> Option<Polyline<PxPoint>> {
-    let (first, last) = (*line.vertices.first()?, *line.vertices.last()?);
-    let (middle, half) = (first.lerp(last, 0.5), 0.5 * (last - first).length());
-    let most = half + AROUND_DASH;
-    let reach = most.ceil() as i32;
-    let offsets = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| PxVector::new(x as f32, y as f32)));
-    let weighted: Vec<(f32, PxVector)> = offsets
-        .filter(|offset| offset.length() <= most)
-        .map(|offset| (interpolated(residue, middle + offset), offset))
-        .collect();
-    let sum = |of: &dyn Fn(PxVector) -> f32| weighted.iter().map(|(weight, offset)| weight * of(*offset)).sum::<f32>();
-    let total = sum(&|_| 1.0);
-    if total <= 0.0 {
-        return None;
-    }
-    let mean = PxVector::new(sum(&|offset| offset.x), sum(&|offset| offset.y)) / total;
-    let moment = |of: &dyn Fn(PxVector) -> f32| sum(&|offset| of(offset - mean));
-    let along: PxVector = first_eigenvector(moment(&|v| v.x * v.x), moment(&|v| v.x * v.y), moment(&|v| v.y * v.y))?;
-    let steps = (2.0 * half).ceil().max(1.0) as u32;
-    let at = |k: u32| middle + mean + along * (half * (2.0 * k as f32 / steps as f32 - 1.0));
-    Some(Polyline::open((0..=steps).map(at).collect()))
-}
-
-/// Leads both ends of a dash straight on, as [`extend_ends`] does those of a stroke. They are not made anew: they are
-/// nearly all of it.
-fn extend_dash(line: &mut Polyline<PxPoint>, residue: &Plane) {
-    let along = median(line.vertices.iter().map(|&at| interpolated(residue, at)));
-    for _ in 0..2 {
-        extend_end(line, residue, ENDING_OF_DASH, along);
-        line.vertices.reverse();
-    }
-}
-
 /// Takes away the last `length` px of a line.
 fn trim_end(line: &mut Polyline<PxPoint>, length: f32) {
     let mut left = length;
@@ -351,7 +308,7 @@ fn trim_end(line: &mut Polyline<PxPoint>, length: f32) {
 
 /// Goes straight on for at most twice `most` px, as long as that is in the picture and the residue is at least half of
 /// `along`. The direction is that of the last `most` px.
-fn extend_end(line: &mut Polyline<PxPoint>, residue: &Plane, most: f32, along: f32) {
+pub(super) fn extend_end(line: &mut Polyline<PxPoint>, residue: &Plane, most: f32, along: f32) {
     let Some(&tip) = line.vertices.last() else { return };
     let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= most);
     let Some(heading) = inner.and_then(|inner| (tip - *inner).try_normalize()) else { return };
@@ -507,7 +464,7 @@ fn is_border(line: &Polyline<PxPoint>, plane: &Plane) -> bool {
 
 /// The median; of an even number of values the mean of the two in the middle, so that the median of what lies to the
 /// left changes its sign alone when a picture is flipped. 0 of none.
-fn median(values: impl Iterator<Item = f32>) -> f32 {
+pub(super) fn median(values: impl Iterator<Item = f32>) -> f32 {
     let values = sorted(values);
     let [low, high] = [values.len().saturating_sub(1) / 2, values.len() / 2];
     values.get(low).zip(values.get(high)).map_or(0.0, |(low, high)| 0.5 * (low + high))

@@ -16,6 +16,7 @@
 mod arms;
 mod centre;
 mod cut_out;
+mod dash;
 mod flat;
 mod follow;
 mod skeleton;

@@ -153,7 +153,7 @@ fn a_gridline_and_the_parts_of_a_line_stay_at_their_height() {
         let wall = polyline(&[(70.0, 49.0), (95.0, 49.0), (95.0, 52.0)], false);
         let line = polyline(&[(5.0, 50.0), (99.0, 50.0)], false);
         let walls = if is_crossed { vec![(wall, Rank::Subject)] } else { Vec::new() };
-        let lines = walls.into_iter().chain([(near, Rank::StrokeOrRing), (line, rank)]).collect();
+        let lines = walls.into_iter().chain([(near, Rank::Untorn), (line, rank)]).collect();
         let cleared = clear_all(lines, area, &params);
         let own = cleared.iter().filter(|line| line.rank == rank).flat_map(|line| &line.polyline.vertices);
         own.map(|vertex| (vertex.at.y - 50.0).abs()).fold(0.0, f32::max)
@@ -195,8 +195,8 @@ fn an_outline_goes_before_a_more_salient_line_and_a_long_stroke_before_both() {
     let drawn = clear([Rank::Ordinary, Rank::Outline, Rank::Ordinary]);
     assert_eq!(drawn.last(), Some(&(Rank::Outline, 50)), "the outline is whole");
     assert!(drawn.iter().all(|line| line.1 < 80), "{drawn:?}");
-    let drawn = clear([Rank::Ordinary, Rank::Outline, Rank::StrokeOrRing]);
-    assert_eq!(drawn.last(), Some(&(Rank::StrokeOrRing, 30)), "the stroke is whole");
+    let drawn = clear([Rank::Ordinary, Rank::Outline, Rank::Untorn]);
+    assert_eq!(drawn.last(), Some(&(Rank::Untorn, 30)), "the stroke is whole");
 }
 
 #[test]

@@ -18,7 +18,7 @@ fn line(places: &[(f32, f32)], closed: bool, contrast: f32) -> Polyline<Vertex> 
 #[test]
 fn only_a_long_straight_open_stroke_goes_before_outlines() {
     let long = [(0.0, 0.0), (LONG + 1.0, 0.0)];
-    assert_eq!(Rank::of(&line(&long, false, 0.0)), Rank::StrokeOrRing);
+    assert_eq!(Rank::of(&line(&long, false, 0.0)), Rank::Untorn);
     assert_eq!(Rank::of(&line(&long, false, 30.0)), Rank::Ordinary, "an edge, with a colour on each side");
     assert_eq!(Rank::of(&line(&[(0.0, 0.0), (LONG - 1.0, 0.0)], false, 0.0)), Rank::Ordinary, "short");
     assert_eq!(Rank::of(&line(&[(0.0, 0.0), (15.0, 10.0), (30.0, 0.0)], false, 0.0)), Rank::Ordinary, "bent");
@@ -33,12 +33,12 @@ fn a_line_that_is_partly_an_edge_is_a_stroke_if_most_of_it_is() {
         all.vertices.extend(line(&[(30.0 * stroke + 0.5, 0.0), (30.0, 0.0)], false, 30.0).vertices);
         Rank::of(&all)
     };
-    assert_eq!([mixed(0.8), mixed(0.6)], [Rank::StrokeOrRing, Rank::Ordinary]);
+    assert_eq!([mixed(0.8), mixed(0.6)], [Rank::Untorn, Rank::Ordinary]);
 }
 
 #[test]
 fn what_comes_first_is_greater() {
-    let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::StrokeOrRing, Rank::Subject, Rank::Person];
+    let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::Untorn, Rank::Subject, Rank::Person];
     assert!(order.is_sorted());
     assert_eq!(order.map(Rank::is_outline), [false, false, true, false, true, false]);
 }
@@ -68,4 +68,27 @@ fn a_long_round_clear_ring_goes_before_outlines_unless_one_stands_for_it() {
         Rank::is_along(&circle(30.0, 1.0), &near, &Params::TEST)
     };
     assert!(along(&circle(32.0, 1.0)) && !along(&circle(20.0, 1.0)));
+    let open = |mut ring: Polyline<Vertex>, count: usize| {
+        (ring.closed, ring.vertices) = (false, ring.vertices[..count].to_vec());
+        ring
+    };
+    let half = open(circle(31.0, 1.0), 60);
+    assert!(!along(&half), "half of it stands for half");
+}
+
+#[test]
+fn a_very_long_smooth_clear_curve_goes_before_outlines() {
+    let wave = |length: u16, high: f32, strength: f32| {
+        let place = |x: u16| (f32::from(x), high * (f32::from(x) / 2.5).sin());
+        let mut wave = line(&(0..=length).map(place).collect::<Vec<_>>(), false, 30.0);
+        wave.vertices.iter_mut().for_each(|vertex| vertex.strength = strength);
+        wave
+    };
+    let may_be = |curve: &Polyline<Vertex>| Rank::may_be_curve(curve, &Params::TEST);
+    assert!(may_be(&wave(100, 0.3, 50.0)));
+    assert!(!may_be(&wave(60, 0.3, 50.0)), "short");
+    assert!(!may_be(&wave(100, 0.3, 20.0)), "weak");
+    assert!(!may_be(&wave(100, 4.0, 50.0)), "ragged");
+    let overview = Params { part: PagePart::Overview, ..Params::TEST };
+    assert!(!Rank::may_be_curve(&wave(100, 0.3, 50.0), &overview), "an overview is made of shapes");
 }
