@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 use super::arcs::Crack;
 use super::disc::CellDisc;
 use super::merge::Node;
-use super::tree::{Members, Tree};
+use super::tree::Tree;
 use crate::geom::distance::squared_distances;
 use crate::ranked::{Ranked, TotalOrder};
 use crate::units::Size;
@@ -112,7 +112,6 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
             return leading.iter().copied().chain(others).collect();
         }
     }
-    let members = Members::of(tree);
     let first_gain = |node: u32| {
         let factor = if preferred.contains(&node) { PREFERRED } else { 1.0 };
         factor * saliency(&tree.nodes[node as usize], tree.basin.len(), mm_per_cell)
@@ -124,7 +123,7 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
         .collect();
     let (mut chosen, mut first) = (leading.to_vec(), None);
     let mut near = Nearness::new(tree, mm_per_cell, params);
-    leading.iter().for_each(|&node| near.add(&members.outline(tree, node), tree));
+    leading.iter().for_each(|&node| near.add(&tree.outline_of(node), tree));
     while let Some(Ranked { item: candidate, .. }) = heap.pop() {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
@@ -132,13 +131,13 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
         // a gain that was computed before the last choice is computed anew, and a region that is too near to what is
         // chosen is out for good
         if candidate.round < chosen.len() {
-            let outline = members.outline(tree, candidate.node);
+            let outline = tree.outline_of(candidate.node);
             if let Some(gain) = gain(first_gain(candidate.node), &outline, &near, tree, params) {
                 heap.push(RankedRegion { gain, round: chosen.len(), ..candidate }.ranked());
             }
             continue;
         }
-        if !survives_opening(tree, &members, candidate.node, mm_per_cell) {
+        if !survives_opening(tree, candidate.node, mm_per_cell) {
             continue;
         }
         first.get_or_insert(candidate.gain);
@@ -146,7 +145,7 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
         if chosen.len() == params.most {
             break;
         }
-        near.add(&members.outline(tree, candidate.node), tree);
+        near.add(&tree.outline_of(candidate.node), tree);
     }
     chosen
 }
@@ -260,14 +259,14 @@ fn gain(first: f64, outline: &[Crack], near: &Nearness, tree: &Tree, params: &Pa
 }
 
 /// Whether a region is more than a stroke. The edge of the picture narrows nothing.
-pub(super) fn survives_opening(tree: &Tree, members: &Members, node: u32, mm_per_cell: f32) -> bool {
+pub(super) fn survives_opening(tree: &Tree, node: u32, mm_per_cell: f32) -> bool {
     let of = &tree.nodes[node as usize];
     let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.picture_edge);
     if mean_width >= WIDE * f64::from(2.0 * OPENING / mm_per_cell) {
         return true;
     }
     let width = tree.grid.cells.width as usize;
-    let is_in: Vec<bool> = (0..tree.basins as u32).map(|basin| members.has(node, basin)).collect();
+    let is_in: Vec<bool> = (0..tree.basins as u32).map(|basin| tree.has(node, basin)).collect();
     let (mut columns, mut rows) = ((usize::MAX, 0), (usize::MAX, 0));
     for (y, row) in tree.basin.chunks_exact(width).enumerate() {
         let mut inside = (0..width).filter(|&x| is_in[row[x] as usize]);

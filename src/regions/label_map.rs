@@ -1,7 +1,7 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
 use super::disc::CellDisc;
-use super::tree::{Members, Tree};
+use super::tree::Tree;
 use crate::geom::distance::{FAR, squared_distances};
 use crate::raster::shrink::Shrinker;
 use crate::units::Size;
@@ -54,7 +54,6 @@ pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm_per_cell: f32, narrowest
 
 /// The regions, small ones on large ones.
 fn painted(tree: &Tree, chosen: &[u32]) -> Vec<u8> {
-    let members = Members::of(tree);
     let mut order: Vec<usize> = (0..chosen.len()).collect();
     order.sort_by(|&a, &b| {
         let area = |i: usize| tree.nodes[chosen[i] as usize].area;
@@ -63,7 +62,7 @@ fn painted(tree: &Tree, chosen: &[u32]) -> Vec<u8> {
     let mut of_basin = vec![0_u8; tree.basins];
     for number in order {
         for (basin, label) in (0_u32..).zip(&mut of_basin) {
-            if members.has(chosen[number], basin) {
+            if tree.has(chosen[number], basin) {
                 *label = number as u8 + 1;
             }
         }

@@ -2,7 +2,7 @@
 
 use super::choose::{saliency, survives_opening};
 use super::merge::Node;
-use super::tree::{Members, Tree};
+use super::tree::Tree;
 
 /// A region counts less by the factor e at this distance of its centre from that of the picture, in shares of its
 /// sides. In 284 photographs of BSDS500 (train and val) two people or more outlined the same thing away from the edge.
@@ -37,8 +37,7 @@ pub(super) fn main_thing(tree: &Tree, mm_per_cell: f32, least_share: f32) -> Opt
     let all = tree.nodes.iter().zip(&saliencies).zip(centres(tree)).map(stands_out);
     let mut ranked: Vec<(u32, f64)> = (0..).zip(all).filter_map(|(node, by)| Some((node, by?))).collect();
     ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let members = Members::of(tree);
-    ranked.into_iter().map(|(node, _)| node).find(|&node| survives_opening(tree, &members, node, mm_per_cell))
+    ranked.into_iter().map(|(node, _)| node).find(|&node| survives_opening(tree, node, mm_per_cell))
 }
 
 /// Where the centre of each region is, in shares of the picture.

@@ -2,7 +2,7 @@
 
 use super::choose::{Params, choose, saliency, survives_opening};
 use super::mask::Mask;
-use super::tree::{Members, Tree};
+use super::tree::Tree;
 use crate::units::PxPoint;
 
 /// Where none of the chosen regions is: the smallest region that has at least this share of the saliency of the most
@@ -24,16 +24,15 @@ impl Tree {
     pub fn subject_at(&self, at: PxPoint, mm_per_px: f32, most_salient: &[u32]) -> Option<u32> {
         let mm_per_cell = self.mm_of_cell(mm_per_px);
         let cell = self.grid.cell_at(self.grid.to_cells(at))?;
-        let members = Members::of(self);
         let basin = self.basin[cell];
         // regions are numbered in the order in which they are merged, so that the smaller of two comes first
-        let chosen = most_salient.iter().copied().filter(|&node| members.has(node, basin)).min();
+        let chosen = most_salient.iter().copied().filter(|&node| self.has(node, basin)).min();
         chosen.or_else(|| {
             let around: Vec<(u32, f64)> = (0_u32..)
                 .zip(&self.nodes)
-                .filter(|(node, _)| members.has(*node, basin))
+                .filter(|(node, _)| self.has(*node, basin))
                 .map(|(node, of)| (node, saliency(of, self.basin.len(), mm_per_cell)))
-                .filter(|(node, saliency)| *saliency > 0.0 && survives_opening(self, &members, *node, mm_per_cell))
+                .filter(|(node, saliency)| *saliency > 0.0 && survives_opening(self, *node, mm_per_cell))
                 .collect();
             let best = around.iter().map(|(_, saliency)| *saliency).fold(0.0, f64::max);
             around.iter().find(|(_, saliency)| *saliency >= SALIENT * best).map(|(node, _)| *node)
@@ -61,8 +60,7 @@ impl Tree {
 
     /// The cells of some regions.
     pub fn mask(&self, regions: &[u32]) -> Mask {
-        let members = Members::of(self);
-        let is_in = |basin: &u32| regions.iter().any(|&region| members.has(region, *basin));
+        let is_in = |basin: &u32| regions.iter().any(|&region| self.has(region, *basin));
         let of_basin: Vec<bool> = (0..self.basins as u32).map(|basin| is_in(&basin)).collect();
         Mask::new(self.grid, self.basin.iter().map(|&basin| of_basin[basin as usize]).collect())
     }

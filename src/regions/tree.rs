@@ -47,6 +47,7 @@ pub struct Tree {
     pub(super) arcs: Vec<Arc>,
     /// Basins, then merged regions.
     pub(super) nodes: Vec<Node>,
+    members: Members,
 }
 
 impl Tree {
@@ -67,7 +68,25 @@ impl Tree {
         let ((cracks, arcs), nodes) =
             rayon::join(|| arcs(&basin, grid, &traces, &soft), || basin_nodes(&basin, count, colours, grid));
         let nodes = merge(nodes, &arcs, basin.len(), detail.part);
-        Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
+        let members = Members::of(&nodes, &arcs);
+        Self { grid, traces, basin, basins: count, cracks, arcs, nodes, members }
+    }
+
+    /// Whether a basin is in a region.
+    pub(super) fn has(&self, node: u32, basin: u32) -> bool {
+        self.members.range[node as usize].contains(&self.members.place[basin as usize])
+    }
+
+    /// The cracks around a region.
+    pub(super) fn outline_of(&self, node: u32) -> Vec<Crack> {
+        let range = &self.members.range[node as usize];
+        let mut outline = Vec::new();
+        for (arc, ends) in self.arcs.iter().zip(&self.members.ends) {
+            if range.contains(&ends[0]) != range.contains(&ends[1]) {
+                outline.extend_from_slice(&self.cracks[arc.cracks.clone()]);
+            }
+        }
+        outline
     }
 
     /// The side of a cell on the sheet, mm.
@@ -132,7 +151,8 @@ fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: RegionGrid)
 }
 
 /// Which basins each region is made of.
-pub(super) struct Members {
+#[derive(Debug, Clone, PartialEq)]
+struct Members {
     /// The place of each basin in an order in which those of every region follow one another.
     place: Vec<u32>,
     /// The places of each region.
@@ -142,10 +162,10 @@ pub(super) struct Members {
 }
 
 impl Members {
-    pub(super) fn of(tree: &Tree) -> Self {
-        let count = tree.nodes.len();
+    fn of(nodes: &[Node], arcs: &[Arc]) -> Self {
+        let count = nodes.len();
         let mut is_child = vec![false; count];
-        for [a, b] in tree.nodes.iter().filter_map(|node| node.children) {
+        for [a, b] in nodes.iter().filter_map(|node| node.children) {
             (is_child[a as usize], is_child[b as usize]) = (true, true);
         }
         let mut place = vec![0; count];
@@ -155,7 +175,7 @@ impl Members {
             (0..count as u32).filter(|&node| !is_child[node as usize]).map(|node| (node, false)).collect();
         while let Some((node, is_done)) = todo.pop() {
             let at = node as usize;
-            match tree.nodes[at].children {
+            match nodes[at].children {
                 None => {
                     place[at] = next;
                     range[at] = next..next + 1;
@@ -165,25 +185,8 @@ impl Members {
                 Some([a, b]) => todo.extend([(node, true), (a, false), (b, false)]),
             }
         }
-        let ends = tree.arcs.iter().map(|arc| arc.ends.map(|basin| place[basin as usize])).collect();
+        let ends = arcs.iter().map(|arc| arc.ends.map(|basin| place[basin as usize])).collect();
         Self { place, range, ends }
-    }
-
-    /// Whether a basin is in a region.
-    pub(super) fn has(&self, node: u32, basin: u32) -> bool {
-        self.range[node as usize].contains(&self.place[basin as usize])
-    }
-
-    /// The cracks around a region.
-    pub(super) fn outline(&self, tree: &Tree, node: u32) -> Vec<Crack> {
-        let range = &self.range[node as usize];
-        let mut outline = Vec::new();
-        for (arc, ends) in tree.arcs.iter().zip(&self.ends) {
-            if range.contains(&ends[0]) != range.contains(&ends[1]) {
-                outline.extend_from_slice(&tree.cracks[arc.cracks.clone()]);
-            }
-        }
-        outline
     }
 }
 

@@ -8,16 +8,14 @@ const MM: f32 = 0.5;
 
 /// The regions that a plain search chooses: in each round that of the greatest gain, computed of all.
 fn plainly_chosen(tree: &Tree, params: &Params) -> Vec<u32> {
-    let members = Members::of(tree);
     let mut near = Nearness::new(tree, MM, params);
     let of = |node: u32| saliency(&tree.nodes[node as usize], tree.basin.len(), MM);
-    let may_be = |node: &u32| of(*node) > 0.0 && survives_opening(tree, &members, *node, MM);
+    let may_be = |node: &u32| of(*node) > 0.0 && survives_opening(tree, *node, MM);
     let all: Vec<u32> = (0..tree.nodes.len() as u32).filter(may_be).collect();
     let (mut chosen, mut first) = (Vec::new(), 0.0);
     while chosen.len() < params.most {
         let left = all.iter().copied().filter(|node| !chosen.contains(node));
-        let gains =
-            left.filter_map(|node| Some((gain(of(node), &members.outline(tree, node), &near, tree, params)?, node)));
+        let gains = left.filter_map(|node| Some((gain(of(node), &tree.outline_of(node), &near, tree, params)?, node)));
         let rank = |(gain, node): &(f64, u32)| {
             (TotalOrder(*gain), TotalOrder(tree.nodes[*node as usize].area), Reverse(*node))
         };
@@ -26,7 +24,7 @@ fn plainly_chosen(tree: &Tree, params: &Params) -> Vec<u32> {
             break;
         }
         first = if chosen.is_empty() { best } else { first };
-        near.add(&members.outline(tree, node), tree);
+        near.add(&tree.outline_of(node), tree);
         chosen.push(node);
     }
     chosen
