@@ -45,10 +45,10 @@ const GROUND_FROM: LetterLength = LetterLength::new(0.1, 1.0);
 const GROUND_TO: LetterLength = LetterLength::new(0.3, 3.0);
 /// Least distance of the letters' colour from that of the ground, as a share of their contrast.
 const STANDS_OUT: f32 = 0.45;
-/// In a plane of colour the contrast of letters is at least this share of that distance. Between white and some blues a
-/// mixture of both, as smoothing leaves it beside a stroke, differs more in such a plane than the blue itself, and a
-/// curve comes apart in pieces of such pixels: of `#1f77b4` they have .2 to .27, its strokes .55 in lightness and .83 in
-/// the other plane. What is lost here stands clearer there.
+/// In a plane of colour the contrast of letters is at least this share of that distance. Between white and some blues
+/// a mixture of both, as smoothing leaves it beside a stroke, differs more in such a plane than the blue itself, and a
+/// curve comes apart in pieces of such pixels: of `#1f77b4` they have .2 to .27, its strokes .55 in lightness and .83
+/// in the other plane. What is lost here stands clearer there.
 const OF_DISTANCE: f32 = 0.35;
 
 /// What is thin in a plane, and what of it may be letters.

@@ -66,8 +66,8 @@ const TURN_STEP: f32 = 3.0;
 
 /// Outlines stand for a ring or a curve if they are near this share of its vertices. With these numbers the saucer of
 /// `samples/coffee.png` is whole, which outlines of what stands on it tore in three places, and on 50 photographs of
-/// BSDS500 (val) F of the figure is .672 in place of .673, closed .220 (.226) and covering .507 (.505). With curves from
-/// 60 mm on and four fifths of the strength: .671, .177, .488.
+/// BSDS500 (val) F of the figure is .672 in place of .673, closed .220 (.226) and covering .507 (.505). With curves
+/// from 60 mm on and seven tenths of the strength: .671, .177, .488.
 const ALIKE: f32 = 0.92;
 
 impl Rank {

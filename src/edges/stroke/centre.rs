@@ -1,7 +1,7 @@
 //! The middle of a stroke to a fraction of a pixel, its width and its contrast.
 
 use super::arms::Strand;
-use super::dash;
+use super::ends::{self, STEP, UNSURE, median, sorted};
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
@@ -31,9 +31,7 @@ const SMOOTHING: [f32; 3] = [1.5, 1.0, 1.0];
 const JOINING: f32 = 2.0;
 /// A line goes straight through a junction if the cosine of its turns there is at least this (26 degrees).
 const STRAIGHT_ON: f32 = 0.9;
-/// The profile across a stroke is read in steps of this, px.
-const STEP: f32 = 0.25;
-/// It ends where less than this share of its largest value is left.
+/// A cross section ends where less than this share of its largest value is left.
 const END: f32 = 0.25;
 /// Beyond this much more than half its width, px, what is read is no longer the stroke.
 const BEYOND: f32 = 1.5;
@@ -63,14 +61,8 @@ const NEAR_VERTICES: usize = 4;
 const NEAR_SHIFTS: usize = 2;
 /// Colours beside a stroke are read this far outside it, px.
 const OUTSIDE: f32 = 2.0;
-/// The direction of an end is taken over the width of the stroke and this much more, px.
-const ENDING: f32 = 3.0;
 /// How far vertices lie from the middle by chance, px.
 const OFF: f32 = 0.2;
-/// Of a free end so many widths of the stroke, and this much more, px, are where thinning left them: on the way into a
-/// corner of its end.
-const UNSURE_WIDTHS: f32 = 0.8;
-const UNSURE: f32 = 1.5;
 /// A line along the border of the picture, nearer to it than this, px, is the border.
 const BORDER: f32 = 2.0;
 
@@ -96,7 +88,7 @@ pub(super) fn strokes(
     let is_dash = length < SHORTEST_APART * params.min_length;
     let is_lone = !line.closed && free == [true; 2] && junctions.is_empty();
     if is_dash {
-        let straight = (is_lone && length >= dash::SHORTEST).then(|| dash::straight(&line, residue));
+        let straight = (is_lone && length >= ends::SHORTEST_DASH).then(|| ends::straight_dash(&line, residue));
         let Some(straight) = straight.flatten() else { return Vec::new() };
         line = straight;
     }
@@ -116,8 +108,8 @@ pub(super) fn strokes(
         line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
     }
     match is_dash {
-        true => dash::extend(&mut line, residue),
-        false => extend_ends(&mut line, free, residue, width),
+        true => ends::extend_dash(&mut line, residue),
+        false => ends::extend_ends(&mut line, free, residue, width),
     }
     let contrasts: Vec<StrokeContrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_apart = || 2 * contrasts.iter().filter(|contrast| contrast.is_apart).count() > contrasts.len();
@@ -125,7 +117,7 @@ pub(super) fn strokes(
         return Vec::new();
     }
     let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
-    let long = if is_dash { dash::LONG } else { LONG };
+    let long = if is_dash { ends::LONG_DASH } else { LONG };
     let strokes = stretches.into_iter().filter(|(line, contrasts)| {
         line.length() >= long * width
             && contrasts.iter().any(|contrast| contrast.of_stroke() >= params.high)
@@ -277,53 +269,6 @@ fn through_junctions(line: &Polyline<PxPoint>, junctions: &[PxPoint], reach: f32
     straight
 }
 
-/// Goes straight on at the free ends of a line, as far as the residue is at least half of what it is along the line.
-/// Thinning shortens ends and leads them into a corner of the stroke, so the last half width is made anew.
-fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, width: f32) {
-    let along = median(line.vertices.iter().map(|&at| residue.at(at.x, at.y)));
-    let unsure = UNSURE_WIDTHS * width + UNSURE;
-    // the end, then the start
-    for is_free in [free[1], free[0]] {
-        if is_free && line.length() > 4.0 * unsure {
-            trim_end(line, unsure);
-            extend_end(line, residue, width + ENDING, along);
-        }
-        line.vertices.reverse();
-    }
-}
-
-/// Takes away the last `length` px of a line.
-fn trim_end(line: &mut Polyline<PxPoint>, length: f32) {
-    let mut left = length;
-    while let [.., before, last] = line.vertices[..] {
-        let length = (last - before).length();
-        line.vertices.pop();
-        if length >= left {
-            line.vertices.push(last.lerp(before, left / length));
-            return;
-        }
-        left -= length;
-    }
-}
-
-/// Goes straight on for at most twice `most` px, as long as that is in the picture and the residue is at least half of
-/// `along`. The direction is that of the last `most` px.
-pub(super) fn extend_end(line: &mut Polyline<PxPoint>, residue: &Plane, most: f32, along: f32) {
-    let Some(&tip) = line.vertices.last() else { return };
-    let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= most);
-    let Some(heading) = inner.and_then(|inner| (tip - *inner).try_normalize()) else { return };
-    let (width, height) = (residue.size.width as f32, residue.size.height as f32);
-    let is_inside = |at: PxPoint| (0.0..=width).contains(&at.x) && (0.0..=height).contains(&at.y);
-    let is_stroke = |k: &i32| {
-        let at = tip + heading * (*k as f32 * STEP);
-        is_inside(at) && residue.at(at.x, at.y) >= 0.5 * along
-    };
-    let steps = (1..=(2.0 * most / STEP) as i32).take_while(is_stroke).count() as i32;
-    if steps > 0 {
-        line.vertices.push(tip + heading * (steps as f32 * STEP));
-    }
-}
-
 /// Unit vector to the right of a line at a vertex, with y down.
 fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
     let view = line.view();
@@ -464,18 +409,6 @@ fn is_border(line: &Polyline<PxPoint>, plane: &Plane) -> bool {
 
 /// The median; of an even number of values the mean of the two in the middle, so that the median of what lies to the
 /// left changes its sign alone when a picture is flipped. 0 of none.
-pub(super) fn median(values: impl Iterator<Item = f32>) -> f32 {
-    let values = sorted(values);
-    let [low, high] = [values.len().saturating_sub(1) / 2, values.len() / 2];
-    values.get(low).zip(values.get(high)).map_or(0.0, |(low, high)| 0.5 * (low + high))
-}
-
-fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
-    let mut values: Vec<f32> = values.collect();
-    values.sort_by(f32::total_cmp);
-    values
-}
-
 /// The value below which a share of sorted values lies; 0 of none.
 fn quantile(sorted: &[f32], share: f32) -> f32 {
     sorted.get((share * sorted.len() as f32) as usize).copied().unwrap_or(0.0)

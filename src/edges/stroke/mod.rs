@@ -16,7 +16,7 @@
 mod arms;
 mod centre;
 mod cut_out;
-mod dash;
+mod ends;
 mod flat;
 mod follow;
 mod skeleton;

@@ -145,8 +145,9 @@ fn a_colour_of_which_too_little_is_left_has_no_texture_and_is_told() {
         let has_texture = textures.iter().any(|of| of.class == Class::Yellow);
         (7.0 * height * cell, has_texture, notes.iter().map(ToString::to_string).collect::<String>())
     };
-    let (area, has_texture, notes) = told(20.0);
-    assert!(area > 601.0 && has_texture && notes.is_empty(), "{area}: {notes}");
-    let (area, has_texture, notes) = told(16.0);
-    assert!(area < 599.0 && !has_texture && notes.contains("learn a texture: yellow"), "{area}: {notes}");
+    let (area, has_texture, notes) = told(39.0);
+    assert!(area > 601.0 && has_texture && notes.is_empty(), "{area}, {has_texture}: {notes}");
+    let (area, has_texture, notes) = told(9.0);
+    let is_told = notes.contains("learn a texture: yellow");
+    assert!(area < 599.0 && !has_texture && is_told, "{area}, {has_texture}: {notes}");
 }
