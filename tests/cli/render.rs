@@ -401,8 +401,8 @@ fn a_page_that_is_corrected_by_hand_is_written_for_printer_and_embosser() {
     done(&place, &["render", "cup.svg", "-o", "done.svg"]);
     done(&place, &["render", "cup.svg", "--profile", "index-basic-d", "-o", "dots.svg"]);
     let (before, after) = (reading(&stages[0].svg), read(&place, "done.svg"));
-    // seven pieces of clutter and three of the saucer less, one curve more
-    assert_eq!(after.figure.lines.len(), before.figure.lines.len() - 9);
+    // six pieces of clutter and one of the saucer less, one curve more
+    assert_eq!(after.figure.lines.len(), before.figure.lines.len() - 6);
     let left = [21.0, 84.0, 40.0, 118.0];
     assert!(signs(&before, Class::Yellow, left) > 10 && signs(&before, Class::Red, left) == 0);
     assert!(signs(&after, Class::Red, left) > 10 && signs(&after, Class::Yellow, left) == 0);

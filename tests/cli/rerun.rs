@@ -84,7 +84,7 @@ fn a_correction_survives_other_paper_other_detail_and_an_embosser() {
     let mut clutter = points(only_on(&made, &cleared));
     clutter.retain(|at| off_lines(*at, &edited) > 4.0);
     let saucer = points(only_on(&redrawn, &cleared));
-    assert!(clutter.len() > 10 && saucer.len() > 5, "{} and {} points", clutter.len(), saucer.len());
+    assert!(clutter.len() > 10 && saucer.len() > 3, "{} and {} points", clutter.len(), saucer.len());
     for (options, most_off) in [
         (&["--profile", "swell-a3", "--detail", "0.9"][..], 1.0),
         (&["--profile", "swell-letter", "--detail", "0.2"], 1.0),

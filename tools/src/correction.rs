@@ -13,11 +13,11 @@ pub struct Stage {
 }
 
 /// Short pieces on the saucer and on the table, and a spot on the cup.
-const CLUTTER: [&str; 7] = ["line-17", "line-19", "line-22", "line-23", "line-24", "line-25", "line-27"];
-/// What was found of the saucer's left side ...
-const BROKEN: [&str; 3] = ["line-7", "line-10", "line-14"];
+const CLUTTER: [&str; 6] = ["line-14", "line-18", "line-19", "line-20", "line-21", "line-23"];
+/// What was found of the saucer between the spoon and a gap ...
+const BROKEN: &str = "line-8";
 /// ... and the curve that is drawn in its place, mm.
-const SAUCER: &str = "M70.12,58.59 C60,60 44,72 43.6,92 C43.2,112 52,131 75.83,141.76";
+const SAUCER: &str = "M139.28,68.66 C144.5,73.2 151.2,81 154.33,87.31";
 /// The table at the left, which is red like the rest of it.
 const MOVED: (&str, &str) = ("region-2", "texture-red");
 /// A dot of a braille cell's size on the cup, mm.
@@ -37,9 +37,8 @@ pub fn stages(page: &str) -> Result<Vec<Stage>, String> {
         Ok::<(), String>(())
     };
     add("clutter deleted", &|svg| CLUTTER.iter().try_fold(svg.to_owned(), |svg, id| without(&svg, id)))?;
-    add("the saucer redrawn", &|svg| {
-        let svg = BROKEN.iter().try_fold(svg.to_owned(), |svg, id| without(&svg, id))?;
-        inside(&svg, "lines", &format!("<path id=\"saucer\" stroke-width=\"1.4\" d=\"{SAUCER}\"/>"))
+    add("the gap of the saucer closed", &|svg| {
+        inside(&without(svg, BROKEN)?, "lines", &format!("<path id=\"saucer\" stroke-width=\"1.4\" d=\"{SAUCER}\"/>"))
     })?;
     add("an area moved to another colour", &|svg| {
         let (id, to) = MOVED;
