@@ -87,7 +87,7 @@ use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{DrawnMarks, FromPerson, WithRoom, draw, find};
-use finish::{PageSays, finished, origin, told_empty, told_of_dots, too_black};
+use finish::{PageSays, finished, origin, told_empty, told_of_pages};
 use read::ReadPicture;
 use request::OverviewSize;
 use words::{OnPage, WrittenWords};
@@ -297,10 +297,7 @@ fn compose(
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !facts.none_sought {
         notes.push(Note::NoLines);
     }
-    match &layout.medium {
-        Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
-        Medium::Dots(medium) => notes.extend(told_of_dots(std::iter::once(&page), medium, plan)),
-    }
+    notes.extend(told_of_pages(std::iter::once(&page), &layout.medium, plan));
     Note::sort(&mut notes);
     let is_larger_without_overview = page.overview.is_some() && request.fit.is_larger_without_overview(&layout, plan);
     Ok(Drawing { page, overview, key, texts, notes, is_larger_without_overview })

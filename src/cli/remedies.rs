@@ -160,6 +160,9 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Making::PageAnew => format!("{note} (--set figure.textures=false)"),
             Making::Other => note.to_string(),
         },
+        Note::Faulty(_, Reason::LooseEnds, _) if making.is_of_picture() => {
+            format!("{note} (--detail 0.2, --simplify 5, --subject X,Y)")
+        }
         Note::EmptyPage if making.is_of_picture() => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),

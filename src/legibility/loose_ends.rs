@@ -3,7 +3,7 @@
 //! other and has nothing to follow.
 
 use super::finding::FoundBreach;
-use super::limits::{ROUNDING, RuleLimits};
+use super::limits::{CELL, ROUNDING, RuleLimits};
 use super::paths::{PathKind, Paths, nearest};
 use super::rules::LOOSE_ENDS;
 use crate::geom::nearby::Nearby;
@@ -17,8 +17,37 @@ const LEAST: usize = 12;
 /// An end may lead to its own line if that comes back to it after so many times the blank to other lines.
 const OWN: f32 = 4.0;
 
-/// The breach of a figure of a photograph with too many ends that lead to nothing. In a drawing every line is meant.
+/// Ends of lines that lead to nothing, of which a figure has too many.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LooseEnds {
+    /// How many there are.
+    pub(crate) count: usize,
+    /// How many there are in 100 square cm.
+    each: f32,
+}
+
+impl LooseEnds {
+    /// Those of a page, if it is of a photograph and has too many.
+    pub(crate) fn of(page: &Page, limits: &RuleLimits) -> Option<Self> {
+        let felt = LeftOut::of(page).of_photograph.then(|| page.risen())?;
+        let paths = Paths::whole(&felt.figure.lines);
+        too_many(&felt, &paths, &paths.index(CELL), limits)
+    }
+}
+
+/// The breach of a figure of a photograph with too many ends that lead to nothing.
 pub(super) fn findings(page: &Page, paths: &Paths, index: &Nearby, limits: &RuleLimits) -> Option<FoundBreach> {
+    let LooseEnds { count, each } = too_many(page, paths, index, limits)?;
+    let most = limits.loose_ends();
+    let what = format!(
+        "{count} ends of lines lead to nothing, {each:.0} in each 100 square cm of the figure, so that a finger \
+         meets one end after the other and can hardly follow what the picture shows; {most:.0} is the most"
+    );
+    Some(FoundBreach::of_page(LOOSE_ENDS, Some(each), what))
+}
+
+/// The loose ends of a figure of a photograph, if they are too many. In a drawing every line is meant.
+fn too_many(page: &Page, paths: &Paths, index: &Nearby, limits: &RuleLimits) -> Option<LooseEnds> {
     if !LeftOut::of(page).of_photograph {
         return None;
     }
@@ -27,14 +56,7 @@ pub(super) fn findings(page: &Page, paths: &Paths, index: &Nearby, limits: &Rule
     let inner = page.figure.place.inflate(-limits.missed_gap(), -limits.missed_gap());
     let count = ends.loose().filter(|at| inner.contains_inclusive(*at)).count();
     let each = AREA * count as f32 / page.figure.place.area().max(f32::MIN_POSITIVE);
-    let most = limits.loose_ends();
-    let what = || {
-        format!(
-            "{count} ends of lines lead to nothing, {each:.0} in each 100 square cm of the figure, so that a finger \
-             meets one end after the other and can hardly follow what the picture shows; {most:.0} is the most"
-        )
-    };
-    (count >= LEAST && each > most).then(|| FoundBreach::of_page(LOOSE_ENDS, Some(each), what()))
+    (count >= LEAST && each > limits.loose_ends()).then_some(LooseEnds { count, each })
 }
 
 /// The ends of the lines of a figure.

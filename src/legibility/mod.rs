@@ -46,6 +46,7 @@ pub(crate) use leaders::{
 use limits::CELL;
 pub(crate) use limits::{LEADER_END, OWN_LEADER_GAP};
 pub use limits::{MediumLimits, RuleLimits};
+pub(crate) use loose_ends::LooseEnds;
 pub use overview::told_left_out;
 pub(crate) use paths::{RING_CORNER, RING_CORNER_ARMS};
 pub use report::{Checked, rules_as_json, rules_as_text};

@@ -205,6 +205,8 @@ reasons! {
     LegendAtLines => "legend-at-lines",
     /// Rows of textures lie close beside most of the lines of a page of dots.
     AmongRows => "among-rows",
+    /// Too many ends of the lines of a photograph lead to nothing.
+    LooseEnds => "loose-ends",
     // of an overview
     /// Lines of the figure have no room in the overview.
     NoRoomInOverview => "no-room-in-overview",

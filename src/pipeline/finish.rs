@@ -4,7 +4,7 @@
 use super::print_words;
 use super::request::Request;
 use crate::description;
-use crate::legibility::rows_beside_lines;
+use crate::legibility::{LooseEnds, rows_beside_lines};
 use crate::output::seal;
 use crate::page::{BrailleText, DotMedium, Dots, InSet, LeftOut, Medium, Page, Parts, Print};
 use crate::profile::Plan;
@@ -91,15 +91,48 @@ pub(super) fn told_empty(notes: &mut Vec<Note>, all_erased: bool) {
 }
 
 /// What the maker is told when more of the figure is black than the profile allows.
-pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
+fn too_black(share: f32, print: &Print) -> Option<Note> {
     let most = print.max_black;
     let percent = |share: f32| (100.0 * share).round() as u32;
     (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
 }
 
+/// What the maker is told of these pages of a picture: whether they are too black for swell paper, what there is to say
+/// of dots, and whether they are all scraps of contours.
+pub(super) fn told_of_pages<'a>(
+    pages: impl Iterator<Item = &'a Page> + Clone,
+    medium: &Medium,
+    plan: &Plan,
+) -> Vec<Note> {
+    let scraps = told_of_scraps(pages.clone(), plan);
+    let of_medium: Vec<Note> = match medium {
+        Medium::Print(print) => {
+            let blackest = pages.map(Page::black_share).fold(0.0, f32::max);
+            too_black(blackest, print).into_iter().collect()
+        }
+        Medium::Dots(medium) => told_of_dots(pages, medium, plan).collect(),
+    };
+    of_medium.into_iter().chain(scraps).collect()
+}
+
+/// What the maker is told where too many ends of the lines of a photograph lead to nothing: how many on all of its
+/// sheets that have too many.
+fn told_of_scraps<'a>(pages: impl Iterator<Item = &'a Page>, plan: &Plan) -> Option<Note> {
+    let limits = plan.limits();
+    let count: usize = pages.filter_map(|page| LooseEnds::of(page, &limits)).map(|ends| ends.count).sum();
+    let what = || {
+        format!(
+            "the photograph is many open scraps of contours: {count} ends of lines lead to nothing, so that a finger \
+             meets one end after the other and can hardly follow what the picture shows; draw it with less detail or \
+             with few shapes, or say what it is about (a place on it)"
+        )
+    };
+    (count > 0).then(|| Note::Faulty(About::Lines, Reason::LooseEnds, what()))
+}
+
 /// What the maker is told of these pages of dots: where these are those of text cells, and where rows of textures lie
 /// close on both sides of too many of the lines, by the worst of the pages.
-pub(super) fn told_of_dots<'a>(
+fn told_of_dots<'a>(
     pages: impl Iterator<Item = &'a Page>,
     medium: &DotMedium,
     plan: &Plan,
@@ -166,3 +199,6 @@ pub fn is_made(page: &Parts) -> bool {
     let seal = seal::of(page.description.as_bytes());
     page.origin.iter().any(|(name, value)| name == MADE && *value == seal)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,7 @@
 //! From bytes to a picture on several sheets.
 
 use super::draw::{DrawnMarks, FromPerson, draw, find};
-use super::finish::{finished, origin, title_of_overview, title_of_sheet, told_empty, told_of_dots, too_black};
+use super::finish::{finished, origin, title_of_overview, title_of_sheet, told_empty, told_of_pages};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
@@ -102,13 +102,7 @@ pub fn convert<'p>(
     } else if plan.profile().figure.lines && figure.lines.is_empty() && !facts.none_sought {
         notes.push(Note::NoLines);
     }
-    match &sheet.medium {
-        Medium::Print(print) => {
-            let blackest = of_picture().map(Page::black_share).fold(0.0, f32::max);
-            notes.extend(too_black(blackest, print));
-        }
-        Medium::Dots(medium) => notes.extend(told_of_dots(of_picture(), medium, plan)),
-    }
+    notes.extend(told_of_pages(of_picture(), &sheet.medium, plan));
     Note::sort(&mut notes);
     sheets.notes = notes;
     Ok(sheets)

@@ -1,6 +1,5 @@
 //! Tests of `loose_ends`.
 
-use super::super::limits::CELL;
 use super::*;
 use crate::page::{Figure, Line, Parts, Run};
 use crate::profile::{Plan, Profile};
@@ -25,7 +24,10 @@ fn too_many(lines: Vec<Line>, of_photograph: bool) -> Option<f32> {
     let page = Page::new(Parts { origin, ..Parts::of([210.0, 297.0], figure) }).expect("it is on the sheet");
     let limits = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("it is right").limits();
     let paths = Paths::whole(&page.figure.lines);
-    findings(&page, &paths, &paths.index(CELL), &limits).and_then(|found| found.measured)
+    let found = findings(&page, &paths, &paths.index(CELL), &limits);
+    let of_page = LooseEnds::of(&page, &limits).map(|ends| ends.each);
+    assert_eq!(of_page, found.as_ref().and_then(|found| found.measured), "convert and check find the same");
+    of_page
 }
 
 #[test]
