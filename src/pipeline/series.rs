@@ -12,9 +12,10 @@ use crate::classes::{Class, Classes, Region};
 use crate::edges::Edges;
 use crate::lines::Line;
 use crate::listing::list;
-use crate::page::Texture;
 use crate::page::layout::Layout;
+use crate::page::{Medium, Texture};
 use crate::profile::Plan;
+use crate::textures::leave_out_crumbs;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note, Reason};
 
@@ -110,6 +111,9 @@ pub(super) fn textured(
 ) -> (Vec<Texture>, Vec<Note>) {
     let (mut classes, bars) = areas.unzip();
     let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
+    if !of_drawing && matches!(layout.medium, Medium::Print(_)) {
+        leave_out_crumbs(&mut textures, &plan.textures());
+    }
     let mut notes = Vec::new();
     if let (Some(classes), Some(bars)) = (&mut classes, bars) {
         let is_of_bars = |class: Class| bars.iter().any(|bar| bar.class == class);

@@ -7,6 +7,7 @@ use super::lattice::{self, LatticePoint};
 use super::maps::{RegionMap, line_density};
 use super::params::Params;
 use crate::classes::{Class, Classes, Region};
+use crate::geom::components::Components;
 use crate::geom::nearby::Nearby;
 use crate::geom::{components, nearest_on_segment};
 use crate::lines::Line;
@@ -15,6 +16,11 @@ use crate::units::{MmPoint, MmRect};
 /// A connected component of fewer glyphs than this is no texture: single glyphs that stand apart, in a tongue of their
 /// region or between two lines, have no direction and are felt as dirt.
 const LEAST_COMPONENT: usize = 4;
+/// In a photograph a component has at least so many glyphs: two rows of three rhombuses, or a ring of dots, which is
+/// what the honeycomb of grey consists of. Fewer are felt as dirt, and two rows of two dots as a letter in braille. Of
+/// drawings smaller ones stay, as there they may be all that says the colour of a bar or a window, whose outline is felt
+/// as well.
+const LEAST_IN_PHOTOGRAPH: usize = 6;
 /// Of a component of rhombuses so large a share lies beside another one of its row. In a strip with room for one
 /// rhombus of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own:
 /// level rows, blue, would be felt as upright ones, yellow.
@@ -116,13 +122,32 @@ fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach:
     clear
 }
 
+/// Leaves out what is too small a patch of a photograph to be felt as a texture: [`LEAST_IN_PHOTOGRAPH`]. Dots are linked
+/// if they are no further apart than those of sparse grey, as a trail of single ones is no patch.
+pub fn leave_out_crumbs(textures: &mut Vec<Texture>, params: &Params) {
+    for texture in textures.iter_mut() {
+        let apart = match params.palette.degrees(texture.class) {
+            Some(_) => 2.0 * params.across,
+            None => 3.0_f32.sqrt() * params.dot_pitch,
+        };
+        let groups = components_within(&texture.glyphs, 1.01 * apart);
+        components::retain(&mut texture.glyphs, &groups, |_, group| group.len() >= LEAST_IN_PHOTOGRAPH);
+    }
+    textures.retain(|texture| !texture.glyphs.is_empty());
+}
+
+/// The components of glyphs of which two are linked if they are no further apart than this.
+fn components_within(glyphs: &[Glyph], reach: f32) -> Components {
+    let centres: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
+    components::of_points(&centres, reach, |between| between.length() <= reach)
+}
+
 /// Removes small components of glyphs. Two glyphs are linked if they are no further apart than rows of the sparsest
 /// texture, which are two rows of the dense one. So does a component without rows in the direction of its texture, if
 /// that has one.
 fn remove_small_components(glyphs: &mut Vec<Glyph>, degrees: Option<f32>, params: &Params) {
     let reach = 1.01 * (2.0 * params.across).max(3.0_f32.sqrt() * params.dot_pitch);
-    let centres: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
-    let groups = components::of_points(&centres, reach, |between| between.length() <= reach);
+    let groups = components_within(glyphs, reach);
     components::retain(glyphs, &groups, |glyphs, group| {
         let is_felt = || degrees.is_none_or(|degrees| are_in_rows(glyphs, group, degrees, params));
         group.len() >= LEAST_COMPONENT && is_felt()

@@ -64,3 +64,34 @@ fn rows_are_those_in_the_direction_of_the_texture() {
         assert_eq!(glyphs.len(), stays, "one upright row, of rows at {degrees} degrees");
     }
 }
+
+/// A texture of these glyphs.
+fn texture(class: Class, glyphs: Vec<Glyph>) -> Texture {
+    Texture { class, sign: Params::TEST.palette.sign(class), colour: [0; 3], area: 400.0, glyphs }
+}
+
+#[test]
+fn of_a_photograph_patches_of_fewer_than_six_go() {
+    let left = |class: Class, glyphs: Vec<Glyph>| {
+        let mut textures = vec![texture(class, glyphs)];
+        leave_out_crumbs(&mut textures, &Params::TEST);
+        textures.iter().map(|texture| texture.glyphs.len()).sum::<usize>()
+    };
+    assert_eq!(left(Class::Blue, level_rows(2, 3)), 6, "two rows of three");
+    assert_eq!(left(Class::Blue, level_rows(1, 5)), 0);
+    let far = |glyph: Glyph| Glyph { at: MmPoint::new(glyph.at.x + 60.0, glyph.at.y), ..glyph };
+    let both = level_rows(5, 4).into_iter().chain(level_rows(2, 2).into_iter().map(far)).collect();
+    assert_eq!(left(Class::Blue, both), 20, "the rest of the same texture stays");
+    let dots = |places: &[(f32, f32)]| -> Vec<Glyph> {
+        let dot = |&(x, y): &(f32, f32)| Glyph { at: MmPoint::new(x, y), shape: Shape::Dot { diameter: 1.5 } };
+        places.iter().map(dot).collect()
+    };
+    let pitch = Params::TEST.dot_pitch;
+    let ring = [(1.0, 0.0), (0.5, 0.87), (-0.5, 0.87), (-1.0, 0.0), (-0.5, -0.87), (0.5, -0.87)];
+    let ring: Vec<(f32, f32)> = ring.iter().map(|(x, y)| (x * pitch, y * pitch)).collect();
+    assert_eq!(left(Class::Grey, dots(&ring)), 6);
+    assert_eq!(left(Class::Grey, dots(&ring[..4])), 0, "as a letter in braille");
+    // a trail of single dots, twice as far apart as those of a dense texture
+    let trail: Vec<(f32, f32)> = (0..9).map(|k| (2.0 * pitch * k as f32, 0.0)).collect();
+    assert_eq!(left(Class::Grey, dots(&trail)), 0);
+}
