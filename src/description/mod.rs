@@ -74,7 +74,8 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     let shorter = shapes::count(lines) - told.len();
     sentences.extend(told.into_iter().map(|text| ("shape", text)));
     if shorter > 0 {
-        sentences.push(("lines", wording.say("lines-more", &[("lines", shorter.into())])));
+        let more = if shapes::others_are_shorter(lines, MOST_LINES) { "lines-more" } else { "lines-more-as-long" };
+        sentences.push(("lines", wording.say(more, &[("lines", shorter.into())])));
     }
     let points = shapes::points(lines, felt.figure.place, wording);
     sentences.extend(points.into_iter().map(|text| ("shape", text)));

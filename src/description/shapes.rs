@@ -78,7 +78,9 @@ impl LineShape {
 
     /// Whether another closed shape lies within this one.
     fn holds(&self, other: &Self) -> bool {
-        let sides = self.path.iter().zip(&self.path[1..]);
+        // a ring of dots ends one step before its first dot
+        let last_side = self.path.last().zip(self.path.first());
+        let sides = self.path.iter().zip(&self.path[1..]).chain(last_side);
         self.extent.contains_box(&other.extent) && polygon::is_inside(sides, other.path[0])
     }
 
@@ -240,8 +242,17 @@ fn stands(number: usize, shapes: &[LineShape]) -> bool {
     others.any(|(_, other)| ends.iter().all(|end| lies_on(*end, other)))
 }
 
-/// Sentences on the longest lines, the longest first.
-pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wording) -> Vec<String> {
+/// A line that is shorter by less than this is told as as long, mm.
+const SAME_LENGTH: f32 = 0.5;
+
+/// Whether all lines beside the `most` longest are shorter than these.
+pub(super) fn others_are_shorter(lines: &[Line], most: usize) -> bool {
+    let lengths: Vec<f32> = longest_first(lines).iter().map(|shape| shape.length).collect();
+    lengths.windows(2).nth(most.saturating_sub(1)).is_none_or(|pair| pair[0] - pair[1] >= SAME_LENGTH)
+}
+
+/// The shapes of lines, the longest first: an arrowhead is a part of its line, and a point is none.
+fn longest_first(lines: &[Line]) -> Vec<LineShape> {
     let arrows = arrows(lines);
     let is_head = |number: usize| arrows.iter().any(|arrow| arrow.head == Some(number));
     let ways = |number: usize| -> Vec<&str> {
@@ -251,6 +262,12 @@ pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wordin
     let others = lines.iter().enumerate().filter(|(number, line)| !is_head(*number) && point(line).is_none());
     let mut shapes: Vec<LineShape> = others.filter_map(of_line).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
+    shapes
+}
+
+/// Sentences on the longest lines, the longest first.
+pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wording) -> Vec<String> {
+    let mut shapes = longest_first(lines);
     let stands: Vec<bool> = (0..shapes.len()).map(|number| stands(number, &shapes)).collect();
     shapes.iter_mut().zip(stands).for_each(|(shape, stands)| shape.stands = stands);
     let text = |(number, shape): (usize, &LineShape)| {

@@ -88,6 +88,10 @@ lines-more = { $lines ->
     [one] 1 weitere Linie ist kürzer als diese.
    *[other] { $lines } weitere Linien sind kürzer als diese.
 }
+lines-more-as-long = { $lines ->
+    [one] 1 weitere Linie ist nicht länger als diese.
+   *[other] { $lines } weitere Linien sind nicht länger als diese.
+}
 point = Ein Punkt { $place }, { $across } mm im Durchmesser.
 points = { $count } Punkte, bis zu { $across } mm im Durchmesser.
 arrows = { $count ->

@@ -96,6 +96,11 @@ lines-more = { $lines ->
     [one] 1 more line is shorter than these.
    *[other] { $lines } more lines are shorter than these.
 }
+# where the longest of them is as long as the last that is told
+lines-more-as-long = { $lines ->
+    [one] 1 more line is no longer than these.
+   *[other] { $lines } more lines are no longer than these.
+}
 # points beside all lines; of more than three only how many there are
 point = A point { $place }, { $across } mm across.
 points = { $count } points, up to { $across } mm across.

@@ -88,6 +88,10 @@ lines-more = { $lines ->
     [one] 1 línea más es más corta que estas.
    *[other] { $lines } líneas más son más cortas que estas.
 }
+lines-more-as-long = { $lines ->
+    [one] 1 línea más no es más larga que estas.
+   *[other] { $lines } líneas más no son más largas que estas.
+}
 point = Un punto { $place }, de { $across } mm de diámetro.
 points = { $count } puntos, de { $across } mm de diámetro como máximo.
 arrows = { $count ->

@@ -88,6 +88,10 @@ lines-more = { $lines ->
     [one] { $lines } autre ligne est plus courte.
    *[other] { $lines } autres lignes sont plus courtes.
 }
+lines-more-as-long = { $lines ->
+    [one] { $lines } autre ligne n’est pas plus longue.
+   *[other] { $lines } autres lignes ne sont pas plus longues.
+}
 point = Un point { $place }, de { $across } mm de diamètre.
 points = { $count } points, de { $across } mm de diamètre au plus.
 arrows = { $count ->

@@ -84,6 +84,11 @@ lines-more = { $lines ->
     [few] { $lines } dalsze linie są krótsze od tych.
    *[other] { $lines } dalszych linii jest krótszych od tych.
 }
+lines-more-as-long = { $lines ->
+    [one] 1 dalsza linia nie jest dłuższa od tych.
+    [few] { $lines } dalsze linie nie są dłuższe od tych.
+   *[other] { $lines } dalszych linii nie jest dłuższych od tych.
+}
 point = Punkt { $place }, o średnicy { $across } mm.
 points = Punkty: { $count }, o średnicy do { $across } mm.
 arrows = { $count ->

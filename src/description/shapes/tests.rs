@@ -93,6 +93,33 @@ fn a_river_is_not_straight_and_how_it_bends_is_told() {
     assert!(told_of(bow(60.0)).ends_with(" mm long."), "of a hook it is not told: {}", told_of(bow(60.0)));
 }
 
+/// A ring of dots ends one step before its first dot: of what lies level with that gap a row met one side only.
+#[test]
+fn a_ring_of_dots_holds_what_lies_level_with_its_gap() {
+    let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    // 60 mm across; the gap is on its right, from 4.7 mm above its middle down to that
+    let at = |k: usize| {
+        let (sin, cos) = (k as f32 * PI / 20.0).sin_cos();
+        MmPoint::new(75.0 + 30.0 * cos, 75.0 + 30.0 * sin)
+    };
+    let ring = Line { strength: 90.0, runs: vec![Run::dots(1.6, (0..40).map(at).collect(), Default::default())] };
+    assert!(ring.is_ring_of_dots());
+    for y in [66.0, 73.0, 77.0] {
+        let told = told(&[ring.clone(), circle(70.0, y, 5.0)], figure, 9, Wording::english());
+        assert!(told[0].ends_with("60 mm across; it contains a smaller one."), "{y}: {told:?}");
+    }
+}
+
+#[test]
+fn lines_that_are_not_told_may_be_as_long_as_those_that_are() {
+    let level = |y: f32, length: f32| line(vec![MmPoint::new(10.0, y), MmPoint::new(10.0 + length, y)]);
+    let equal: Vec<Line> = (0..3).map(|k| level(10.0 * k as f32, 50.0)).collect();
+    assert!(!others_are_shorter(&equal, 2));
+    assert!(others_are_shorter(&equal, 3), "there is no other");
+    let shorter = [level(10.0, 50.0), level(20.0, 40.0), level(30.0, 50.0)];
+    assert!(others_are_shorter(&shorter, 2));
+}
+
 /// Towns of a map, on paper and as dots: no outlines, and no lines.
 #[test]
 fn discs_and_small_filled_rings_of_dots_are_points() {
