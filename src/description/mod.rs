@@ -224,13 +224,14 @@ fn texts(page: &Page, wording: &Wording) -> Vec<String> {
 
 fn left_out(page: &Page, wording: &Wording) -> Option<String> {
     let left = LeftOut::of(page);
-    let values = [("length", left.millimetres.into()), ("share", wording.percent(left.share()).into())];
-    (left.millimetres > 0).then(|| match left.most_in() {
-        Some(ninth) => {
-            let [length, share] = values;
-            wording.say("left-out-most", &[length, share, ("place", wording.place(ninth).into())])
+    let [length, share] = [("length", left.millimetres.into()), ("share", wording.percent(left.share()).into())];
+    (left.millimetres > 0).then(|| match (InSet::of(page), left.most_in()) {
+        // each sheet has the same sum
+        (Some(InSet::One(_, names)), _) => {
+            wording.say("left-out-of-sheets", &[length, share, ("sheets", names.len().into())])
         }
-        None => wording.say("left-out", &values),
+        (_, Some(ninth)) => wording.say("left-out-most", &[length, share, ("place", wording.place(ninth).into())]),
+        (_, None) => wording.say("left-out", &[length, share]),
     })
 }
 

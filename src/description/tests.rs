@@ -57,3 +57,21 @@ fn what_was_left_out_is_told_in_every_language() {
         assert_eq!(told(language).len(), 3, "{language}");
     }
 }
+
+/// The sum of all sheets is written on each of them: told as that of a sheet, four of them had four times as much.
+#[test]
+fn what_all_sheets_together_lack_is_told_as_that() {
+    let place = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let told = |set: Option<InSet>| {
+        let figure = Figure { place, source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
+        let mut origin = LeftOut { millimetres: 623, of: 5664, ..LeftOut::default() }.to_origin();
+        origin.extend(set.iter().map(InSet::to_origin));
+        let page = Page::new(Parts { origin, ..Parts::of([150.0, 150.0], figure) }).expect("it is on the sheet");
+        let all = marks(&page, Wording::english()).into_iter();
+        all.filter(|(about, _)| *about == "left-out").map(|(_, text)| text).collect::<Vec<_>>()
+    };
+    assert_eq!(told(None), ["623 mm of contours, 11 %, had no room and are left out."]);
+    let names = ["a1", "a2", "b1", "b2"].map(str::to_owned).to_vec();
+    let one = told(Some(InSet::One("b1".to_owned(), names)));
+    assert_eq!(one, ["On all 4 sheets together 623 mm of contours, 11 %, had no room and are left out."]);
+}

@@ -136,6 +136,8 @@ sheet-of-sheets = Dies ist Blatt { $name } von { $sheets } ({ $names }), mit ein
 
 left-out = { $length } mm Konturen, { $share }, hatten keinen Platz und fehlen.
 left-out-most = { $length } mm Konturen, { $share }, hatten keinen Platz und fehlen, die meisten { $place }.
+left-out-of-sheets = Auf allen { $sheets } Blättern zusammen hatten { $length } mm Konturen, { $share }, keinen Platz
+    und fehlen.
 areas-left-out = { $count ->
     [one] 1 Fläche war beim Erstellen der Seite zu klein für eine Textur.
    *[other] { $count } Flächen waren beim Erstellen der Seite zu klein für eine Textur.

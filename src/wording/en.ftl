@@ -148,6 +148,9 @@ sheet-of-sheets = This is sheet { $name } of { $sheets } ({ $names }), with a le
 
 left-out = { $length } mm of contours, { $share }, had no room and are left out.
 left-out-most = { $length } mm of contours, { $share }, had no room and are left out, most of them { $place }.
+# of a picture on several sheets, of which each says it
+left-out-of-sheets = On all { $sheets } sheets together { $length } mm of contours, { $share }, had no room and are
+    left out.
 # counts when the page was made: somebody may have written labels since
 areas-left-out = { $count ->
     [one] 1 area was too small for a texture when the page was made.

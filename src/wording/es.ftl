@@ -136,6 +136,8 @@ sheet-of-sheets = Esta es la hoja { $name } de { $sheets } ({ $names }), con una
 
 left-out = { $length } mm de contornos, { $share }, no tenían sitio y faltan.
 left-out-most = { $length } mm de contornos, { $share }, no tenían sitio y faltan, la mayoría { $place }.
+left-out-of-sheets = En las { $sheets } hojas juntas, { $length } mm de contornos, { $share }, no tenían sitio y
+    faltan.
 areas-left-out = { $count ->
     [one] 1 superficie era demasiado pequeña para una textura al crear la página.
    *[other] { $count } superficies eran demasiado pequeñas para una textura al crear la página.

@@ -136,6 +136,8 @@ sheet-of-sheets = Ceci est la feuille { $name } sur { $sheets } ({ $names }), av
 
 left-out = { $length } mm de contours, { $share }, n’avaient pas de place et manquent.
 left-out-most = { $length } mm de contours, { $share }, n’avaient pas de place et manquent, la plupart { $place }.
+left-out-of-sheets = Sur l’ensemble des { $sheets } feuilles, { $length } mm de contours, { $share }, n’avaient pas de
+    place et manquent.
 areas-left-out = { $count ->
     [one] { $count } surface était trop petite pour une texture à la création de la page.
    *[other] { $count } surfaces étaient trop petites pour une texture à la création de la page.

@@ -139,6 +139,8 @@ sheet-of-sheets = To jest arkusz { $name }; liczba arkuszy: { $sheets } ({ $name
 
 left-out = Na { $length } mm konturów, { $share }, nie było miejsca; brakuje ich.
 left-out-most = Na { $length } mm konturów, { $share }, nie było miejsca; brakuje ich, najwięcej { $place }.
+left-out-of-sheets = Na wszystkich arkuszach razem ({ $sheets }) nie było miejsca na { $length } mm konturów, { $share };
+    brakuje ich.
 areas-left-out = { $count ->
     [one] Przy tworzeniu strony 1 pole było za małe na fakturę.
     [few] Przy tworzeniu strony { $count } pola były za małe na fakturę.
