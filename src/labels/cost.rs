@@ -9,8 +9,7 @@
 //!  3 to 5      the worse side of a point, a second line or row, or a line so near beside a label that its dots are
 //!              read as a letter: more than a step of a grid of dots (2 to 2.5 mm)
 //!  8           a gridline that is interrupted: a value above its bar stands there rather than with a leader line
-//!  10 to 15    a leader line, one from a label beside another shape, a place that is not below a bar, a divided word:
-//!              read, but with more effort
+//!  10 to 15    a leader line, a place that is not below a bar, a divided word: read, but with more effort
 //!  10          for each mm that a leader line of dots lacks to be felt as a line
 //!  30          for each point of another over or under which a label of a point stands: rather in two lines, or with a
 //!              leader line
@@ -82,10 +81,6 @@ const FROM_PRINT: f32 = 2.0;
 const ALONG_A_LINE: f32 = 20.0;
 /// For each line but the first that such a line crosses, which the drawing has not: more than any distance.
 const ANOTHER_CROSSED: f32 = 150.0;
-/// For the label of a shape that has a leader line and stands beside another line, with no more than so much beyond the
-/// least blank, mm: beside the next box a finger takes it for the name of that before it finds the leader line.
-const AT_OTHER: f32 = 3.0;
-const BESIDE_OTHER: f32 = LEADER + 2.0;
 /// For each mm over which a leader line that crosses no other runs beside one, as along a wire of a circuit, beyond
 /// those which it needs to pass the end of a line or to come up to a slanted one: with 30 mm it is worse than an
 /// abbreviation. Chosen by us.
@@ -135,8 +130,6 @@ pub(super) fn cost(
             across + ALONG_A_LINE * room.along(from, to, end) + TOO_SHORT * lacking + ANOTHER_CROSSED * others as f32
         }
     };
-    let is_at_other = around.is_shut_in() && attachment.leader().is_some() && !room.is_free_around(place, AT_OTHER);
-    let leader = if is_at_other { leader + BESIDE_OTHER } else { leader };
     let from_sentence = if around.is_sentence && attachment.leader().is_some() { FROM_SENTENCE } else { 0.0 };
     let out_of_room = if !attachment.crosses() && around.is_out_of_room(place) { OUT_OF_ROOM } else { 0.0 };
     let leader = leader + from_sentence + out_of_room;

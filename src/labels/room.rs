@@ -193,11 +193,6 @@ impl Room {
         more <= 0.0 || self.taken.within(place.inflate(more, 0.0), &self.squares) == 0
     }
 
-    /// Whether there is so much more than the clearance between a box and all lines but gridlines.
-    pub(super) fn is_free_around(&self, place: MmRect, more: f32) -> bool {
-        self.taken.within(place.inflate(more, more), &self.squares) == 0
-    }
-
     /// How far a leader line is felt before it meets a line, mm.
     pub(super) fn before_first_line(&self, from: MmPoint, to: MmPoint) -> f32 {
         let chord = to - from;

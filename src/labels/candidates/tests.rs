@@ -447,18 +447,6 @@ fn outside_of_a_room_a_label_is_worse_than_an_abbreviation() {
 }
 
 #[test]
-fn the_label_of_a_box_rather_stands_beside_no_other_line() {
-    let label = named(MmRect::new(MmPoint::new(95.0, 97.0), MmPoint::new(105.0, 103.0)));
-    // a box of 30 by 20 mm, and a long way round to a line right of the place
-    let boxes = |x: f32| {
-        let own = [(x, 60.0), (x, 100.0), (115.0, 100.0), (115.0, 90.0), (85.0, 90.0), (85.0, 110.0), (115.0, 110.0)];
-        room(&[&own[..], &[(115.0, 100.0)]].concat(), false)
-    };
-    let more = |x: f32| cost_in(&boxes(x), &label, box_at(90.0, 70.0));
-    assert!((more(114.0) - more(125.0) - 12.0).abs() < 0.01, "4 mm right of the label, and 15 mm");
-}
-
-#[test]
 fn candidates_that_blank_a_texture_come_last_where_it_is_to_be_spared() {
     let candidate = |cost: f32, blanks: bool| {
         let of = Candidate::of_row(0, box_at(90.0, 90.0), Attachment::Beside, cost, PlacedAs::Alone);
