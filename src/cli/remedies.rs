@@ -153,16 +153,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Making::PageAnew => format!("{note} (--set overview.on=false)"),
             Making::Other => note.to_string(),
         },
-        Note::Faulty(_, Reason::AmongRows, _) => match making {
-            Making::Print(_) | Making::Embossing(_) | Making::Pins => {
-                format!("{note} (--outlines, --subject X,Y --calm-background)")
-            }
-            Making::PageAnew => format!("{note} (--set figure.textures=false)"),
-            Making::Other => note.to_string(),
-        },
-        Note::Faulty(_, Reason::LooseEnds, _) if making.is_of_picture() => {
-            format!("{note} (--detail 0.2, --simplify 5, --subject X,Y)")
-        }
+        Note::Faulty(_, reason, _) => of_fault(note, *reason, making),
         Note::EmptyPage if making.is_of_picture() => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
@@ -183,6 +174,20 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::NoTexts => format!("{note} (--labels FILE)"),
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),
+        _ => note.to_string(),
+    }
+}
+
+/// What is remarked of a page as a whole that is hard to read.
+fn of_fault(note: &Note, reason: Reason, making: Making) -> String {
+    match (reason, making) {
+        (Reason::AmongRows, Making::Embossing(_) | Making::Pins | Making::Print(_)) => {
+            format!("{note} (--outlines, --subject X,Y --calm-background)")
+        }
+        (Reason::AmongRows, Making::PageAnew) => format!("{note} (--set figure.textures=false)"),
+        (Reason::LooseEnds, making) if making.is_of_picture() => {
+            format!("{note} (--detail 0.2, --simplify 5, --subject X,Y --calm-background)")
+        }
         _ => note.to_string(),
     }
 }

@@ -18,8 +18,8 @@ use crate::units::{MmPoint, MmRect};
 const LEAST_COMPONENT: usize = 4;
 /// In a photograph a component has at least so many glyphs: two rows of three rhombuses, or a ring of dots, which is
 /// what the honeycomb of grey consists of. Fewer are felt as dirt, and two rows of two dots as a letter in braille. Of
-/// drawings smaller ones stay, as there they may be all that says the colour of a bar or a window, whose outline is felt
-/// as well.
+/// drawings smaller ones stay, as there they may be all that says the colour of a bar or a window, whose outline is
+/// felt as well.
 const LEAST_IN_PHOTOGRAPH: usize = 6;
 /// Of a component of rhombuses so large a share lies beside another one of its row. In a strip with room for one
 /// rhombus of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own:
@@ -122,8 +122,8 @@ fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach:
     clear
 }
 
-/// Leaves out what is too small a patch of a photograph to be felt as a texture: [`LEAST_IN_PHOTOGRAPH`]. Dots are linked
-/// if they are no further apart than those of sparse grey, as a trail of single ones is no patch.
+/// Leaves out what is too small a patch of a photograph to be felt as a texture: [`LEAST_IN_PHOTOGRAPH`]. Dots are
+/// linked if they are no further apart than those of sparse grey, as a trail of single ones is no patch.
 pub fn leave_out_crumbs(textures: &mut Vec<Texture>, params: &Params) {
     for texture in textures.iter_mut() {
         let apart = match params.palette.degrees(texture.class) {
