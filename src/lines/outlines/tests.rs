@@ -85,10 +85,10 @@ fn a_very_long_smooth_clear_curve_goes_before_outlines() {
         wave
     };
     let may_be = |curve: &Polyline<Vertex>| Rank::may_be_curve(curve, &Params::TEST);
-    assert!(may_be(&wave(100, 0.3, 50.0)));
-    assert!(!may_be(&wave(60, 0.3, 50.0)), "short");
-    assert!(!may_be(&wave(100, 0.3, 20.0)), "weak");
-    assert!(!may_be(&wave(100, 4.0, 50.0)), "ragged");
+    assert!(may_be(&wave(160, 0.3, 50.0)));
+    assert!(!may_be(&wave(140, 0.3, 50.0)), "short");
+    assert!(!may_be(&wave(160, 0.3, 20.0)), "weak");
+    assert!(!may_be(&wave(160, 4.0, 50.0)), "ragged");
     let overview = Params { part: PagePart::Overview, ..Params::TEST };
-    assert!(!Rank::may_be_curve(&wave(100, 0.3, 50.0), &overview), "an overview is made of shapes");
+    assert!(!Rank::may_be_curve(&wave(160, 0.3, 50.0), &overview), "an overview is made of shapes");
 }
