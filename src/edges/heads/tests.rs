@@ -37,8 +37,7 @@ fn without_its_head_a_shaft_leads_up_to_what_the_arrow_points_at() {
     // at 25.8 degrees, along one side of the head
     let from = |x: f32| 30.0 + 0.483 * (x - 50.0);
     let aslant = |x: f32, y: f32| (y - from(x)).abs() <= 1.1 && (28.0..=60.0).contains(&x);
-    type Ink<'a> = &'a dyn Fn(f32, f32) -> bool;
-    let cases: [(FilledHead, Ink<'_>, usize); 2] =
+    let cases: [(FilledHead, &dyn Fn(f32, f32) -> bool, usize); 2] =
         [(HEAD, &upright, 2), (FilledHead { line: Some(-7.0), ..HEAD }, &aslant, 12)];
     for (head, pointed_at, most) in cases {
         let (mut planes, without) = ([picture(true, pointed_at)], picture(false, pointed_at));
