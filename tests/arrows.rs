@@ -4,7 +4,6 @@
 use std::fmt::Write;
 
 use tactograph::{Drawing, Options, Profile, RenderOptions};
-use tactograph_tools::bitmap;
 
 fn svg(drawn: &str) -> String {
     format!(
@@ -141,15 +140,5 @@ fn arrows_that_meet_a_box_at_an_angle_keep_their_heads() {
         let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
         assert!(!told.iter().any(|note| note.contains("tick") || note.contains("arrowhead")), "{name}: {told:?}");
         assert_eq!(ways(&drawing.page.to_svg()).len(), 2, "{name}");
-    }
-}
-
-#[test]
-fn filled_heads_of_a_bitmap_are_those_of_the_drawing() {
-    let picture = bitmap::png(&svg(&cycle(filled)), 1200).expect("a PNG");
-    for name in ["swell-a4", "index-basic-d"] {
-        let drawing = tactograph::convert(&picture, &Options::new(profile(name))).expect("a page");
-        let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
-        assert_eq!(ways(&drawing.page.to_svg()), ALL_WAYS, "{name}: {told:?}");
     }
 }
