@@ -19,7 +19,6 @@ mod cut_out;
 mod ends;
 mod flat;
 mod follow;
-mod head;
 mod skeleton;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -28,7 +27,6 @@ use self::centre::LONG;
 pub(super) use self::centre::Stroke;
 pub(super) use self::cut_out::is_cut_out;
 pub(super) use self::flat::is_drawing;
-pub(super) use self::head::{FilledHead, LINE_AT, PlaneColour, filled_heads};
 use self::skeleton::{SkeletonNode, SkeletonPath, StrokeMask};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
