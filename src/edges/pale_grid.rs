@@ -3,7 +3,7 @@
 //! In pixels a gridline and the top of a bar that ends on it are one straight stroke. It is parted where the contrast
 //! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar. Where the
 //! side of a shape lies on squared paper, one gridline turns into another at its corner: such a contour is parted
-//! there. The frame of a chart, a black line thinner than a pixel, is pale too; it is beyond the grid, and darker.
+//! there.
 
 use super::contour::Contour;
 use super::faint::{BLACK, STRONG};
@@ -26,14 +26,6 @@ const ROUNDED: f32 = 1.5;
 /// A contour has a corner where it turns by more than 45 degrees (cosine).
 const TURNED: f32 = 0.7;
 
-/// The palest lines are this share of all pale ones by length.
-const PALEST: f32 = 0.25;
-/// A line around a grid, or along its side, is no line of it if it has more than so many times the contrast of those:
-/// a black one of 0.8 px has some four times that of light grey. The lines of squared paper differ by less than two.
-const DARKER: f32 = 2.5;
-/// It lies no farther inside of the outermost of them than this, px.
-const OUTERMOST: f32 = 1.0;
-
 /// A contour, the width of its stroke, px, if it is one, and whether it is a line of a pale grid.
 pub(super) type Weighed = (Contour, Option<f32>, bool);
 
@@ -43,11 +35,9 @@ pub(super) fn parted(contours: Vec<Contour>, widths: &[Option<f32>], size: Size)
     let most = PALE * strong(&contours, size).min(BLACK);
     let divided: Vec<Option<Divided>> =
         contours.iter().zip(widths).map(|(contour, width)| width.and_then(|_| divided(contour, most))).collect();
-    let stretches =
-        || divided.iter().flatten().flat_map(|of| of.stretches.iter().map(move |stretch| (&of.contour, stretch)));
-    let ends: Vec<Option<[PxPoint; 2]>> = stretches().map(|(contour, stretch)| stretch.ends(contour)).collect();
-    let strengths: Vec<f32> = stretches().map(|(contour, stretch)| stretch.strength(contour)).collect();
-    let mut of_grid = which_are_gridlines(&without_frame(&ends, &strengths)).into_iter();
+    let ends: Vec<Option<[PxPoint; 2]>> =
+        divided.iter().flatten().flat_map(|of| of.stretches.iter().map(|stretch| stretch.ends(&of.contour))).collect();
+    let mut of_grid = which_are_gridlines(&ends).into_iter();
     let corners: Vec<PxPoint> = contours.iter().filter(|contour| !contour.closed).flat_map(tips).collect();
     let mut all = Vec::with_capacity(contours.len());
     for ((contour, &width), divided) in contours.into_iter().zip(widths).zip(divided) {
@@ -157,41 +147,6 @@ impl Stretch {
         let last = first_beyond(places().rev(), contour.vertices[self.to].at, rounding)?;
         self.is_pale.then_some([first, last])
     }
-
-    /// Its median contrast.
-    fn strength(&self, contour: &Contour) -> f32 {
-        let mut all: Vec<f32> = contour.vertices[self.from..=self.to].iter().map(|point| point.strength).collect();
-        all.sort_by(f32::total_cmp);
-        all[all.len() / 2]
-    }
-}
-
-/// The ends of pale lines without those of a frame: lines that are darker than the palest and lie beyond all others of
-/// their direction.
-fn without_frame(ends: &[Option<[PxPoint; 2]>], strengths: &[f32]) -> Vec<Option<[PxPoint; 2]>> {
-    let all = || ends.iter().zip(strengths).filter_map(|(ends, strength)| Some(((*ends)?, *strength)));
-    let mut lengths: Vec<(f32, f32)> = all().map(|([a, b], strength)| (strength, (b - a).length())).collect();
-    lengths.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let wanted = PALEST * lengths.iter().map(|(_, length)| length).sum::<f32>();
-    let palest = reached(&lengths, wanted);
-    let is_darker = |strength: f32| strength > DARKER * palest;
-    let mut left = ends.to_vec();
-    for is_level in [true, false] {
-        let place = |[a, b]: [PxPoint; 2]| {
-            let way = b - a;
-            let middle = a.lerp(b, 0.5);
-            (is_level == (way.x.abs() > way.y.abs())).then_some(if is_level { middle.y } else { middle.x })
-        };
-        let of_grid = all().filter(|(_, strength)| !is_darker(*strength)).filter_map(|(ends, _)| place(ends));
-        let (least, most) = of_grid.fold((f32::MAX, f32::MIN), |(least, most), at| (least.min(at), most.max(at)));
-        let is_beyond = |at: f32| at <= least + OUTERMOST || at >= most - OUTERMOST;
-        for (ends, strength) in left.iter_mut().zip(strengths) {
-            if least <= most && is_darker(*strength) && ends.and_then(place).is_some_and(is_beyond) {
-                *ends = None;
-            }
-        }
-    }
-    left
 }
 
 /// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a
@@ -203,11 +158,6 @@ fn strong(contours: &[Contour], size: Size) -> f32 {
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     let whole: f32 = all.iter().map(|(_, length)| length).sum();
     let wanted = (STRONG * whole).min(size.width.max(size.height) as f32);
-    reached(&all, wanted)
-}
-
-/// The contrast up to which the lengths of contrasts, in order, come to a sum; 0 of none.
-fn reached(all: &[(f32, f32)], wanted: f32) -> f32 {
     let mut sum = 0.0;
     let reached = all.iter().find(|(_, length)| {
         sum += length;

@@ -128,31 +128,3 @@ fn pale_lines_that_are_no_grid_or_have_nothing_stronger_stay_as_they_are() {
     assert!(faint(&uneven).is_empty());
     assert!(faint(&parted_strokes(vec![pale(100.0), pale(150.0), pale(200.0)])).is_empty());
 }
-
-#[test]
-fn the_thin_frame_of_a_chart_is_no_line_of_its_grid() {
-    // of 40 where the curves have 140; its sides are not at the distances of the gridlines
-    let mut frame = along_gridlines(&[(40, 70), (560, 70), (560, 365), (40, 365)], true);
-    frame.vertices.iter_mut().for_each(|point| point.strength = 40.0);
-    let curves = [123.0, 213.0].map(|y| level(y, &[(60..540, 140.0)]));
-    let grid = [90.0, 140.0, 190.0, 240.0, 290.0, 340.0].map(|y| level(y, &[(42..558, 12.0)])).into_iter();
-    let all = parted_strokes(grid.chain([frame]).chain(curves).collect());
-    let are_faint: Vec<bool> = all.iter().map(|(.., faint)| *faint).collect();
-    assert_eq!(are_faint, [true, true, true, true, true, true, false, false, false]);
-    assert!(all[6].0.closed, "the frame stays whole");
-}
-
-#[test]
-fn only_what_is_darker_and_outermost_is_a_frame() {
-    let line = |y: f32| Some([PxPoint::new(50.0, y), PxPoint::new(550.0, y)]);
-    let ends = [line(50.0), line(100.0), line(150.0), line(200.0), line(250.0), None];
-    let left =
-        |strengths: [f32; 6]| without_frame(&ends, &strengths).iter().map(Option::is_some).collect::<Vec<bool>>();
-    assert_eq!(left([40.0, 12.0, 12.0, 12.0, 40.0, 40.0]), [false, true, true, true, false, false]);
-    assert_eq!(
-        left([12.0, 12.0, 40.0, 12.0, 12.0, 40.0]),
-        [true, true, true, true, true, false],
-        "a darker one within"
-    );
-    assert_eq!(left([20.0, 12.0, 12.0, 12.0, 20.0, 40.0]), [true, true, true, true, true, false], "squared paper");
-}
