@@ -289,6 +289,9 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     if around.is_sentence && is_open() && around.is_own(place) {
         return Some(Attachment::Beside);
     }
+    if around.is_in_room() && distance_to_box(anchor, place) <= IN_ROOM && is_open() && around.is_own(place) {
+        return Some(Attachment::Beside);
+    }
     let is_beside = match &around.angle {
         Some(angle) => around.is_in_angle(angle, nearest, place),
         None => {
@@ -326,6 +329,10 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
     let is_in_other = || label.lost_leader.is_none() && around.is_shut_in() && !around.is_open(place);
     (is_clear && around.cell.is_none() && !is_in_other() && !is_along()).then_some(Attachment::LeaderAcross(segment))
 }
+
+/// So far from its text, mm, the name of a room needs no leader line where no wall and no furniture lies between: it
+/// stands in the room. What is farther may lie beyond a door. Chosen by us.
+const IN_ROOM: f32 = 25.0;
 
 /// Of a leader line across others that the drawing has not, most that lies near to lines, mm: across two lines. One
 /// that goes along them, or through a small shape, is felt as a part of that.

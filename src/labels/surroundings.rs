@@ -290,9 +290,14 @@ impl<'a> Surroundings<'a> {
         !self.params.has_coloured_ground && self.room.glyphs(place.inflate(blank, blank)) == 0.0
     }
 
+    /// Whether the text stands in a room of a plan.
+    pub(super) fn is_in_room(&self) -> bool {
+        matches!(self.names, Named::Text { shut_in: Some(ShutIn { is_room: true, .. }), .. })
+    }
+
     /// Whether a place lies in the open beyond the walls of the room in which the text stands.
     pub(super) fn is_out_of_room(&self, place: MmRect) -> bool {
-        let is_of_room = matches!(self.names, Named::Text { shut_in: Some(ShutIn { is_room: true, .. }), .. });
+        let is_of_room = self.is_in_room();
         let nearest = self.anchor.clamp(place.min, place.max);
         is_of_room && self.room.is_parted_from_text(nearest, self.anchor, self.beside) && self.is_open(place)
     }

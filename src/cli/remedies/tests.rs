@@ -54,7 +54,10 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert!(told(embossing).contains("--outlines") && told(Making::Pins).contains("--calm-background"));
     let scraps = Note::Faulty(About::Lines, Reason::LooseEnds, String::new());
     for making in [print, embossing, pins] {
-        assert!(of_note(&scraps, making).ends_with("(--detail 0.2, --simplify 5, --subject X,Y --calm-background)"), "{making:?}");
+        assert!(
+            of_note(&scraps, making).ends_with("(--detail 0.2, --simplify 5, --subject X,Y --calm-background)"),
+            "{making:?}"
+        );
     }
     assert_eq!(of_note(&scraps, Making::PageAnew), scraps.to_string(), "render has none of them");
     assert!(told(Making::PageAnew).contains("figure.textures=false") && !told(Making::PageAnew).contains("--outlines"));

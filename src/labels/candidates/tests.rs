@@ -480,3 +480,21 @@ fn the_name_of_a_room_is_led_to_no_table_that_has_a_name() {
     assert_eq!(tip(&[own.clone(), table]), own.anchor.center());
     assert!(tip(&[own.clone(), text(60.0, 80.0)]).y > 50.0, "another text of the room");
 }
+
+#[test]
+fn the_name_of_a_room_stands_in_it_without_a_leader_line() {
+    let walls = [(115.0, 140.0), (140.0, 140.0), (140.0, 60.0), (60.0, 60.0), (60.0, 140.0), (115.0, 140.0)];
+    let room_of = |furniture: &[(f32, f32)]| room(&[furniture, &walls[..]].concat(), false);
+    let label = named(MmRect::new(MmPoint::new(95.0, 67.0), MmPoint::new(105.0, 73.0)));
+    let attached = |room: &Room, place: MmRect| {
+        placed(std::slice::from_ref(&label), place, room, &params()).map(|of| of.attachment)
+    };
+    // a wall that juts out hides a part of the room from the text
+    let place = box_at(90.0, 88.0);
+    assert_eq!(attached(&room_of(&[(115.0, 120.0)]), place), Some(Attachment::Beside));
+    assert_ne!(
+        attached(&room_of(&[]), place),
+        Some(Attachment::Beside),
+        "in a box the label of which it is has to be told"
+    );
+}
