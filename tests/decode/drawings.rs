@@ -93,6 +93,36 @@ fn where_only_pixels_are_wanted_they_are_the_same_and_no_font_is_asked_for() {
 }
 
 #[test]
+fn signs_that_have_a_place_each_are_one_number_and_one_word() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(read("block.ttf"));
+    let fonts = Arc::new(fonts);
+    let (working_size, fonts) = (|source: Header| Ok(source.size), || fonts.clone());
+    let options = DecodeOptions { fonts: &fonts, keep_text: false, ..DecodeOptions::whole(&working_size) };
+    let read = |inside: &str| {
+        let text = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='60' font-family='Block' font-size='16'>\
+             <text>{inside}</text></svg>"
+        );
+        let texts = decode(text.as_bytes(), &options).unwrap().texts;
+        texts.into_iter().map(|text| text.string).collect::<Vec<_>>()
+    };
+    let power = "<tspan x='46.4' y='24' font-size='11'>3</tspan>";
+    for places in ["x='10 26 36.2' y='30'", "x='10 26 36.2' y='30 30 30'"] {
+        let all = read(&format!("<tspan {places}>A10</tspan>{power}"));
+        let expected = if places.ends_with("30 30 30'") { "A 10\u{b3}" } else { "A10\u{b3}" };
+        assert_eq!(all, [expected], "{places}");
+    }
+    assert_eq!(read("<tspan x='10 26 42 48 64' y='30'>AA AA</tspan>"), ["AA AA"], "a row with a blank in it");
+    assert_eq!(read("<tspan x='10' y='20'>A</tspan><tspan x='10' dy='16'>1</tspan>"), ["A 1"], "two lines");
+    let small = "<tspan x='10' y='20'>1</tspan><tspan x='10' dy='14' font-size='10'>A</tspan>";
+    assert_eq!(read(small), ["1 A"], "two lines, of which one is small");
+    let lines = "<tspan x='10' y='20'>A1</tspan><tspan x='10' dy='14' font-size='11'>2</tspan>";
+    assert_eq!(read(lines), ["A1 2"], "a small line below");
+    assert_eq!(read("<tspan x='10' y='30'>A</tspan><tspan x='60'>A</tspan>"), ["A A"], "apart");
+}
+
+#[test]
 fn a_text_without_a_font_is_a_remark() {
     let picture = open("text.svg");
     assert!(

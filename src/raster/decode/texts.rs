@@ -2,7 +2,7 @@
 //! kept as data.
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use usvg::{Group, Node, Text, TextAnchor, TextChunk, Tree};
+use usvg::{Group, Node, Text, TextAnchor, Tree};
 
 use super::colour::one_line;
 use crate::listing::{counted, first_few};
@@ -125,12 +125,7 @@ fn add_group(group: &Group, transform: Transform, size: Size, found: &mut Vec<Dr
 
 /// A text, if it has letters and a part of it is in the picture.
 fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
-    let piece = |chunk: &TextChunk| Piece {
-        text: chunk.text().trim().to_owned(),
-        at: chunk.x().zip(chunk.y()).filter(|_| chunk.anchor() == TextAnchor::Start),
-        size: chunk.spans().iter().map(|span| span.font_size().get()).fold(0.0, f32::max),
-    };
-    let letters = joined(&text.chunks().iter().map(piece).collect::<Vec<_>>());
+    let letters = joined(&pieces(text));
     let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
     let place = text.abs_bounding_box().transform(transform)?;
     let is_seen = place.left() < size.width as f32
@@ -156,10 +151,45 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
 /// A part of a text that has a place of its own, as programs write each sign of a formula.
 struct Piece {
     text: String,
+    /// Whether it goes on in the word of the last one, but for blanks that it has itself.
+    goes_on: bool,
     /// Where it begins, if that is known.
     at: Option<(f32, f32)>,
     /// Size of its font.
     size: f32,
+}
+
+/// The pieces of a text. In a row of places, one for each sign, the first alone has a height, and blanks are signs of
+/// the row.
+fn pieces(text: &Text) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    // how many signs came before, and at which height they end
+    let (mut before, mut height) = (0, None);
+    for chunk in text.chunks() {
+        let signs = chunk.text().chars().count();
+        let shift = |count: usize| text.dy().iter().skip(before).take(count).sum::<f32>();
+        let level = chunk.y().or(height);
+        let place = chunk.x().zip(level).filter(|_| chunk.anchor() == TextAnchor::Start);
+        let piece = Piece {
+            text: chunk.text().trim_start().to_owned(),
+            goes_on: false,
+            at: place.map(|(x, y)| (x, y + shift(1))),
+            size: chunk.spans().iter().map(|span| span.font_size().get()).fold(0.0, f32::max),
+        };
+        let is_in_row = chunk.y().is_none() && pieces.last().is_some_and(|last| is_next(&piece, last));
+        pieces.push(if is_in_row { Piece { text: chunk.text().to_owned(), goes_on: true, ..piece } } else { piece });
+        height = level.map(|y| y + shift(signs));
+        before += signs;
+    }
+    pieces
+}
+
+/// Whether a piece begins where the only sign of the last one ends.
+fn is_next(piece: &Piece, last: &Piece) -> bool {
+    let is_alike = (piece.size - last.size).abs() <= 0.05 * last.size;
+    let is_near =
+        |(right, up): (f32, f32)| right > 0.0 && right <= BROADEST * last.size && up.abs() <= LEVEL * last.size;
+    last.text.chars().count() == 1 && is_alike && from(last, piece).is_some_and(is_near)
 }
 
 /// Two digits, or the point of a decimal and a digit, begin no farther apart where no space is between them, in sizes
@@ -171,6 +201,8 @@ const BROADEST: f32 = 1.1;
 /// A raised or lowered sign is as small as this beside those on the line, and stands so far off it, in sizes of these.
 const SMALL: f32 = 0.85;
 const OFF_LINE: f32 = 0.1;
+/// Signs of a row are level but for this, in sizes of their font.
+const LEVEL: f32 = 0.01;
 
 /// The pieces of a text as one: with a space between them, but for the digits of one number and what is raised or
 /// lowered behind a sign, which has characters of its own. So "1", "0" and a small "3" above the line are 10 to the
@@ -181,14 +213,13 @@ fn joined(pieces: &[Piece]) -> String {
     let mut before: Option<[&Piece; 2]> = None;
     for piece in pieces {
         let script = before.and_then(|[last, on_line]| script(piece, last, on_line));
-        if let Some(script) = &script {
-            all.push_str(script);
-        } else {
-            if before.is_some_and(|[last, on_line]| !goes_right_on(piece, last, on_line)) {
-                all.push(' ');
-            }
-            all.push_str(&piece.text);
+        let is_right_on = before.is_some_and(|[last, on_line]| goes_right_on(piece, last, on_line));
+        if script.is_some() || is_right_on {
+            all.truncate(all.trim_end().len());
+        } else if before.is_some() && !piece.goes_on {
+            all.push(' ');
         }
+        all.push_str(script.as_deref().unwrap_or(&piece.text));
         let on_line = before.filter(|_| script.is_some()).map_or(piece, |[_, on_line]| on_line);
         before = Some([piece, on_line]);
     }
@@ -207,7 +238,7 @@ fn goes_right_on(piece: &Piece, last: &Piece, on_line: &Piece) -> bool {
     let is_point = |text: &str| text == "." || text == ",";
     let is_digit = |text: &str| text.len() == 1 && text.chars().all(|sign| sign.is_ascii_digit());
     let is_script = !std::ptr::eq(last, on_line);
-    let farthest = match (&last.text[..], &piece.text[..]) {
+    let farthest = match (last.text.trim(), piece.text.trim()) {
         (last, own) if is_digit(last) && (is_script || is_digit(own) || is_point(own)) => DIGIT,
         (last, own) if is_point(last) && is_digit(own) => POINT,
         _ => return false,
@@ -220,16 +251,18 @@ fn goes_right_on(piece: &Piece, last: &Piece, on_line: &Piece) -> bool {
 /// A piece in raised or lowered characters, if it stands small above or below the line right behind the last one.
 fn script(piece: &Piece, last: &Piece, on_line: &Piece) -> Option<String> {
     let (right, _) = from(last, piece)?;
-    let (_, up) = from(on_line, piece)?;
-    let widest = BROADEST * last.size * last.text.chars().count() as f32;
-    let is_script = piece.size <= SMALL * on_line.size
+    let (behind, up) = from(on_line, piece)?;
+    let (own, widest) = (piece.text.trim(), BROADEST * last.size * last.text.trim().chars().count() as f32);
+    // a small line below another one begins where that does
+    let is_script = behind > 0.0
+        && piece.size <= SMALL * on_line.size
         && (0.0..=widest).contains(&right)
         && (OFF_LINE * on_line.size..=on_line.size).contains(&up.abs());
     let sign = |sign: char| {
         let known = SCRIPTS.iter().find(|(own, ..)| *own == sign)?;
         Some(if up > 0.0 { known.1 } else { known.2 })
     };
-    (is_script && !piece.text.is_empty()).then(|| piece.text.chars().map(sign).collect::<Option<_>>())?
+    (is_script && !own.is_empty()).then(|| own.chars().map(sign).collect::<Option<_>>())?
 }
 
 /// Signs, raised and lowered.

@@ -37,8 +37,12 @@ fn lists_and_texts_apart_are_several() {
 #[test]
 fn digits_and_powers_of_a_formula_are_one_number() {
     let pieces = |of: &[(&str, f32, f32, f32)]| -> String {
-        let piece =
-            |&(text, x, y, size): &(&str, f32, f32, f32)| Piece { text: text.to_owned(), at: Some((x, y)), size };
+        let piece = |&(text, x, y, size): &(&str, f32, f32, f32)| Piece {
+            text: text.to_owned(),
+            goes_on: false,
+            at: Some((x, y)),
+            size,
+        };
         joined(&of.iter().map(piece).collect::<Vec<_>>())
     };
     // as matplotlib writes the numbers of a logarithmic axis
@@ -51,6 +55,8 @@ fn digits_and_powers_of_a_formula_are_one_number() {
     assert_eq!(pieces(&[("1", 0.0, 0.0, 10.0), ("2", 9.5, 0.0, 10.0)]), "1 2", "a space between them");
     assert_eq!(pieces(&[("1", 0.0, 0.0, 10.0), ("2", 0.0, 12.0, 10.0)]), "1 2", "below one another");
     assert_eq!(pieces(&[("Rain", 0.0, 0.0, 10.0), ("2", 60.0, -4.0, 7.0)]), "Rain 2", "too far off");
-    let unknown = ["Rain", "in mm"].map(|text| Piece { text: text.to_owned(), at: None, size: 9.0 });
+    assert_eq!(pieces(&[("Room", 0.0, 0.0, 10.0), ("2", 0.0, 9.0, 7.0)]), "Room 2", "a small line below");
+    assert_eq!(pieces(&[("1 ", 0.0, 0.0, 10.0), ("0 ", 6.4, 0.0, 10.0), ("3", 12.8, -4.0, 7.0)]), "10\u{b3}", "blanks");
+    let unknown = ["Rain", "in mm"].map(|text| Piece { text: text.to_owned(), goes_on: false, at: None, size: 9.0 });
     assert_eq!(joined(&unknown), "Rain in mm");
 }
