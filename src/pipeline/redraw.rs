@@ -13,7 +13,7 @@ use super::overview::{draw_overview, told_by_hand, told_of_overview};
 use super::progress::Watch;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
-use super::textures::{blank_ground, draw_textures, take_unlearned, told_bare, told_unlearned};
+use super::textures::{blank_ground, draw_textures, without_unlearned};
 use super::told_lines::{left_out, told_left_out};
 use super::words::{Words, WrittenWords};
 use crate::classes::Classes;
@@ -145,15 +145,8 @@ fn textures(
 ) -> (Vec<Texture>, Vec<Note>, bool) {
     let (classes, lost, of_ground) = areas_of(old, plan);
     let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
-    let mut unlearned = take_unlearned(&mut textures, plan.profile().colours.min_area, |_| true);
-    if of_drawing {
-        // they are told among those that have no sign
-        unlearned.clear();
-    }
-    let told = |classes| told_bare(classes, &textures, lines, layout, (of_drawing, &unlearned), plan);
-    let bare = classes.as_ref().and_then(told);
+    let bare = without_unlearned(&mut textures, classes.as_ref(), lines, layout, of_drawing, plan);
     let coloured_ground = of_ground.is_some();
-    let bare = bare.or_else(|| told_unlearned(&unlearned, plan));
     let notes = lost.into_iter().chain(of_ground).chain(bare).collect();
     (textures, notes, coloured_ground)
 }

@@ -7,7 +7,7 @@ use super::bars::Chart;
 use super::given::blank_cells;
 use super::legend::LegendEntry;
 use super::progress::Watch;
-use super::textures::{draw_textures, take_unlearned, told_bare, told_unlearned};
+use super::textures::{draw_textures, take_unlearned, without_unlearned};
 use crate::classes::{Class, Classes, Region};
 use crate::edges::Edges;
 use crate::lines::Line;
@@ -23,8 +23,6 @@ use crate::{About, Note, Reason};
 const INSIDE: f32 = 0.8;
 /// A bar has the colour of at least this share of its cells; the parts of a stacked bar have several.
 const MOSTLY: f32 = 0.6;
-/// An area is that much larger or smaller by the rounding of its cells, square mm.
-const ROUNDED: f32 = 0.5;
 
 /// A bar of a chart that has one colour.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,14 +119,7 @@ pub(super) fn textured(
         notes.extend(made_alike(&bars, classes, &mut textures, legend, layout.figure));
     }
     // where outlined areas became one colour each, little may be left of another
-    let mut unlearned = take_unlearned(&mut textures, plan.profile().colours.min_area - ROUNDED, |_| true);
-    if of_drawing {
-        // they are told among those that have no sign
-        unlearned.clear();
-    }
-    let told = |classes| told_bare(classes, &textures, lines, layout, (of_drawing, &unlearned), plan);
-    let bare = classes.as_ref().and_then(told);
-    notes.extend(bare.or_else(|| told_unlearned(&unlearned, plan)));
+    notes.extend(without_unlearned(&mut textures, classes.as_ref(), lines, layout, of_drawing, plan));
     (textures, notes)
 }
 

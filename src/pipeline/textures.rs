@@ -25,6 +25,8 @@ use crate::{About, Note, Reason, textures};
 const GROUND: f32 = 1.0 / 3.0;
 /// Share of the figure without a texture for want of room from which the maker is told. Less is a few slivers.
 const BARE: f32 = 0.03;
+/// An area is that much larger or smaller by the rounding of its cells, square mm.
+const ROUNDED: f32 = 0.5;
 
 /// An area of which this share is white is felt as blank, with signs here and there: of several colours nobody would
 /// speak. Chosen by us: a little less than what a colour needs to hold an area, as white has no signs, and colours have
@@ -216,7 +218,7 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layo
 
 /// What the maker is told of areas that have a colour and no room for its texture: of a drawing how many and where, as
 /// the colours of a photograph change from place to place. Of a page of dots that tells of `unlearned` colours, too.
-pub(super) fn told_bare(
+fn told_bare(
     classes: &Classes,
     textures: &[Texture],
     lines: &[Line],
@@ -264,8 +266,8 @@ fn told_bare_on_dots(
     Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }
 
-/// What the maker of a page that is laid out anew is told of colours whose textures went as they are unlearned.
-pub(super) fn told_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> Option<Note> {
+/// What the maker is told of colours whose textures went as they are unlearned.
+fn told_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> Option<Note> {
     let why = why_unlearned(colours, plan);
     let told =
         format!("the textures of these colours, as {why}; there is room on larger paper, or for a part of the picture");
@@ -277,7 +279,7 @@ fn why_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> String {
     let names: Vec<&str> = colours.iter().map(|class| class.name()).collect();
     let least = plan.profile().colours.min_area;
     format!(
-        "none has an area of {least} square mm any more (colours.min_area), in which fingers learn a texture: {}",
+        "none has an area of {least} square mm (colours.min_area), in which fingers learn a texture: {}",
         list(&names, "and")
     )
 }
@@ -291,6 +293,25 @@ pub(super) fn take_unlearned(
 ) -> BTreeSet<Class> {
     let known: BTreeSet<Class> = textures.iter().filter(|of| of.area >= least).map(|of| of.class).collect();
     textures.extract_if(.., |of| counts(of.class) && !known.contains(&of.class)).map(|of| of.class).collect()
+}
+
+/// Takes the textures of colours out that have no area in which fingers learn them. Tells of these, and of areas
+/// without a texture.
+pub(super) fn without_unlearned(
+    textures: &mut Vec<Texture>,
+    classes: Option<&Classes>,
+    lines: &[Line],
+    layout: &Layout,
+    of_drawing: bool,
+    plan: &Plan,
+) -> Option<Note> {
+    let mut unlearned = take_unlearned(textures, plan.profile().colours.min_area - ROUNDED, |_| true);
+    if of_drawing {
+        // they are told among those that have no sign
+        unlearned.clear();
+    }
+    let told = |classes| told_bare(classes, textures, lines, layout, (of_drawing, &unlearned), plan);
+    classes.and_then(told).or_else(|| told_unlearned(&unlearned, plan))
 }
 
 pub(super) fn draw_textures(
