@@ -1,7 +1,8 @@
 //! The middle of a stroke to a fraction of a pixel, its width and its contrast.
 
 use super::arms::Strand;
-use super::ends::{self, STEP, UNSURE, median, sorted};
+use super::ends::{self, STEP, UNSURE};
+use super::order::{median, quantile, sorted};
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
@@ -405,13 +406,6 @@ fn is_border(line: &Polyline<PxPoint>, plane: &Plane) -> bool {
     let (width, height) = (plane.size.width as f32, plane.size.height as f32);
     let near = |at: &PxPoint| at.x.min(at.y).min(width - at.x).min(height - at.y) <= BORDER;
     2 * line.vertices.iter().filter(|at| near(at)).count() > line.vertices.len()
-}
-
-/// The median; of an even number of values the mean of the two in the middle, so that the median of what lies to the
-/// left changes its sign alone when a picture is flipped. 0 of none.
-/// The value below which a share of sorted values lies; 0 of none.
-fn quantile(sorted: &[f32], share: f32) -> f32 {
-    sorted.get((share * sorted.len() as f32) as usize).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Ends of strokes, led straight on to where the pixels end; and short dashes, which are little else.
 
+use super::order::median;
 use crate::geom::first_eigenvector;
 use crate::geom::polyline::Polyline;
 use crate::raster::plane::Plane;
@@ -102,16 +103,4 @@ pub(super) fn extend_dash(line: &mut Polyline<PxPoint>, residue: &Plane) {
         extend_end(line, residue, ENDING_OF_DASH, along);
         line.vertices.reverse();
     }
-}
-
-pub(super) fn median(values: impl Iterator<Item = f32>) -> f32 {
-    let values = sorted(values);
-    let [low, high] = [values.len().saturating_sub(1) / 2, values.len() / 2];
-    values.get(low).zip(values.get(high)).map_or(0.0, |(low, high)| 0.5 * (low + high))
-}
-
-pub(super) fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
-    let mut values: Vec<f32> = values.collect();
-    values.sort_by(f32::total_cmp);
-    values
 }

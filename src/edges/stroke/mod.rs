@@ -19,6 +19,7 @@ mod cut_out;
 mod ends;
 mod flat;
 mod follow;
+mod order;
 mod skeleton;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};

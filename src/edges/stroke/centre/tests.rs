@@ -25,14 +25,6 @@ fn changes_of_contrast_on_a_ring_do_not_depend_on_where_it_begins() {
 }
 
 #[test]
-fn the_median_of_opposite_values_is_opposite() {
-    for values in [&[0.5, -1.0, 2.0, 0.25][..], &[3.0, -1.0, 0.5], &[0.75, -2.0], &[]] {
-        let sum = median(values.iter().copied()) + median(values.iter().map(|value| -value));
-        assert!(sum.abs() < f32::EPSILON, "{values:?}");
-    }
-}
-
-#[test]
 fn values_across_a_line_are_those_of_the_plane_in_whatever_order_they_are_asked_for() {
     let size = Size::new(12, 9);
     let plane = Plane { size, values: (0..size.len()).map(|i| (i * i % 11) as f32).collect() };
