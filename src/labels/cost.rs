@@ -15,6 +15,8 @@
 //!              leader line
 //!  50          for each mm of a leader line beside a line, of which it is felt as a part, beyond the first few
 //!  60          a line of cells right beside a label, which is read as a letter of it
+//!  150         each line but the first that a leader line across lines crosses
+//!  200         a label that blanks the texture of its sector (`candidates`)
 //!  300         a leader line across others that the drawing itself led across them: rather than an abbreviation
 //!  1000        an abbreviation, which has to be looked up in the key (`forms`)
 //!  1200        a place outside of the room of a plan in which the text stands: rather the abbreviation
