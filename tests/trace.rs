@@ -213,7 +213,7 @@ fn the_lines_are_those_of_the_page() {
         for (polyline, line) in trace.polylines.iter().zip(&figure.lines) {
             is_the_same_line(polyline, line, |at| to_mm.to_mm(at), name);
             let mean = polyline.strength.iter().sum::<f32>() / polyline.strength.len() as f32;
-            assert!((0.4..2.5).contains(&(mean / line.strength)), "{name}: {mean} instead of {}", line.strength);
+            assert!((0.5..2.0).contains(&(mean / line.strength)), "{name}: {mean} instead of {}", line.strength);
         }
     }
 }

@@ -29,6 +29,7 @@ pub(crate) struct LooseEnds {
 impl LooseEnds {
     /// Those of a page, if it is of a photograph and has too many.
     pub(crate) fn of(page: &Page, limits: &RuleLimits) -> Option<Self> {
+        // asked here too, as of a drawing nothing has to be made as wide as it is felt
         let felt = LeftOut::of(page).of_photograph.then(|| page.risen())?;
         let paths = Paths::whole(&felt.figure.lines);
         too_many(&felt, &paths, &paths.index(CELL), limits)

@@ -364,7 +364,9 @@ fn contours_that_a_photograph_lacks_are_told_from_a_fifth_on() {
         said.clone_into(&mut of_contours.expect("it lacks some").1);
         let checked = check(tactograph::Page::new(parts).expect("a page").to_svg(), &PageOptions::new());
         let checked = checked.expect("it can be read");
-        assert_eq!(told(&checked.notes), expected, "{said}: {checked}");
+        let other = |rule: &str| !["broken-line", "loose-ends"].contains(&rule);
+        let others = checked.findings.iter().filter(|finding| other(finding.rule.id)).count();
+        assert_eq!((told(&checked.notes), others), (expected, 0), "{said}: {checked}");
     }
     assert_eq!(told(&drawing.notes), 0, "it lacks an eighth of them: {:?}", drawing.notes);
 }
