@@ -120,6 +120,10 @@ fn signs_that_have_a_place_each_are_one_number_and_one_word() {
     let lines = "<tspan x='10' y='20'>A1</tspan><tspan x='10' dy='14' font-size='11'>2</tspan>";
     assert_eq!(read(lines), ["A1 2"], "a small line below");
     assert_eq!(read("<tspan x='10' y='30'>A</tspan><tspan x='60'>A</tspan>"), ["A A"], "apart");
+    let raised = "<tspan x='10' y='30'>A</tspan><tspan dy='-6' font-size='11'>3</tspan><tspan dy='6'> A</tspan>";
+    assert_eq!(read(raised), ["A\u{b3} A"]);
+    assert_eq!(read(&raised.replace("3<", "3 <").replace("> A", ">A")), ["A\u{b3} A"]);
+    assert_eq!(read("<tspan x='10' y='30'>A<tspan fill='red'>1</tspan><tspan dy='4'>A</tspan></tspan>"), ["A1A"]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! kept as data.
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use usvg::{Group, Node, Text, TextAnchor, Tree};
+use usvg::{Group, Node, Text, TextAnchor, TextChunk, Tree};
 
 use super::colour::one_line;
 use crate::listing::{counted, first_few};
@@ -164,21 +164,48 @@ struct Piece {
 fn pieces(text: &Text) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     // how many signs came before, and at which height they end
-    let (mut before, mut height) = (0, None);
+    let (mut before, mut height) = (0_usize, None);
     for chunk in text.chunks() {
-        let signs = chunk.text().chars().count();
-        let shift = |count: usize| text.dy().iter().skip(before).take(count).sum::<f32>();
         let level = chunk.y().or(height);
         let place = chunk.x().zip(level).filter(|_| chunk.anchor() == TextAnchor::Start);
-        let piece = Piece {
-            text: chunk.text().trim_start().to_owned(),
-            goes_on: false,
-            at: place.map(|(x, y)| (x, y + shift(1))),
-            size: chunk.spans().iter().map(|span| span.font_size().get()).fold(0.0, f32::max),
-        };
-        let is_in_row = chunk.y().is_none() && pieces.last().is_some_and(|last| is_next(&piece, last));
-        pieces.push(if is_in_row { Piece { text: chunk.text().to_owned(), goes_on: true, ..piece } } else { piece });
-        height = level.map(|y| y + shift(signs));
+        let mut own = pieces_of(chunk, place, [text.dx(), text.dy()].map(|of| of.get(before..).unwrap_or_default()));
+        if let Some(first) = own.first_mut() {
+            first.goes_on = chunk.y().is_none() && pieces.last().is_some_and(|last| is_next(first, last));
+            if !first.goes_on {
+                first.text = first.text.trim_start().to_owned();
+            }
+        }
+        pieces.extend(own);
+        let signs = chunk.text().chars().count();
+        height = level.map(|y| y + text.dy().iter().skip(before).take(signs).sum::<f32>());
+        before += signs;
+    }
+    pieces
+}
+
+/// The pieces of a part of a text that begins at a place, and whose signs are shifted by so much each: spans that are
+/// raised or lowered are pieces of their own. How far to the right they begin is guessed.
+fn pieces_of(chunk: &TextChunk, place: Option<(f32, f32)>, [dx, dy]: [&[f32]; 2]) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    let (mut at, mut before) = (place, 0);
+    for span in chunk.spans() {
+        let string = chunk.text().get(span.start()..span.end()).unwrap_or_default();
+        let (signs, size) = (string.chars().count(), span.font_size().get());
+        let shift = |by: &[f32], count: usize| by.iter().skip(before).take(count).sum::<f32>();
+        let goes_on = !pieces.is_empty();
+        match pieces.last_mut() {
+            Some(last) if shift(dy, 1).abs() <= LEVEL * size => {
+                last.text.push_str(string);
+                last.size = last.size.max(size);
+            }
+            _ => {
+                // what is moved back stands below or above another part
+                let known = at.filter(|_| !goes_on || shift(dx, 1) >= 0.0);
+                let at = known.map(|(x, y)| (x, y + shift(dy, 1)));
+                pieces.push(Piece { text: string.to_owned(), goes_on, at, size });
+            }
+        }
+        at = at.map(|(x, y)| (x + USUAL * size * signs as f32, y + shift(dy, signs)));
         before += signs;
     }
     pieces
@@ -201,6 +228,8 @@ const BROADEST: f32 = 1.1;
 /// A raised or lowered sign is as small as this beside those on the line, and stands so far off it, in sizes of these.
 const SMALL: f32 = 0.85;
 const OFF_LINE: f32 = 0.1;
+/// A usual sign is so broad, in sizes of its font.
+const USUAL: f32 = 0.5;
 /// Signs of a row are level but for this, in sizes of their font.
 const LEVEL: f32 = 0.01;
 
@@ -213,13 +242,16 @@ fn joined(pieces: &[Piece]) -> String {
     let mut before: Option<[&Piece; 2]> = None;
     for piece in pieces {
         let script = before.and_then(|[last, on_line]| script(piece, last, on_line));
-        let is_right_on = before.is_some_and(|[last, on_line]| goes_right_on(piece, last, on_line));
+        let is_right_on = !piece.goes_on && before.is_some_and(|[last, on_line]| goes_right_on(piece, last, on_line));
         if script.is_some() || is_right_on {
             all.truncate(all.trim_end().len());
         } else if before.is_some() && !piece.goes_on {
             all.push(' ');
         }
         all.push_str(script.as_deref().unwrap_or(&piece.text));
+        if script.is_some() && piece.text.ends_with(char::is_whitespace) {
+            all.push(' ');
+        }
         let on_line = before.filter(|_| script.is_some()).map_or(piece, |[_, on_line]| on_line);
         before = Some([piece, on_line]);
     }
