@@ -293,7 +293,7 @@ pub enum Note {
          edges.low"
     )]
     FewContours(u32),
-    /// Areas that are outlined have several colours, as each of these fills a part with room for a texture.
+    /// Areas that are outlined have textures of several colours.
     #[error("{}", mixed_areas(*.count, .places))]
     MixedAreas {
         /// How many.

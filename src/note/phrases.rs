@@ -128,8 +128,8 @@ pub(super) fn mixed_areas(count: usize, places: &[&str]) -> String {
     let (have, each) = if count == 1 { ("has", "") } else { ("have", " each") };
     let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
     format!(
-        "{areas}, in the {places} of the figure, {have} several colours{each}, as each of these fills a part that \
-         is large enough for a texture; say in a label what is there"
+        "{areas}, in the {places} of the figure, {have} textures of several colours{each}; say in a label what is \
+         there: type a word in the layer labels-text of the page, or give a list of labels"
     )
 }
 

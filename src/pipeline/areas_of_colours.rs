@@ -7,7 +7,7 @@ use super::progress::{Event, Stage, Watch, run_stage};
 use super::series::{self, ColouredBar};
 use super::small_areas;
 use super::subject;
-use super::textures::{blank_ground, fit_to_areas};
+use super::textures::{MixedAreas, blank_ground, fit_to_areas};
 use crate::classes::{self, Classes};
 use crate::edges::Edges;
 use crate::geom::components::{Connectivity, of_labels};
@@ -32,6 +32,8 @@ pub(super) struct AreasOfColours {
     pub(super) coloured_ground: bool,
     /// How many areas are told to be too small for a texture.
     pub(super) too_small: usize,
+    /// Outlined areas that keep several colours.
+    pub(super) mixed: Option<MixedAreas>,
 }
 
 impl AreasOfColours {
@@ -46,7 +48,7 @@ impl AreasOfColours {
     ) -> Option<Self> {
         let of = |classes: Classes| {
             let (bars, with_small) = (Vec::new(), None);
-            Self { classes, with_small, bars, coloured_ground: false, too_small: 0 }
+            Self { classes, with_small, bars, coloured_ground: false, too_small: 0, mixed: None }
         };
         if let Some(areas) = &given.areas {
             return plan.profile().figure.textures.then(|| of(areas.clone()));
@@ -83,7 +85,7 @@ impl AreasOfColours {
         layout: &Layout,
         plan: &Plan,
     ) -> Vec<Note> {
-        let Self { classes, with_small, coloured_ground, too_small, .. } = self;
+        let Self { classes, with_small, coloured_ground, too_small, mixed, .. } = self;
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
         // what is erased is not there on purpose
@@ -92,7 +94,7 @@ impl AreasOfColours {
         *too_small = told_small.as_ref().map_or(0, |(_, count)| *count);
         let mut notes: Vec<Note> = told_small.into_iter().map(|(note, _)| note).collect();
         let outlines = outlines.filter(|_| of_picture);
-        notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, picture, layout, plan)));
+        *mixed = outlines.and_then(|areas| fit_to_areas(classes, areas, picture, layout, plan));
         notes.extend(without_remnants(classes, &decisions.erased, layout, plan));
         if of_picture {
             subject::name_colours(&mut decisions.found, classes, picture);

@@ -207,11 +207,11 @@ pub(super) fn draw(
     let of_legend = (&mut legend, edges.of_drawing());
     let leaders = leaders::on_page(&edges, (&texts, leaders::FROM_PRINT), &layout);
     drop((picture.raster, edges));
+    let mixed = areas_of_colours.as_mut().and_then(|areas| areas.mixed.take());
     let areas = areas_of_colours.map(|areas| (areas.classes, areas.bars));
     let (textures, told) = series::textured(areas, of_legend, &layout, &drawn.lines, plan, watch);
     notes.extend(told);
-    // around a subject all of them may be left out
-    notes.retain(|note| !textures.is_empty() || !matches!(note, Note::MixedAreas { .. }));
+    notes.extend(mixed.and_then(|areas| areas.told(&textures, &drawn.lines, &layout, plan)));
     request.go_on()?;
     let lines = leaders::spaced(drawn.lines, &leaders, &layout);
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };

@@ -1,11 +1,12 @@
 //! From sorted colours to the textures of the figure: which areas have one, and what the maker is told of the others.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use lyon::geom::euclid::Box2D;
 
 use super::dots;
 use super::given::blank_cells;
+use super::lines_of_part::LinesOfPart;
 use super::progress::{Event, Stage, Watch, run_stage};
 use super::small_areas::{BROAD, broadest};
 use crate::classes::{self, Class, Classes};
@@ -33,19 +34,85 @@ const ROUNDED: f32 = 0.5;
 /// none along lines.
 const WHITE: f32 = 0.6;
 
+/// An outlined area has a texture if it has so many signs of it, or more: fewer are felt as dots.
+const FELT: usize = 6;
+
+/// An area is outlined if lines run along this share of its border: the edge of the picture is none.
+const OUTLINED: f32 = 0.6;
+
 /// Stripes of a photograph's colours narrower than this have no texture of their own, mm. Chosen by us: where rows are
 /// sparse, 8 mm apart, one row or none has room in them, and beside one another they tear an area, such as a sail with
 /// folds, to pieces of which none can be told.
 const NARROWEST: f32 = 8.0;
 
-/// Makes sorted colours agree with the areas that outlines surround. Tells of those that keep several.
+/// Areas of regions that keep several colours, of which textures may be laid.
+pub(super) struct MixedAreas {
+    /// The number of the area of each cell.
+    area: Vec<usize>,
+    /// How many cells there are.
+    size: Size,
+    /// The numbers of those that keep several colours.
+    mixed: Vec<usize>,
+}
+
+impl MixedAreas {
+    /// What the maker is told of those that have several textures on the page, and an outline.
+    pub(super) fn told(&self, textures: &[Texture], lines: &[Line], layout: &Layout, plan: &Plan) -> Option<Note> {
+        let signs = self.signs(textures, layout.figure);
+        let of_figure = LinesOfPart::of(lines, layout.figure, layout, plan);
+        let is_outlined = |number: usize| of_figure.share(self.border(number, layout.figure).into_iter()) >= OUTLINED;
+        let is_told = |&number: &usize| signs.get(&number).is_some_and(has_several) && is_outlined(number);
+        let told: Vec<usize> = self.mixed.iter().copied().filter(is_told).collect();
+        let part = |number: &usize| ninths::NAMES[part_of_area(&self.area, *number, self.size)];
+        let mut places: Vec<&str> = told.iter().map(part).collect();
+        places.sort_by_key(|place| ninths::NAMES.iter().position(|name| name == place));
+        places.dedup();
+        (!told.is_empty()).then_some(Note::MixedAreas { count: told.len(), places })
+    }
+
+    /// How many signs of each colour the areas have by their numbers, in a figure that lies at `place`.
+    fn signs(&self, textures: &[Texture], place: MmRect) -> BTreeMap<usize, BTreeMap<Class, usize>> {
+        let mut signs = BTreeMap::<usize, BTreeMap<Class, usize>>::new();
+        for texture in textures {
+            for glyph in &texture.glyphs {
+                let [x, y] = cell_at(glyph.at, self.size, place);
+                let number = self.area[y * self.size.width as usize + x];
+                *signs.entry(number).or_default().entry(texture.class).or_default() += 1;
+            }
+        }
+        signs
+    }
+
+    /// The middles of the cells of an area that have cells of others beside them.
+    fn border(&self, number: usize, place: MmRect) -> Vec<MmPoint> {
+        let [width, height] = [self.size.width, self.size.height].map(|side| side as usize);
+        let is_other = |x: usize, y: usize| self.area[y * width + x] != number;
+        let is_border = |&(x, y): &(usize, usize)| {
+            !is_other(x, y)
+                && (x > 0 && is_other(x - 1, y)
+                    || x + 1 < width && is_other(x + 1, y)
+                    || y > 0 && is_other(x, y - 1)
+                    || y + 1 < height && is_other(x, y + 1))
+        };
+        let mm_per_cell = place.width() / width as f32;
+        let cells = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).filter(is_border);
+        cells.map(|(x, y)| place.min + MmVector::new(x as f32 + 0.5, y as f32 + 0.5) * mm_per_cell).collect()
+    }
+}
+
+/// Whether an area with so many signs of each colour has several textures.
+fn has_several(signs: &BTreeMap<Class, usize>) -> bool {
+    signs.values().filter(|count| **count >= FELT).count() > 1
+}
+
+/// Makes sorted colours agree with the areas that outlines surround. Gives those that keep several.
 pub(super) fn fit_to_areas(
     classes: &mut Classes,
     areas: &OutlineAreas,
     picture: Size,
     layout: &Layout,
     plan: &Plan,
-) -> Option<Note> {
+) -> Option<MixedAreas> {
     if areas.count() == 0 {
         return None;
     }
@@ -62,11 +129,7 @@ pub(super) fn fit_to_areas(
     let one_each = matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
     let mut mixed = classes::unify_areas(classes, &area, [min_cells, narrowest], one_each);
     mixed.retain(|&number| !is_mostly_white(classes, &area, number));
-    let part = |number: &usize| ninths::NAMES[part_of_area(&area, *number, classes.size)];
-    let mut places: Vec<&str> = mixed.iter().map(part).collect();
-    places.sort_by_key(|place| ninths::NAMES.iter().position(|name| name == place));
-    places.dedup();
-    (!mixed.is_empty()).then_some(Note::MixedAreas { count: mixed.len(), places })
+    (!mixed.is_empty()).then(|| MixedAreas { area, size: classes.size, mixed })
 }
 
 /// Whether an area is felt as blank, with few signs in it. `area` has the number of the area of each cell.

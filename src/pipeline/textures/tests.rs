@@ -66,6 +66,36 @@ fn an_area_that_is_mostly_white_is_not_said_to_have_textures_of_several_colours(
 }
 
 #[test]
+fn only_an_outlined_area_with_two_textures_on_the_page_is_told() {
+    let (plan, size) = (plan("swell-a4"), Size::new(120, 60));
+    let layout = Fit::default().layout(size, &plan, OverviewSize::Own).expect("there is room");
+    let place = layout.figure;
+    let at = |x: f32, y: f32| place.min + MmVector::new(x / 12.0, y / 6.0).component_mul(place.size().to_vector());
+    // the left half of the figure, and two colours one above the other in it
+    let area: Vec<usize> = (0..72).map(|cell| usize::from(cell % 12 < 6)).collect();
+    let areas = MixedAreas { area, size: Size::new(12, 6), mixed: vec![1] };
+    let texture = |class: Class, signs: usize, y: f32| Texture {
+        class,
+        sign: plan.textures().palette.sign(class),
+        colour: [0; 3],
+        area: 400.0,
+        glyphs: (0..signs)
+            .map(|sign| Glyph { at: at(0.5 + 0.5 * sign as f32, y), shape: Shape::Dot { diameter: 1.0 } })
+            .collect(),
+    };
+    let across = |y: [f32; 2]| Line { strength: 60.0, runs: vec![Run::stroke(1.5, y.map(|y| at(5.5, y)).to_vec())] };
+    let told = |of_red: usize, of_blue: usize, line: Line| {
+        let textures = [texture(Class::Red, of_red, 1.5), texture(Class::Blue, of_blue, 4.5)];
+        areas.told(&textures, &[line], &layout, &plan).map(|note| note.to_string())
+    };
+    let both = told(8, 8, across([0.0, 6.0])).expect("two textures beside a line");
+    assert!(both.starts_with("1 outlined area, in the middle left of the figure, has textures of several"), "{both}");
+    assert_eq!(told(8, 5, across([0.0, 6.0])), None, "a few signs are no texture");
+    assert_eq!(told(8, 0, across([0.0, 6.0])), None, "white is none");
+    assert_eq!(told(8, 8, across([0.0, 1.0])), None, "most of the outline is not drawn");
+}
+
+#[test]
 fn a_part_between_lines_without_a_sign_is_bare_though_its_region_has_some() {
     // a bar of one region, which a line divides, 10 mm a cell
     let classes =
