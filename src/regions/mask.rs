@@ -132,14 +132,19 @@ impl Mask {
         Some([corner(left, top), corner(right, bottom)])
     }
 
-    /// A place well inside: the middle of the cell that is farthest from all that are not in it, in pixels of the
-    /// picture; none if it is empty.
+    /// A place well inside: the middle of the cell that is farthest from all that are not in it, of which those beyond
+    /// the edge of the picture are some, in pixels of the picture; none if it is empty.
     pub fn inside(&self) -> Option<PxPoint> {
-        let width = self.grid.cells.width as usize;
+        let [width, height] = [self.grid.cells.width, self.grid.cells.height].map(|side| side as usize);
         let is_outside: Vec<bool> = self.is_in.iter().map(|is_in| !is_in).collect();
-        let far = squared_distances(&is_outside, self.grid.cells);
-        let own = far.into_iter().zip(&self.is_in).enumerate().filter(|(_, (_, is_in))| **is_in);
-        let (cell, _) = own.max_by_key(|(_, (far, _))| *far)?;
+        let to_others = squared_distances(&is_outside, self.grid.cells);
+        let own = to_others.into_iter().zip(&self.is_in).enumerate().filter(|(_, (_, is_in))| **is_in);
+        let far = |cell: usize, to_others: u32| {
+            let (x, y) = (cell % width, cell / width);
+            let to_edge = (x + 1).min(width - x).min(y + 1).min(height - y);
+            to_others.min((to_edge * to_edge) as u32)
+        };
+        let (cell, _) = own.max_by_key(|(cell, (to_others, _))| far(*cell, *to_others))?;
         Some(self.grid.to_picture(PxPoint::new((cell % width) as f32 + 0.5, (cell / width) as f32 + 0.5)))
     }
 

@@ -25,7 +25,7 @@ fn inside_of_a_ring_is_what_it_surrounds() {
 }
 
 #[test]
-fn a_place_inside_is_far_from_the_border_and_the_edge_of_the_picture_is_none() {
+fn a_place_inside_is_far_from_the_border_and_from_the_edge_of_the_picture() {
     let grid = RegionGrid::new(Size::new(40, 30));
     let of = |ring: &[(f32, f32)]| Mask::of_ring(grid, &ring.iter().map(|&at| PxPoint::from(at)).collect::<Vec<_>>());
     // a hook, whose middle is not in it
@@ -35,6 +35,12 @@ fn a_place_inside_is_far_from_the_border_and_the_edge_of_the_picture_is_none() {
     assert!(hook.on_picture_edge() <= 0.0);
     let half = of(&[(0.0, 0.0), (20.0, 0.0), (20.0, 30.0), (0.0, 30.0)]);
     assert!((half.on_picture_edge() - 0.7).abs() < 0.02, "{}", half.on_picture_edge());
+    // the left half: not where it is farthest from the other one
+    let at = half.inside().expect("it has cells");
+    assert!((9.0..11.0).contains(&at.x) && (9.0..21.0).contains(&at.y), "{at:?}");
+    // all of the picture
+    let at = of(&[(0.0, 0.0), (40.0, 0.0), (40.0, 30.0), (0.0, 30.0)]).inside().expect("it has cells");
+    assert!((14.0..16.0).contains(&at.y), "{at:?}");
     assert_eq!(of(&[(1.0, 1.0), (1.0, 1.2), (1.2, 1.0)]).inside(), None);
 }
 
