@@ -204,7 +204,10 @@ impl AdaptedPage<'_> {
         }
         // words are placed anew, wherever they stand on the page
         notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, ..)));
-        notes.extend(more.iter().cloned());
+        // rows of dots have no width
+        let are_dots = matches!(plan.medium(), MediumParams::Dots { .. });
+        let holds = |note: &&Note| !are_dots || !matches!(note, Note::TakenAs(_, Reason::WidthOutOfRange, _));
+        notes.extend(more.iter().filter(holds).cloned());
         notes.extend(overview_drawn_of(of_overview.as_deref(), page, &plan));
         notes.extend(placed_anew(&read.moved_texts));
         let old = OldPage { page, lines, areas, title: options.title.as_deref(), plan: own };

@@ -168,8 +168,16 @@ fn told_of_signs(page: &Page, names: &[String], all: &PageAreas, [drawn, bare, c
     };
     let its = |areas: &[usize]| if areas.len() == 1 { "its colour" } else { "their colours" };
     let told = || {
-        let why = "where an area was moved or turned they were those of another";
-        let told = format!("{} drawn anew in the signs of {}: {why}", named(drawn), its(drawn));
+        let told = match drawn {
+            [one] => {
+                let class = page.figure.textures[*one].class.name();
+                format!("{}, which was moved to {class} or turned, is drawn with the texture of {class}", named(drawn))
+            }
+            _ => format!(
+                "{}, which were moved to other colours or turned, are drawn with the textures of their colours",
+                named(drawn)
+            ),
+        };
         Note::TakenAs(About::Areas, Reason::AreaRecoloured, told)
     };
     let told_bare = || {
@@ -182,7 +190,8 @@ fn told_of_signs(page: &Page, names: &[String], all: &PageAreas, [drawn, bare, c
     told_drawn.into_iter().chain(told_bare).chain(areas::told_lost(page, all, names, covered)).collect()
 }
 
-/// Brings the widths of printed lines into the range of the profile; tells of how many. Of samples they are meant.
+/// Brings the widths of printed lines into the range of the profile; tells of how many, and how wide they are then. Of
+/// samples they are meant.
 fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
     if parts.has_samples() {
         return None;
@@ -190,11 +199,17 @@ fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
     let params = plan.lines();
     let range = [params.width_min - swell, params.width_max - swell];
     let overview = parts.overview.iter_mut().flat_map(|overview| &mut overview.lines);
-    let count = parts.figure.lines.iter_mut().chain(overview).map(|line| snap(line, range)).filter(|s| *s).count();
-    let noun = if count == 1 { "line is" } else { "lines are" };
+    let ends = parts.figure.lines.iter_mut().chain(overview).map(|line| snap(line, range));
+    let snapped: Vec<[bool; 2]> = ends.filter(|to| to.contains(&true)).collect();
+    let noun = if snapped.len() == 1 { "line is" } else { "lines are" };
     let [least, most] = [range[0].max(0.0), range[1]];
-    let told = || format!("{count} {noun} drawn {least:.2} to {most:.2} mm wide, the range of the profile");
-    (count > 0).then(|| Note::TakenAs(About::Widths, Reason::WidthOutOfRange, told()))
+    let wide = match [0, 1].map(|end| snapped.iter().any(|to| to[end])) {
+        [true, false] => format!("{least:.2} mm wide, the least of the profile"),
+        [false, true] => format!("{most:.2} mm wide, the most of the profile"),
+        _ => format!("{least:.2} or {most:.2} mm wide, the least and the most of the profile"),
+    };
+    let told = format!("{} {noun} drawn {wide}", snapped.len());
+    (!snapped.is_empty()).then_some(Note::TakenAs(About::Widths, Reason::WidthOutOfRange, told))
 }
 
 /// Makes strokes on a page of dots dots, in the figure and in its overview; tells how many, and which are lost.
@@ -311,17 +326,17 @@ fn fill(page: &Page, one: &Classes, plan: &Plan) -> Vec<Glyph> {
     glyphs
 }
 
-/// Brings the widths of a line into a range, mm; tells whether any was outside.
-fn snap(line: &mut Line, [least, most]: [f32; 2]) -> bool {
-    let mut changed = false;
+/// Brings the widths of a line into a range, mm; tells whether any was below it, and whether any was above it.
+fn snap(line: &mut Line, [least, most]: [f32; 2]) -> [bool; 2] {
+    let mut changed = [false; 2];
     let is_bead: Vec<bool> = line.runs.iter().map(|run| line.is_bead(run)).collect();
     let pieces = line.runs.iter_mut().zip(is_bead).filter(|(run, is_bead)| run.pen == Pen::Stroke && !is_bead);
     for (run, _) in pieces {
         let width = run.width.clamp(least.max(0.0), most.max(least.max(0.0)));
         // widths are written in steps of 0.01 mm
         if (width - run.width).abs() > 0.011 {
+            changed[usize::from(width < run.width)] = true;
             run.width = width;
-            changed = true;
         }
     }
     changed

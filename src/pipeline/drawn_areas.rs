@@ -97,13 +97,9 @@ impl DrawnAreas {
         let Self { lost, .. } = self;
         let laid = areas - lost.len();
         let areas = |count: usize| if count == 1 { "1 drawn area".to_owned() } else { format!("{count} drawn areas") };
-        let told = (laid > 0).then(|| {
-            Note::TakenAs(
-                About::Areas,
-                Reason::AreaFilled,
-                format!("{} filled with the texture of its colour", areas(laid)),
-            )
-        });
+        let with = if laid == 1 { " with" } else { ", each with" };
+        let filled = format!("{} filled{with} the texture of its colour", areas(laid));
+        let told = (laid > 0).then_some(Note::TakenAs(About::Areas, Reason::AreaFilled, filled));
         let mut reasons: Vec<(Why, MmPoint, usize)> = Vec::new();
         for (at, why) in lost {
             match reasons.iter_mut().find(|(known, ..)| *known == why) {

@@ -197,7 +197,7 @@ fn areas_of_a_corrected_page_are_taken_without_what_render_tells() {
     with(&place, "cup.svg", &format!("{area}{line}"), "edited.svg");
     let told = done(&place, &["convert", "cup.png", "--regions", "edited.svg", "--no-overview", "-o", "new.svg"]);
     assert!(told.contains("1 drawn area filled with the texture of its colour"), "{told}");
-    for of_render in ["mm wide, the range of the profile", "too near to a line", "the overview is as it was"] {
+    for of_render in ["mm wide, the least of the profile", "too near to a line", "the overview is as it was"] {
         assert!(!told.contains(of_render), "{told}");
     }
 }

@@ -125,7 +125,7 @@ fn what_a_person_draws_is_made_fit() {
                  stroke-width=\"9\"/></svg>";
     place.put("edited.svg", place.text("cup.svg").replace("</svg>", drawn).as_bytes());
     let told = done(&place, &["render", "edited.svg", "-o", "fit.svg"]);
-    assert!(told.contains("2 lines are drawn 0.75 to 1.50 mm wide"), "{told}");
+    assert!(told.contains("2 lines are drawn 0.75 or 1.50 mm wide, the least and the most of the profile"), "{told}");
     let page = read(&place, "fit.svg");
     let of = |y: f32| runs(&page).into_iter().find(|run| (run.points[0].y - y).abs() < 1e-3).map(|run| run.width);
     assert_eq!((of(60.0), of(70.0)), (Some(0.75), Some(1.5)));
@@ -143,7 +143,7 @@ fn an_area_in_another_group_of_textures_has_its_signs() {
     let inside = group + without[group..].find('>').expect("the group begins") + 1;
     place.put("edited.svg", format!("{}{text}{}", &without[..inside], &without[inside..]).as_bytes());
     let told = done(&place, &["render", "edited.svg", "-o", "new.svg"]);
-    assert!(told.contains("drawn anew in the signs of its colour"), "{told}");
+    assert!(told.contains(", which was moved to yellow or turned, is drawn with the texture of yellow"), "{told}");
     let (before, after) = (read(&place, "cup.svg"), read(&place, "new.svg"));
     let glyphs = |page: &Page, class: Class| {
         page.figure.textures.iter().filter(|texture| texture.class == class).map(|texture| texture.glyphs.len()).sum()
