@@ -203,7 +203,7 @@ fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
     let snapped: Vec<[bool; 2]> = ends.filter(|to| to.contains(&true)).collect();
     let noun = if snapped.len() == 1 { "line is" } else { "lines are" };
     let [least, most] = [range[0].max(0.0), range[1]];
-    let wide = match [0, 1].map(|end| snapped.iter().any(|to| to[end])) {
+    let wide = match [0_usize, 1].map(|end| snapped.iter().any(|to| to[end])) {
         [true, false] => format!("{least:.2} mm wide, the least of the profile"),
         [false, true] => format!("{most:.2} mm wide, the most of the profile"),
         _ => format!("{least:.2} or {most:.2} mm wide, the least and the most of the profile"),
