@@ -129,7 +129,7 @@ pub(super) fn fit_to_areas(
     let one_each = matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
     let mut mixed = classes::unify_areas(classes, &area, [min_cells, narrowest], one_each);
     mixed.retain(|&number| !is_mostly_white(classes, &area, number));
-    (!mixed.is_empty()).then(|| MixedAreas { area, size: classes.size, mixed })
+    (!mixed.is_empty()).then_some(MixedAreas { area, size: classes.size, mixed })
 }
 
 /// Whether an area is felt as blank, with few signs in it. `area` has the number of the area of each cell.
