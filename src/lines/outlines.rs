@@ -66,8 +66,8 @@ const LONG_CURVE: f32 = 150.0;
 const MOST_TURNED: f32 = 9.0;
 const TURN_STEP: f32 = 3.0;
 
-/// Outlines stand for a ring or a curve if they are near this share of its vertices. With seven tenths, outlines of what
-/// stands on the saucer of `samples/coffee.png` tore it in three places; now it has one gap, at its upper right.
+/// Outlines stand for a ring or a curve if they are near this share of its vertices. With seven tenths, outlines of
+/// what stands on the saucer of `samples/coffee.png` tore it in three places; now it has one gap, at its upper right.
 const ALIKE: f32 = 0.92;
 
 impl Rank {
