@@ -122,7 +122,7 @@ fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach:
     clear
 }
 
-/// Leaves out what is too small a patch of a photograph to be felt as a texture: [`LEAST_IN_PHOTOGRAPH`]. Dots are
+/// Leaves out what is too small a patch of a photograph to be felt as a texture: `LEAST_IN_PHOTOGRAPH`. Dots are
 /// linked if they are no further apart than those of sparse grey, as a trail of single ones is no patch.
 pub fn leave_out_crumbs(textures: &mut Vec<Texture>, params: &Params) {
     for texture in textures.iter_mut() {
