@@ -162,8 +162,8 @@ PYTHON
 # one, two grouped, one made a path, an area hidden and the layer of the overview.
 edited_page_goes_everywhere() { # edited_page_goes_everywhere PAGE PICTURE
   local edited="$out/edited page.svg" code=0 option
-  inkscape "$1" --actions="select-by-id:line-1;duplicate;transform-translate:0,150;select-clear;\
-select-by-id:line-2;clone;transform-translate:60,0;select-clear;select-by-id:line-4,line-5;selection-group;select-clear;\
+  inkscape "$1" --actions="select-by-id:line-2;duplicate;transform-translate:0,150;select-clear;\
+select-by-id:line-4;clone;transform-translate:60,0;select-clear;select-by-id:line-5,line-6;selection-group;select-clear;\
 select-by-id:line-3;object-to-path;select-clear;select-by-id:region-2;selection-hide;select-clear;\
 select-by-id:overview;selection-hide;export-filename:$edited;export-do" || return 1
   "$program" check "$edited" >"$out/everywhere.txt" || code=$?
