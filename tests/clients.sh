@@ -168,7 +168,7 @@ select-by-id:line-3;object-to-path;select-clear;select-by-id:region-2;selection-
 select-by-id:overview;selection-hide;export-filename:$edited;export-do" || return 1
   "$program" check "$edited" >"$out/everywhere.txt" || code=$?
   # the duplicate lies across other lines
-  [ $code = 1 ] && grep -q '^error line-gap: .* line 1 ("path' "$out/everywhere.txt" &&
+  [ $code = 1 ] && grep -q '^error line-gap: .* line 2 ("path' "$out/everywhere.txt" &&
     grep -q '^Verdict: ' "$out/everywhere.txt" ||
     { echo "check: exit code $code"; cat "$out/everywhere.txt"; return 1; }
   code=0
