@@ -56,3 +56,10 @@ fn a_photograph_beside_as_much_of_a_drawing_is_a_drawing() {
 fn a_speck_tells_nothing() {
     assert!(!is_cut_out(&picture(&[([180, 140, 204, 164], &fur)])));
 }
+
+#[test]
+fn pale_strokes_are_a_drawing_as_well() {
+    let pale = |_: usize, _: usize| 0.8_f32;
+    let curves: Vec<Thing<'_>> = (0..12).map(|i| ([20, 19 + 20 * i, 380, 20 + 20 * i], &pale as _)).collect();
+    assert!(!is_cut_out(&picture(&curves)));
+}
