@@ -25,8 +25,8 @@ const SAME: f32 = 4.0;
 const LARGER: usize = 3;
 /// Every so many-th pixel of a row or column is looked at for them.
 const STEP: usize = 2;
-/// Most patches of a legend: print tells no more colours apart.
-const MOST: usize = 24;
+/// Most entries of a legend, patches or samples of lines: print tells no more colours apart.
+pub(super) const MOST: usize = 24;
 /// Places of a line at which its colour is looked at.
 const PLACES: usize = 9;
 /// Beside a line, its ground is looked at so far from its edge, px.

@@ -1,7 +1,7 @@
 //! A legend of lines: short pieces of lines with words beside them, which tell by their colours what curves mean. On a
 //! page all lines are alike and a sample says nothing, so each word becomes the label of its curve.
 
-use super::legend::{OF_PATCH, frames, gap, is_beside, places_along};
+use super::legend::{MOST, OF_PATCH, frames, gap, is_beside, places_along};
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::Edges;
@@ -20,8 +20,6 @@ const FREE: f32 = 0.5;
 /// Samples are about as long as one another, as a share, and stand in a column or a row, mm.
 const ALIKE: f32 = 0.75;
 const IN_LINE: f32 = 1.0;
-/// Most entries of such a legend: print tells no more colours apart.
-const MOST: usize = 24;
 /// A stroke differs by so much from its ground where its colour is looked at, in square roots of linear light.
 const INK: f32 = 0.1;
 /// Places of one stroke have one colour, and a sample has that of its curve: the cosine between the ways from the
