@@ -100,8 +100,8 @@ impl Rank {
         let is_long = || polyline.length() >= LONG_CURVE;
         let may_be = params.part == PagePart::Figure && may_go_first(params);
         // the steps of a line and of its reverse lie elsewhere
-        let turned = || turned(polyline.vertices.iter()).min(turned(polyline.vertices.iter().rev()));
-        may_be && is_long() && is_clear(polyline, params) && turned() <= MOST_TURNED
+        let is_smooth = || is_smooth(polyline.vertices.iter()) || is_smooth(polyline.vertices.iter().rev());
+        may_be && is_long() && is_clear(polyline, params) && is_smooth()
     }
 
     /// Whether nearly all of a contour runs along one of these lines.
@@ -123,19 +123,23 @@ fn is_clear(polyline: &Polyline<Vertex>, params: &Params) -> bool {
     sum >= params.full_strength * polyline.vertices.len() as f32
 }
 
-/// How much the direction of a line changes in all, radians, from step to step of [`TURN_STEP`].
-fn turned<'a>(vertices: impl Iterator<Item = &'a Vertex>) -> f32 {
+/// Whether the direction of a line changes by at most [`MOST_TURNED`] in all, from step to step of [`TURN_STEP`]. Of a
+/// ragged one no more is walked than that takes.
+fn is_smooth<'a>(vertices: impl Iterator<Item = &'a Vertex>) -> bool {
     let mut places = vertices.map(|vertex| vertex.at);
-    let Some(mut from) = places.next() else { return 0.0 };
-    let (mut turned, mut before) = (0.0, None);
+    let Some(mut from) = places.next() else { return true };
+    let (mut turned, mut before) = (0.0_f32, None);
     for at in places {
         let step = at - from;
         if step.square_length() >= TURN_STEP * TURN_STEP {
             turned += before.map_or(0.0, |before: MmVector| before.angle_to(step).radians.abs());
+            if turned > MOST_TURNED {
+                return false;
+            }
             (from, before) = (at, Some(step));
         }
     }
-    turned
+    true
 }
 
 impl Outlines {
