@@ -171,35 +171,37 @@ pub fn convert_with_words<'p>(
             was_narrowed.set(narrowed.figure != own);
             narrowed
         };
-    let made = |picture: ReadPicture<'p>, with_room: &WithRoom<'_>, watch: &mut Watch<'_>| {
-        let marks = draw(find(picture, person, request, &layout_of, with_room, watch)?, given, request, watch)?;
-        let loss = marks.loss();
-        Ok((compose(marks, words, &written, request, watch)?, loss))
+    let marks = |picture: ReadPicture<'p>, with_room: &WithRoom<'_>, watch: &mut Watch<'_>| {
+        draw(find(picture, person, request, &layout_of, with_room, watch)?, given, request, watch)
     };
     let picture = ReadPicture::of(picture, given, request, &layout_of, watch)?;
     let again = (words.own_texts && picture.has_texts()).then(|| picture.clone());
-    let narrowed = made(picture, &with_room, watch)?;
-    match again.filter(|_| was_narrowed.get()) {
-        // stages are told of once
-        Some(picture) => narrowed_or_whole(narrowed, || made(picture, &|_, layout, _| layout, &mut |_| ())),
-        None => Ok(narrowed.0),
-    }
+    let narrowed = marks(picture, &with_room, watch)?;
+    let again = again.filter(|_| was_narrowed.get());
+    // stages are told of once
+    let whole = again.map(|picture| || marks(picture, &|_, layout, _| layout, &mut |_| ()));
+    narrowed_or_whole(narrowed, whole, |marks, watch| compose(marks, words, &written, request, watch), watch)
 }
 
-/// A page whose figure is smaller for the sake of its words, each page with its loss ([`DrawnMarks::loss`]): or, if
-/// that has cost it more than [`MOST_LOST`], the page with the figure as it would be without, if it has clearly more of
-/// the picture and no fewer whole words.
+/// The page of a figure that is smaller for the sake of its words: or, if that has cost it more than [`MOST_LOST`], the
+/// page with the figure as it would be without, if it has clearly more of the picture and no fewer whole words. `whole`
+/// gives the marks of the latter where the figure is smaller at all, and `page_of` composes a page.
 fn narrowed_or_whole(
-    narrowed: (Drawing, f32),
-    whole: impl FnOnce() -> Result<(Drawing, f32), Error>,
+    narrowed: DrawnMarks,
+    whole: Option<impl FnOnce() -> Result<DrawnMarks, Error>>,
+    page_of: impl Fn(DrawnMarks, &mut Watch<'_>) -> Result<Drawing, Error>,
+    watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
-    let (narrowed, loss) = narrowed;
-    if loss < MOST_LOST {
+    let loss = narrowed.loss();
+    let narrowed = page_of(narrowed, watch)?;
+    let Some(whole) = whole.filter(|_| loss >= MOST_LOST) else { return Ok(narrowed) };
+    let whole = whole()?;
+    // room for its words is looked for only where it may be the better one
+    if loss - whole.loss() < MOST_LOST {
         return Ok(narrowed);
     }
-    let (whole, less) = whole()?;
-    let is_better = loss - less >= MOST_LOST && whole.whole_labels() >= narrowed.whole_labels();
-    Ok(if is_better { whole } else { narrowed })
+    let whole = page_of(whole, &mut |_| ())?;
+    Ok(if whole.whole_labels() >= narrowed.whole_labels() { whole } else { narrowed })
 }
 
 /// What room for words may cost a drawing, as [`DrawnMarks::loss`]. Of 150 charts, maps and diagrams with their words
@@ -240,16 +242,11 @@ pub fn redraw(
     let layout_of = |size: Size| written.layout(size, OverviewSize::Own, request);
     let roomy = redraw::with_room(page, &words, &written, request.plan, layout.clone(), &layout_of);
     let was_narrowed = roomy.figure != layout.figure;
-    let made = |layout: Layout, watch: &mut Watch<'_>| {
-        let marks = redraw::marks(old, layout, request, watch)?;
-        let loss = marks.loss();
-        Ok((compose(marks, &words, &written, request, watch)?, loss))
-    };
-    let narrowed = made(roomy, watch)?;
-    let drawing = match was_narrowed {
-        true => narrowed_or_whole(narrowed, || made(layout, &mut |_| ()))?,
-        false => narrowed.0,
-    };
+    let marks = |layout: Layout, watch: &mut Watch<'_>| redraw::marks(old, layout, request, watch);
+    let narrowed = marks(roomy, watch)?;
+    let whole = was_narrowed.then_some(|| marks(layout, &mut |_| ()));
+    let page_of = |marks: DrawnMarks, watch: &mut Watch<'_>| compose(marks, &words, &written, request, watch);
+    let drawing = narrowed_or_whole(narrowed, whole, page_of, watch)?;
     // its labels are no texts of a picture
     Ok(Drawing { texts: Vec::new(), ..drawing })
 }
