@@ -32,10 +32,16 @@ impl Tree {
                 .zip(&self.nodes)
                 .filter(|(node, _)| self.has(*node, basin))
                 .map(|(node, of)| (node, saliency(of, self.basin.len(), mm_per_cell)))
-                .filter(|(node, saliency)| *saliency > 0.0 && survives_opening(self, *node, mm_per_cell))
+                .filter(|(_, saliency)| *saliency > 0.0)
                 .collect();
-            let best = around.iter().map(|(_, saliency)| *saliency).fold(0.0, f64::max);
-            around.iter().find(|(_, saliency)| *saliency >= SALIENT * best).map(|(node, _)| *node)
+            // an opening takes long, so no more regions have one than must
+            let survives = |node: u32| survives_opening(self, node, mm_per_cell);
+            let mut ranked = around.clone();
+            ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
+            let (_, best) = ranked.into_iter().find(|(node, _)| survives(*node))?;
+            let mut salient =
+                around.into_iter().filter(|(_, saliency)| *saliency >= SALIENT * best).map(|(node, _)| node);
+            salient.find(|node| survives(*node))
         })
     }
 

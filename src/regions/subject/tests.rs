@@ -54,6 +54,29 @@ fn a_place_names_the_smallest_clear_thing_around_it() {
 }
 
 #[test]
+fn a_place_names_the_same_thing_as_if_all_regions_around_it_were_opened() {
+    let tree = tree(&[(60.0, 45.0, 32.0, 60.0), (50.0, 45.0, 12.0, 95.0)]);
+    let mm_per_cell = tree.mm_of_cell(MM_PER_PX);
+    let plainly = |at: PxPoint| {
+        let basin = tree.basin[tree.grid.cell_at(tree.grid.to_cells(at))?];
+        let of = |node: u32| saliency(&tree.nodes[node as usize], tree.basin.len(), mm_per_cell);
+        let may_be =
+            |node: &u32| tree.has(*node, basin) && of(*node) > 0.0 && survives_opening(&tree, *node, mm_per_cell);
+        let around: Vec<u32> = (0..tree.nodes.len() as u32).filter(may_be).collect();
+        let best = around.iter().map(|node| of(*node)).fold(0.0, f64::max);
+        around.into_iter().find(|node| of(*node) >= SALIENT * best)
+    };
+    let places: Vec<PxPoint> = (0..12_u8)
+        .flat_map(|x| (0..9_u8).map(move |y| (x, y)))
+        .map(|(x, y)| PxPoint::new(10.0 * f32::from(x), 10.0 * f32::from(y) + 5.0))
+        .collect();
+    let found: Vec<Option<u32>> = places.iter().map(|at| tree.subject_at(*at, MM_PER_PX, &[])).collect();
+    assert_eq!(found, places.iter().map(|at| plainly(*at)).collect::<Vec<_>>());
+    let named: std::collections::BTreeSet<u32> = found.into_iter().flatten().collect();
+    assert!(named.len() > 1, "{named:?}: the small disc and the large one");
+}
+
+#[test]
 fn on_the_ground_there_is_no_subject() {
     let tree = tree(&[(30.0, 45.0, 16.0, 80.0)]);
     assert!(cells_at(&tree, (30.0, 45.0), &[]).is_some_and(|cells| is_disc(cells, 16.0)));
