@@ -9,6 +9,7 @@ use crate::braille::Code;
 use crate::error::id_table;
 use crate::listing::{counted, first_few};
 pub use about::{About, GivenFile};
+pub(crate) use phrases::LEAST_DRAWN;
 pub use reason::Reason;
 
 use phrases::{

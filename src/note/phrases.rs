@@ -75,18 +75,21 @@ pub(super) fn it_or_them(count: usize) -> &'static str {
     if count == 1 { "it" } else { "them" }
 }
 
+/// Below so many percent most of the outline of a subject is not drawn, which is told as what is left out, too.
+pub(crate) const LEAST_DRAWN: u32 = 40;
+
 /// What becomes of the outline of a subject, as the rest of a sentence. `is_first` is a region's, `drawn` how many
 /// percent of its border have a line, if the page has lines.
 pub(super) fn outline_of_subject(is_first: bool, drawn: Option<u32>) -> String {
     /// From so many percent on it is drawn, but for thin parts and where it is smoothed.
     const WHOLE: u32 = 90;
-    /// Below so many percent most of it is not drawn, which is told as what is left out, too (`pipeline::subject`).
-    const LEAST: u32 = 40;
     match drawn {
         None => ", and has no outline, as the page has no lines".to_owned(),
         Some(_) if !is_first => ", inside closed lines".to_owned(),
         Some(WHOLE..) => ", and its outline is drawn before other lines".to_owned(),
-        Some(percent @ LEAST..) => format!(", and about {percent} percent of its outline is drawn, before other lines"),
+        Some(percent @ LEAST_DRAWN..) => {
+            format!(", and about {percent} percent of its outline is drawn, before other lines")
+        }
         Some(_) => ", and most of its outline is not drawn".to_owned(),
     }
 }

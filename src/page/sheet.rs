@@ -54,6 +54,19 @@ pub struct Params {
     pub medium: MediumParams,
 }
 
+impl Params {
+    /// From a picture to the outer edge of its frame.
+    pub(super) fn border(&self) -> f32 {
+        self.frame.map_or(0.0, |frame| frame.width + frame.gap)
+    }
+
+    /// The width of the widest figure on the sheet upright.
+    pub fn widest_upright(&self) -> f32 {
+        let [a, b] = self.sheet;
+        a.min(b) - 2.0 * self.margin - 2.0 * self.border()
+    }
+}
+
 /// Measures of a frame, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameParams {
@@ -123,7 +136,7 @@ impl Layout {
     /// width and height, in hundredths; none if the own one is as large.
     pub fn largest_overview(&self, most: f32, params: &Params) -> Option<MmRect> {
         let own = self.overview.filter(|own| own.min.y > self.figure.max.y)?;
-        let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+        let border = params.border();
         let below = self.sheet[1] - params.margin - border - own.min.y;
         let beside = 2.0 * (own.center().x - params.margin - border);
         let room = (below / self.figure.height()).min(beside / self.figure.width()).min(most);
@@ -137,7 +150,7 @@ impl Layout {
         let own = self.overview.filter(|own| own.min.y > self.figure.max.y)?;
         let size = self.figure.size() * scale;
         let at = MmRect::from_origin_and_size(MmPoint::new(own.center().x - 0.5 * size.width, own.min.y), size);
-        let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+        let border = params.border();
         (at.max.y + border <= self.sheet[1] - params.margin && at.min.x - border >= params.margin).then_some(at)
     }
 }
@@ -162,8 +175,7 @@ pub(super) struct Sheet<'a> {
 
 impl<'a> Sheet<'a> {
     pub(super) fn new(size: [f32; 2], params: &'a Params, heading: Option<&Heading>) -> Self {
-        let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
-        Self { params, size, border, heading: heading.map_or(0.0, Heading::height) }
+        Self { params, size, border: params.border(), heading: heading.map_or(0.0, Heading::height) }
     }
 
     /// Width and height within the margins.

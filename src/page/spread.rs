@@ -74,7 +74,7 @@ fn fit_printed(sheet: [f32; 2], picture: SpreadPicture, params: &Params, print: 
     }
     let step = window - MmVector::new(overlap, overlap);
     let first = MmRect::new(MmPoint::zero(), window.to_point());
-    let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+    let border = params.border();
     let medium = Medium::Print(print);
     Some(Spread {
         grid: picture.grid,

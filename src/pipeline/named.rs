@@ -18,8 +18,6 @@ use crate::units::{PxPoint, Size};
 /// then has 194 400 pixels, about as many as the tree of regions has cells at most (`regions::grid`); in a squarer one
 /// cells are larger than pixels.
 const SIDE: u32 = 540;
-/// How long that side is on the sheet for which they are looked for, mm: on A4.
-const LENGTH: f32 = 174.0;
 
 /// The things that places on a photograph may name.
 pub(super) struct NamedThings {
@@ -61,7 +59,8 @@ impl NamedThings {
         }
         request.go_on()?;
         let size = picture.raster.size();
-        let mm_per_px = LENGTH / size.width.max(size.height) as f32;
+        // that side is as long as the figure of that profile can be wide: 174 mm
+        let mm_per_px = plan.layout().widest_upright() / size.width.max(size.height) as f32;
         let edges = edges_of(&picture, &content, &plan.edges(1.0 / mm_per_px), Some(detail), &mut |_| ());
         Ok(edges.regions.map(|tree| {
             let most_salient = tree.most_salient(mm_per_px, &plan.regions(PagePart::Figure));

@@ -14,6 +14,7 @@ use crate::classes::{Class, Classes};
 use crate::edges::{ChainRange, Edgel, Edges};
 use crate::geom::polyline::Located;
 use crate::lines::{Line, PagePart};
+use crate::note::LEAST_DRAWN;
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -23,13 +24,14 @@ use crate::{About, Note, Reason};
 
 /// Most places that are looked at, each in all regions: the program takes fewer (`--subject`).
 const MOST: usize = 100;
+const _: () = assert!(MOST == 100, "Options::subject says so");
 /// A ring around the subject has at least this area, mm2: smaller ones are dots for a finger.
 const LEAST_AREA: f32 = 15.0;
 /// Lines this near to the subject belong to it, cells: its own contours run along its border.
 const MARGIN: f32 = 3.0;
 /// An outline is there if lines run along this share of the border of its region: they cut its thin arms off and go
 /// around no holes.
-const DRAWN: f32 = 0.4;
+const DRAWN: f32 = LEAST_DRAWN as f32 / 100.0;
 /// A thing that has this share of the picture, or more, is mostly the ground of what was meant.
 const MOST_OF_PICTURE: f32 = 0.7;
 /// What lines enclose together is a part of the inside of a closed line if it has less than this share of its cells:

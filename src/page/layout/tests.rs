@@ -41,6 +41,15 @@ fn boxes(layout: &Layout, params: &Params) -> Vec<MmRect> {
 }
 
 #[test]
+fn the_widest_figure_upright_is_that_of_a_low_picture() {
+    assert!((params().widest_upright() - 174.0).abs() < 1e-6);
+    for params in all_params() {
+        let upright = Params { orientation: Orientation::Portrait, ..params };
+        assert!((fit(20.0, f32::MAX, &upright).figure.width() - params.widest_upright()).abs() < 1e-3);
+    }
+}
+
+#[test]
 fn a_larger_overview_fills_what_is_left_below_the_figure() {
     let params = params();
     let overview = |aspect: f32, most: f32| {
