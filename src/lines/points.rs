@@ -11,6 +11,7 @@
 //!
 //! Filled ones beside lines that are many and alike, as the points of a scatter plot, are small discs ([`cloud`]).
 
+mod by_place;
 mod cloud;
 mod drawn;
 mod point;
@@ -19,6 +20,7 @@ mod room;
 use std::f32::consts::TAU;
 use std::slice;
 
+use self::by_place::{LineIndex, TakenPoints};
 use self::cloud::scattered;
 use self::point::{MAGNIFIED, MIDDLE, SOLID, disc_radius, is_drawn_twice, is_like};
 use super::lead_on::{extend_to, heading};
@@ -65,30 +67,27 @@ const LEAST_RING: f32 = 1.5;
 /// Takes the points on lines out of the contours of a drawing. Lines that end at their sides lead to their middles.
 pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Vec<Point> {
     let found = found(polylines, params);
+    if found.is_empty() {
+        return Vec::new();
+    }
     let mut is_ring = vec![false; polylines.len()];
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
-    let mut points: Vec<Point> = Vec::new();
+    let mut points = TakenPoints::none_of(&found, params);
+    let mut lines = LineIndex::of(polylines, params);
     let (mut alone, mut pointed_at, mut by_itself) = (Vec::new(), Vec::new(), Vec::new());
     for (number, point) in found {
         // the outline of a disc beside its stroke
-        let again = is_drawn_twice(&point, &points);
-        let arms: Vec<PointArm> = if again { Vec::new() } else { arms(&point, polylines, &is_ring) };
-        if !again && arms.is_empty() && is_by_itself(&point, polylines, &is_ring, params) {
+        let again = points.has(&point);
+        let arms: Vec<PointArm> = if again { Vec::new() } else { arms(&point, polylines, &lines, &is_ring) };
+        if !again && arms.is_empty() && is_by_itself(&point, polylines, &lines, &is_ring, params) {
             by_itself.push((number, point));
         }
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
-        // where one line leads to a shape that has room as it is, the shape is what it points at
-        let around = TAU * point.radius;
-        let has_room = match params.on_dots() {
-            // without a hole a disc would be a ring
-            true => !point.is_filled && !params.is_dot(around),
-            false => around >= params.min_length,
-        };
         match arms[..] {
             _ if is_too_large(&point, params) => continue,
-            [arm @ PointArm { kind: Approach::End { .. }, .. }] if has_room && is_on_line => {
+            [arm @ PointArm { kind: Approach::End { .. }, .. }] if is_on_line && has_room(&point, params) => {
                 pointed_at.push((number, point, arm));
                 continue;
             }
@@ -102,26 +101,55 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         if again {
             continue;
         }
-        arms.iter().for_each(|arm| arm.lead_to(point.at, polylines));
+        for arm in &arms {
+            if let Some(tip) = arm.lead_to(point.at, polylines) {
+                lines.lead_on(arm.line, tip, point.at);
+            }
+        }
         let through = arms.iter().find(|arm| arm.kind == Approach::Through).map(|arm| arm.line);
-        points.push(Point { series: through, ..point });
+        points.push(number, Point { series: through, ..point });
     }
     alone.extend(take_leaves(pointed_at, &mut points, &mut taken, polylines, params));
-    name_series(&mut points);
-    let mut beside = scattered(&mut points, &alone, polylines, params);
-    alone.retain(|(number, _)| !beside.iter().any(|(disc, _)| disc == number));
-    beside.extend(like_those_alone(&mut points, &alone, params));
-    beside.extend(by_themselves(&by_itself, params));
+    name_series(&mut points.all);
+    let mut beside = beside_lines(&mut points.all, alone, &by_itself, polylines, params);
     beside.retain(|(number, _)| !taken[*number]);
     for (number, point) in beside {
         taken[number] = true;
-        if !is_drawn_twice(&point, &points) {
-            points.push(point);
+        if !points.has(&point) {
+            points.push(number, point);
         }
     }
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
-    points
+    points.all
+}
+
+/// Whether a shape has room as it is: where one line leads to it, it is what the line points at.
+fn has_room(point: &Point, params: &Params) -> bool {
+    let around = TAU * point.radius;
+    match params.on_dots() {
+        // without a hole a disc would be a ring
+        true => !point.is_filled && !params.is_dot(around),
+        false => around >= params.min_length,
+    }
+}
+
+/// The points beside lines, with their numbers, of those that are alone and those that are by themselves; some may be
+/// there twice. On lines, those like them are drawn alike.
+fn beside_lines(
+    points: &mut [Point],
+    mut alone: Vec<(usize, Point)>,
+    by_itself: &[(usize, Point)],
+    polylines: &[Polyline<Vertex>],
+    params: &Params,
+) -> Vec<(usize, Point)> {
+    let mut beside = scattered(points, &alone, polylines, params);
+    let mut is_scattered = vec![false; polylines.len()];
+    beside.iter().for_each(|(number, _)| is_scattered[*number] = true);
+    alone.retain(|(number, _)| !is_scattered[*number]);
+    beside.extend(like_those_alone(points, &alone, params));
+    beside.extend(by_themselves(by_itself, params));
+    beside
 }
 
 /// The round shapes among lines that are as small as points, with their numbers.
@@ -148,8 +176,8 @@ fn is_too_large(point: &Point, params: &Params) -> bool {
 /// large part of their outline is seen. Only where whole ones are many, as anything else has an arc.
 fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> Vec<(usize, Point)> {
     let is_of_many = |point: &Point| {
-        let alike = whole.iter().filter(|(_, other)| is_like(point, other)).count();
-        point.is_filled && point.is_exact && alike >= SERIES
+        let alike = || whole.iter().filter(|(_, other)| is_like(point, other)).take(SERIES).count();
+        point.is_filled && point.is_exact && alike() == SERIES
     };
     let open = polylines.iter().enumerate().filter(|(_, line)| !line.closed);
     let arcs = open.filter_map(|(number, line)| Some((number, of_arc(line).filter(|(_, arc)| is_of_many(arc))?)));
@@ -168,12 +196,12 @@ fn hidden_in_part(polylines: &[Polyline<Vertex>], whole: &[(usize, Point)]) -> V
 /// its other nodes. Gives the others.
 fn take_leaves(
     pointed_at: Vec<(usize, Point, PointArm)>,
-    points: &mut Vec<Point>,
+    points: &mut TakenPoints,
     taken: &mut [bool],
     polylines: &mut [Polyline<Vertex>],
     params: &Params,
 ) -> Vec<(usize, Point)> {
-    let on_lines = points.clone();
+    let on_lines = points.all.clone();
     let mut others = Vec::new();
     for (number, point, arm) in pointed_at {
         if params.on_dots() || !on_lines.iter().any(|other| is_like(&point, other)) {
@@ -181,9 +209,9 @@ fn take_leaves(
             continue;
         }
         taken[number] = true;
-        if !is_drawn_twice(&point, points) {
+        if !points.has(&point) {
             arm.lead_to(point.at, polylines);
-            points.push(point);
+            points.push(number, point);
         }
     }
     others
@@ -194,7 +222,7 @@ fn name_series(points: &mut [Point]) {
     let all = points.to_vec();
     for point in points {
         let is_of = |other: &&Point| other.series == point.series && is_like(point, other);
-        point.series = point.series.filter(|_| all.iter().filter(is_of).count() >= SERIES);
+        point.series = point.series.filter(|_| all.iter().filter(is_of).take(SERIES).count() == SERIES);
     }
 }
 
@@ -221,16 +249,22 @@ fn like_those_alone(points: &mut [Point], alone: &[(usize, Point)], params: &Par
 /// Whether a round shape to which no line leads is a sign by itself if there is room for it: apart from all lines, as
 /// it may have to move away from them otherwise. Where lines become dots, one too small for a line is that in any case,
 /// and other small shapes do not count, as those of one size are to be alike.
-fn is_by_itself(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool], params: &Params) -> bool {
+fn is_by_itself(
+    point: &Point,
+    polylines: &[Polyline<Vertex>],
+    lines: &LineIndex,
+    is_ring: &[bool],
+    params: &Params,
+) -> bool {
     let reach = point.radius + params.max_spacing();
     let is_own = |line: &Polyline<Vertex>| of_ring(line).is_some_and(|other| is_drawn_twice(&other, &[*point]));
     let is_near = |line: &Polyline<Vertex>| {
         line.segments().any(|(a, b)| nearest_on_segment(point.at, a.at, b.at).0 <= reach) && !is_own(line)
     };
     let on_dots = params.on_dots();
-    let mut others = polylines.iter().zip(is_ring).filter(|(_, is_ring)| !on_dots || !**is_ring);
+    let is_other = |line: &usize| (!on_dots || !is_ring[*line]) && is_near(&polylines[*line]);
     let is_small = on_dots && TAU * point.radius < LEAST_RING * params.min_length;
-    is_small || point.is_circle && !others.any(|(line, _)| is_near(line))
+    is_small || point.is_circle && !lines.around(point.at, reach).iter().any(is_other)
 }
 
 /// The signs among points by themselves. Where lines become dots all are, so that those of one size are alike. On paper
@@ -263,20 +297,23 @@ enum Approach {
 }
 
 impl PointArm {
-    /// Makes the line lead to this place, the middle of the point, if it ends at the point.
-    fn lead_to(&self, at: MmPoint, polylines: &mut [Polyline<Vertex>]) {
-        if let Approach::End { which } = self.kind {
-            extend_to(&mut polylines[self.line], which, at);
-        }
+    /// Makes the line lead to this place, the middle of the point, if it ends at the point. Gives where it ended.
+    fn lead_to(&self, at: MmPoint, polylines: &mut [Polyline<Vertex>]) -> Option<MmPoint> {
+        let Approach::End { which } = self.kind else { return None };
+        let line = &mut polylines[self.line];
+        let ended = which.of(line).map(|tip| tip.at);
+        extend_to(line, which, at);
+        ended
     }
 }
 
 /// The lines that lead to the middle of a point.
-fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<PointArm> {
+fn arms(point: &Point, polylines: &[Polyline<Vertex>], lines: &LineIndex, is_ring: &[bool]) -> Vec<PointArm> {
     let aside = MIDDLE * point.radius;
     let reach = point.radius + FROM_SIDE;
     let mut arms = Vec::new();
-    for (line, polyline) in polylines.iter().enumerate().filter(|(line, _)| !is_ring[*line]) {
+    for line in lines.around(point.at, reach).into_iter().filter(|line| !is_ring[*line]) {
+        let polyline = &polylines[line];
         let near = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(point.at, a.at, b.at).0 <= reach;
         if polyline.length() < SMALLEST || !polyline.segments().any(near) {
             continue;

@@ -1,14 +1,13 @@
 //! Clouds of points, such as those of a scatter plot: many filled ones that are alike, and are drawn as discs.
 
-use std::slice;
-
-use super::point::{LEAST_IN_PIXELS, MAGNIFIED, Point, disc_radius, is_drawn_twice, is_like};
-use crate::geom::nearby::{Index, Nearby};
+use super::by_place::PointIndex;
+use super::point::{LEAST_IN_PIXELS, MAGNIFIED, Point, disc_radius, is_like};
+use crate::geom::nearby::Nearby;
 use crate::geom::polyline::Polyline;
 use crate::lines::marks::SERIES;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
-use crate::units::{Mm, MmRect};
+use crate::units::MmRect;
 
 /// Filled points beside lines that are many and alike, such as those of a scatter plot: they are discs, each at its own
 /// place, and so are those like them that happen to lie on lines, which are no points of these. Gives those beside
@@ -83,33 +82,4 @@ fn leave_out_beside_lines(
     let beside: Vec<usize> = in_pixels.iter().copied().filter(|&i| is_beside(&alone[i].1)).collect();
     let left_out = if 4 * beside.len() > in_pixels.len() { in_pixels } else { beside };
     left_out.into_iter().for_each(|i| are_discs[i] = false);
-}
-
-/// Points with the numbers of their lines, found again by place.
-struct PointIndex {
-    by_place: Index<(usize, Point), Mm>,
-    /// The radius of the largest that it may hold, mm.
-    largest: f32,
-}
-
-impl PointIndex {
-    /// An empty one over the places of these, none of which is larger than the largest of them.
-    fn over(points: &[(usize, Point)], params: &Params) -> Self {
-        let largest = points.iter().map(|(_, point)| point.radius).fold(0.0, f32::max);
-        let area = MmRect::from_points(points.iter().map(|(_, point)| point.at));
-        Self { by_place: Index::new(area, params.max_spacing()), largest }
-    }
-
-    fn put(&mut self, number: usize, point: Point) {
-        self.by_place.put_at(point.at, (number, point));
-    }
-
-    /// Whether another one of these is the same as a point ([`is_drawn_twice`]).
-    fn is_any_same(&self, number: usize, point: &Point) -> bool {
-        let mut is_there = false;
-        self.by_place.around(point.at, point.at, self.largest, |(other, of)| {
-            is_there = is_there || *other != number && is_drawn_twice(of, slice::from_ref(point));
-        });
-        is_there
-    }
 }
