@@ -92,21 +92,24 @@ fn where_only_pixels_are_wanted_they_are_the_same_and_no_font_is_asked_for() {
     assert_eq!((pixels.texts.len(), pixels.drawing.is_some(), pixels.raster), (0, false, all.raster));
 }
 
-#[test]
-fn signs_that_have_a_place_each_are_one_number_and_one_word() {
+/// The texts of a drawing that has a text with this inside.
+fn texts_of(inside: &str) -> Vec<String> {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_font_data(read("block.ttf"));
     let fonts = Arc::new(fonts);
     let (working_size, fonts) = (|source: Header| Ok(source.size), || fonts.clone());
     let options = DecodeOptions { fonts: &fonts, keep_text: false, ..DecodeOptions::whole(&working_size) };
-    let read = |inside: &str| {
-        let text = format!(
-            "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='60' font-family='Block' font-size='16'>\
-             <text>{inside}</text></svg>"
-        );
-        let texts = decode(text.as_bytes(), &options).unwrap().texts;
-        texts.into_iter().map(|text| text.string).collect::<Vec<_>>()
-    };
+    let text = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='60' font-family='Block' font-size='16'>\
+         <text>{inside}</text></svg>"
+    );
+    let texts = decode(text.as_bytes(), &options).unwrap().texts;
+    texts.into_iter().map(|text| text.string).collect()
+}
+
+#[test]
+fn signs_that_have_a_place_each_are_one_number_and_one_word() {
+    let read = texts_of;
     let power = "<tspan x='46.4' y='24' font-size='11'>3</tspan>";
     for places in ["x='10 26 36.2' y='30'", "x='10 26 36.2' y='30 30 30'"] {
         let all = read(&format!("<tspan {places}>A10</tspan>{power}"));
@@ -124,6 +127,38 @@ fn signs_that_have_a_place_each_are_one_number_and_one_word() {
     assert_eq!(read(raised), ["A\u{b3} A"]);
     assert_eq!(read(&raised.replace("3<", "3 <").replace("> A", ">A")), ["A\u{b3} A"]);
     assert_eq!(read("<tspan x='10' y='30'>A<tspan fill='red'>1</tspan><tspan dy='4'>A</tspan></tspan>"), ["A1A"]);
+}
+
+#[test]
+fn what_is_raised_or_lowered_within_a_text_is_a_power_or_an_index() {
+    let of = |attributes: &str| {
+        texts_of(&format!("<tspan x='10' y='30'>A1<tspan {attributes}>3</tspan><tspan fill='red'> A</tspan></tspan>"))
+    };
+    for shift in ["super", "6", "40%", "0.4em"] {
+        assert_eq!(of(&format!("baseline-shift='{shift}' font-size='11'")), ["A1\u{b3} A"], "{shift}");
+        assert_eq!(of(&format!("baseline-shift='{shift}'")), ["A1\u{b3} A"], "{shift}, as large");
+    }
+    for shift in ["sub", "-4", "-25%"] {
+        assert_eq!(of(&format!("style='baseline-shift:{shift};font-size:65%'")), ["A1\u{2083} A"], "{shift}");
+    }
+    for shift in ["baseline", "0", "1", "14"] {
+        assert_eq!(of(&format!("baseline-shift='{shift}'")), ["A13 A"], "{shift}");
+    }
+    let back = "<tspan x='10' y='30'>A<tspan dy='-6'>3</tspan><tspan dy='6'>A1</tspan></tspan>";
+    assert_eq!(texts_of(back), ["A\u{b3}A1"]);
+    let raised = "<tspan dy='-6' font-size='11'>3</tspan>";
+    for anchor in ["middle", "end"] {
+        let start = format!("<tspan x='90' y='30' text-anchor='{anchor}'>A");
+        assert_eq!(texts_of(&format!("{start}{raised}</tspan>")), ["A\u{b3}"], "{anchor}");
+        let below = format!("{start}1</tspan><tspan x='90' dy='14' text-anchor='{anchor}' font-size='11'>2</tspan>");
+        assert_eq!(texts_of(&below), ["A1 2"], "{anchor}, a small line below");
+    }
+    let whole = "<tspan x='10' y='30' baseline-shift='-33%'>A1</tspan><tspan x='60' baseline-shift='-33%'>2</tspan>";
+    assert_eq!(texts_of(whole), ["A1 2"]);
+    // blanks between elements have the size of the whole text
+    let small = |x: u32, sign: char| format!(" <tspan x='{x}' y='24' font-size='11'>{sign}</tspan>");
+    let signs = format!("<tspan x='10' y='30'>A</tspan>{}{} ", small(26, '1'), small(33, '2'));
+    assert_eq!(texts_of(&signs), ["A\u{b9}\u{b2}"]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! kept as data.
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use usvg::{Group, Node, Text, TextAnchor, TextChunk, Tree};
+use usvg::{BaselineShift, Group, Node, Text, TextAnchor, TextChunk, TextSpan, Tree};
 
 use super::colour::one_line;
 use crate::listing::{counted, first_few};
@@ -154,9 +154,20 @@ struct Piece {
     /// Whether it goes on in the word of the last one, but for blanks that it has itself.
     goes_on: bool,
     /// Where it begins, if that is known.
-    at: Option<(f32, f32)>,
+    at: Option<Place>,
     /// Size of its font.
     size: f32,
+    /// How far it stands above the line on which its part of the text begins.
+    up: f32,
+}
+
+/// A place in a frame: 0 is that of the drawing, others are those of parts whose place in it is not known, such as
+/// centred ones.
+#[derive(Clone, Copy)]
+struct Place {
+    frame: usize,
+    x: f32,
+    y: f32,
 }
 
 /// The pieces of a text. In a row of places, one for each sign, the first alone has a height, and blanks are signs of
@@ -165,9 +176,10 @@ fn pieces(text: &Text) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     // how many signs came before, and at which height they end
     let (mut before, mut height) = (0_usize, None);
-    for chunk in text.chunks() {
+    for (frame, chunk) in (1..).zip(text.chunks()) {
         let level = chunk.y().or(height);
-        let place = chunk.x().zip(level).filter(|_| chunk.anchor() == TextAnchor::Start);
+        let known = chunk.x().zip(level).filter(|_| chunk.anchor() == TextAnchor::Start);
+        let place = known.map_or(Place { frame, x: 0.0, y: 0.0 }, |(x, y)| Place { frame: 0, x, y });
         let mut own = pieces_of(chunk, place, [text.dx(), text.dy()].map(|of| of.get(before..).unwrap_or_default()));
         if let Some(first) = own.first_mut() {
             first.goes_on = chunk.y().is_none() && pieces.last().is_some_and(|last| is_next(first, last));
@@ -185,30 +197,48 @@ fn pieces(text: &Text) -> Vec<Piece> {
 
 /// The pieces of a part of a text that begins at a place, and whose signs are shifted by so much each: spans that are
 /// raised or lowered are pieces of their own. How far to the right they begin is guessed.
-fn pieces_of(chunk: &TextChunk, place: Option<(f32, f32)>, [dx, dy]: [&[f32]; 2]) -> Vec<Piece> {
+fn pieces_of(chunk: &TextChunk, place: Place, [dx, dy]: [&[f32]; 2]) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
-    let (mut at, mut before) = (place, 0);
+    let first = dy.first().copied().unwrap_or(0.0);
+    // where a span begins, but for its own shifts; how far above the line the last one ends; how many signs were before
+    let (mut at, mut level, mut before) = (place, 0.0, 0);
     for span in chunk.spans() {
         let string = chunk.text().get(span.start()..span.end()).unwrap_or_default();
-        let (signs, size) = (string.chars().count(), span.font_size().get());
+        let (signs, size, lift) = (string.chars().count(), span.font_size().get(), raised(span));
         let shift = |by: &[f32], count: usize| by.iter().skip(before).take(count).sum::<f32>();
+        let y = at.y + shift(dy, 1) - lift;
+        let up = place.y + first - y;
         let goes_on = !pieces.is_empty();
         match pieces.last_mut() {
-            Some(last) if shift(dy, 1).abs() <= LEVEL * size => {
+            Some(last) if (up - level).abs() <= LEVEL * size => {
+                // blanks between the elements of a file are of any size
+                last.size = if last.text.trim().is_empty() { size } else { last.size };
+                last.size = if string.trim().is_empty() { last.size } else { last.size.max(size) };
                 last.text.push_str(string);
-                last.size = last.size.max(size);
             }
             _ => {
                 // what is moved back stands below or above another part
-                let known = at.filter(|_| !goes_on || shift(dx, 1) >= 0.0);
-                let at = known.map(|(x, y)| (x, y + shift(dy, 1)));
-                pieces.push(Piece { text: string.to_owned(), goes_on, at, size });
+                let is_known = !goes_on || shift(dx, 1) >= 0.0;
+                let at = is_known.then_some(Place { y, ..at });
+                pieces.push(Piece { text: string.to_owned(), goes_on, at, size, up });
             }
         }
-        at = at.map(|(x, y)| (x + USUAL * size * signs as f32, y + shift(dy, signs)));
+        at = Place { x: at.x + USUAL * size * signs as f32, y: at.y + shift(dy, signs), ..at };
+        level = place.y + first - at.y + lift;
         before += signs;
     }
     pieces
+}
+
+/// How far a span is raised by its style. How far "super" and "sub" are is a matter of its font, and guessed.
+fn raised(span: &TextSpan) -> f32 {
+    let of = |shift: &BaselineShift| match shift {
+        BaselineShift::Baseline => 0.0,
+        BaselineShift::Subscript => -SHIFT * span.font_size().get(),
+        BaselineShift::Superscript => SHIFT * span.font_size().get(),
+        BaselineShift::Number(up) => *up,
+    };
+    span.baseline_shift().iter().map(of).sum()
 }
 
 /// Whether a piece begins where the only sign of the last one ends.
@@ -228,6 +258,11 @@ const BROADEST: f32 = 1.1;
 /// A raised or lowered sign is as small as this beside those on the line, and stands so far off it, in sizes of these.
 const SMALL: f32 = 0.85;
 const OFF_LINE: f32 = 0.1;
+/// What is raised or lowered within a part of a text may be as large as that, if it stands so far off its line, in
+/// sizes of their font.
+const FAR_OFF_LINE: std::ops::RangeInclusive<f32> = 0.2..=0.6;
+/// How far "super" and "sub" are off the line, in sizes of their font.
+const SHIFT: f32 = 0.4;
 /// A usual sign is so broad, in sizes of its font.
 const USUAL: f32 = 0.5;
 /// Signs of a row are level but for this, in sizes of their font.
@@ -258,10 +293,10 @@ fn joined(pieces: &[Piece]) -> String {
     all
 }
 
-/// How far to the right and how far up a piece begins from another.
+/// How far to the right and how far up a piece begins from another, if that is known.
 fn from(other: &Piece, piece: &Piece) -> Option<(f32, f32)> {
-    let ((x, y), (from_x, from_y)) = (piece.at?, other.at?);
-    Some((x - from_x, from_y - y))
+    let (at, from) = (piece.at?, other.at?);
+    (at.frame == from.frame).then_some((at.x - from.x, from.y - at.y))
 }
 
 /// Whether a piece stands on the line right behind the last one: both are of one number, or the last one is a raised or
@@ -285,9 +320,11 @@ fn script(piece: &Piece, last: &Piece, on_line: &Piece) -> Option<String> {
     let (right, _) = from(last, piece)?;
     let (behind, up) = from(on_line, piece)?;
     let (own, widest) = (piece.text.trim(), BROADEST * last.size * last.text.trim().chars().count() as f32);
+    let is_far = |up: f32| FAR_OFF_LINE.contains(&(up.abs() / piece.size));
+    let is_said = piece.size <= on_line.size && up * piece.up > 0.0 && is_far(up) && is_far(piece.up);
     // a small line below another one begins where that does
     let is_script = behind > 0.0
-        && piece.size <= SMALL * on_line.size
+        && (is_said || piece.size <= SMALL * on_line.size)
         && (0.0..=widest).contains(&right)
         && (OFF_LINE * on_line.size..=on_line.size).contains(&up.abs());
     let sign = |sign: char| {

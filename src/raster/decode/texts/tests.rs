@@ -40,8 +40,9 @@ fn digits_and_powers_of_a_formula_are_one_number() {
         let piece = |&(text, x, y, size): &(&str, f32, f32, f32)| Piece {
             text: text.to_owned(),
             goes_on: false,
-            at: Some((x, y)),
+            at: Some(Place { frame: 0, x, y }),
             size,
+            up: 0.0,
         };
         joined(&of.iter().map(piece).collect::<Vec<_>>())
     };
@@ -57,6 +58,6 @@ fn digits_and_powers_of_a_formula_are_one_number() {
     assert_eq!(pieces(&[("Rain", 0.0, 0.0, 10.0), ("2", 60.0, -4.0, 7.0)]), "Rain 2", "too far off");
     assert_eq!(pieces(&[("Room", 0.0, 0.0, 10.0), ("2", 0.0, 9.0, 7.0)]), "Room 2", "a small line below");
     assert_eq!(pieces(&[("1 ", 0.0, 0.0, 10.0), ("0 ", 6.4, 0.0, 10.0), ("3", 12.8, -4.0, 7.0)]), "10\u{b3}", "blanks");
-    let unknown = ["Rain", "in mm"].map(|text| Piece { text: text.to_owned(), goes_on: false, at: None, size: 9.0 });
-    assert_eq!(joined(&unknown), "Rain in mm");
+    let unknown = |text: &str| Piece { text: text.to_owned(), goes_on: false, at: None, size: 9.0, up: 0.0 };
+    assert_eq!(joined(&["Rain", "in mm"].map(unknown)), "Rain in mm");
 }
