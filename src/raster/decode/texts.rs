@@ -125,7 +125,7 @@ fn add_group(group: &Group, transform: Transform, size: Size, found: &mut Vec<Dr
 
 /// A text, if it has letters and a part of it is in the picture.
 fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
-    let letters = joined(&pieces(text));
+    let letters = joined(&in_order(pieces(text)));
     let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
     let place = text.abs_bounding_box().transform(transform)?;
     let is_seen = place.left() < size.width as f32
@@ -241,6 +241,61 @@ fn raised(span: &TextSpan) -> f32 {
     span.baseline_shift().iter().map(of).sum()
 }
 
+/// Signs of a formula in the order in which they stand on their line: matplotlib writes those of one size and style
+/// together. Not those of fractions, whose numbers would be mixed. Where blanks are signs too, no others are between
+/// words.
+fn in_order(mut pieces: Vec<Piece>) -> Vec<Piece> {
+    if !is_formula(&pieces) {
+        return pieces;
+    }
+    let x = |piece: &Piece| piece.at.map_or(0.0, |at| at.x);
+    let mut sorted: Vec<&Piece> = pieces.iter().collect();
+    sorted.sort_by(|a, b| x(a).total_cmp(&x(b)));
+    if sorted.windows(2).any(|pair| above(pair[0], pair[1]).is_some()) {
+        return pieces;
+    }
+    pieces.sort_by(|a, b| x(a).total_cmp(&x(b)));
+    let is_blank = |piece: &Piece| piece.text.trim().is_empty();
+    if pieces.iter().any(is_blank) {
+        for i in 1..pieces.len() {
+            let step = x(&pieces[i]) - x(&pieces[i - 1]);
+            pieces[i].goes_on = !is_blank(&pieces[i - 1]) && step <= BROADEST * pieces[i - 1].size;
+        }
+    }
+    pieces
+}
+
+/// Whether pieces are signs with a place each, beside one line, and some of them are small. Such signs of languages
+/// that are written to the left have an order of their own.
+fn is_formula(pieces: &[Piece]) -> bool {
+    let Some(line) = pieces.iter().max_by(|a, b| a.size.total_cmp(&b.size)) else { return false };
+    let to_left =
+        |sign: char| matches!(sign, '\u{590}'..='\u{8ff}' | '\u{fb1d}'..='\u{fdff}' | '\u{fe70}'..='\u{feff}');
+    let is_sign = |piece: &Piece| {
+        let text = piece.text.trim();
+        piece.at.is_some_and(|at| at.frame == 0) && text.chars().count() <= 1 && !text.contains(to_left)
+    };
+    let is_beside = |piece: &Piece| from(line, piece).is_some_and(|(_, up)| up.abs() <= BESIDE_LINE * line.size);
+    let is_small = |piece: &Piece| piece.size <= SMALL * line.size;
+    pieces.iter().all(|piece| is_sign(piece) && is_beside(piece)) && pieces.iter().any(is_small)
+}
+
+/// How far the second of two pieces stands above the first, or below, if they are as large, and one is over the other
+/// as the numbers of a fraction are.
+fn above(first: &Piece, second: &Piece) -> Option<f32> {
+    let (right, up) = from(first, second)?;
+    let is_alike = (first.size - second.size).abs() <= 0.05 * first.size;
+    let is_over = right.abs() <= BESIDE * first.size && OVER.contains(&(up.abs() / first.size));
+    (is_alike && is_over).then_some(up)
+}
+
+/// Whether of a piece and those before and after it two are numbers of a fraction: over one another, and not an index
+/// and then the power of a letter.
+fn has_fraction(around: &[Piece], on_line: &Piece) -> bool {
+    let has_letter = on_line.text.trim_end().ends_with(char::is_alphabetic);
+    around.windows(2).any(|pair| above(&pair[0], &pair[1]).is_some_and(|up| up < 0.0 || !has_letter))
+}
+
 /// Whether a piece begins where the only sign of the last one ends.
 fn is_next(piece: &Piece, last: &Piece) -> bool {
     let is_alike = (piece.size - last.size).abs() <= 0.05 * last.size;
@@ -258,6 +313,11 @@ const BROADEST: f32 = 1.1;
 /// A raised or lowered sign is as small as this beside those on the line, and stands so far off it, in sizes of these.
 const SMALL: f32 = 0.85;
 const OFF_LINE: f32 = 0.1;
+/// No sign of a formula of one line stands farther off it, in sizes of the largest.
+const BESIDE_LINE: f32 = 0.6;
+/// What stands over another number begins no farther beside it, and its line is so far off, in sizes of their font.
+const BESIDE: f32 = 0.45;
+const OVER: std::ops::RangeInclusive<f32> = 0.7..=2.0;
 /// What is raised or lowered within a part of a text may be as large as that, if it stands so far off its line, in
 /// sizes of their font.
 const FAR_OFF_LINE: std::ops::RangeInclusive<f32> = 0.2..=0.6;
@@ -275,8 +335,10 @@ fn joined(pieces: &[Piece]) -> String {
     let mut all = String::new();
     // the last piece, and the last that stands on the line
     let mut before: Option<[&Piece; 2]> = None;
-    for piece in pieces {
-        let script = before.and_then(|[last, on_line]| script(piece, last, on_line));
+    for (i, piece) in pieces.iter().enumerate() {
+        let around = &pieces[i.saturating_sub(1)..pieces.len().min(i + 2)];
+        let base = before.filter(|[_, on_line]| !has_fraction(around, on_line));
+        let script = base.and_then(|[last, on_line]| script(piece, last, on_line));
         let is_right_on = !piece.goes_on && before.is_some_and(|[last, on_line]| goes_right_on(piece, last, on_line));
         if script.is_some() || is_right_on {
             all.truncate(all.trim_end().len());

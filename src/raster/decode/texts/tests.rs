@@ -34,18 +34,20 @@ fn lists_and_texts_apart_are_several() {
     assert_eq!(strings(ended.to_vec()).len(), 2, "the sentence has ended");
 }
 
+/// Pieces as one text: what they say, where they begin, and their size.
+fn pieces(of: &[(&str, f32, f32, f32)]) -> String {
+    let piece = |&(text, x, y, size): &(&str, f32, f32, f32)| Piece {
+        text: text.to_owned(),
+        goes_on: false,
+        at: Some(Place { frame: 0, x, y }),
+        size,
+        up: 0.0,
+    };
+    joined(&in_order(of.iter().map(piece).collect()))
+}
+
 #[test]
 fn digits_and_powers_of_a_formula_are_one_number() {
-    let pieces = |of: &[(&str, f32, f32, f32)]| -> String {
-        let piece = |&(text, x, y, size): &(&str, f32, f32, f32)| Piece {
-            text: text.to_owned(),
-            goes_on: false,
-            at: Some(Place { frame: 0, x, y }),
-            size,
-            up: 0.0,
-        };
-        joined(&of.iter().map(piece).collect::<Vec<_>>())
-    };
     // as matplotlib writes the numbers of a logarithmic axis
     assert_eq!(pieces(&[("1", 0.0, -0.7, 10.0), ("0", 6.4, -0.7, 10.0), ("3", 12.8, -4.8, 7.0)]), "10\u{b3}");
     let negative =
@@ -60,4 +62,43 @@ fn digits_and_powers_of_a_formula_are_one_number() {
     assert_eq!(pieces(&[("1 ", 0.0, 0.0, 10.0), ("0 ", 6.4, 0.0, 10.0), ("3", 12.8, -4.0, 7.0)]), "10\u{b3}", "blanks");
     let unknown = |text: &str| Piece { text: text.to_owned(), goes_on: false, at: None, size: 9.0, up: 0.0 };
     assert_eq!(joined(&["Rain", "in mm"].map(unknown)), "Rain in mm");
+}
+
+#[test]
+fn signs_of_a_formula_are_in_the_order_in_which_they_stand() {
+    // as matplotlib writes them: those of one size and style together
+    let number = [
+        ("1", 0.0, -0.7, 10.0),
+        ("0", 6.4, -0.7, 10.0),
+        ("", 23.4, -0.7, 10.0),
+        ("k", 26.6, -0.7, 10.0),
+        ("g", 32.4, -0.7, 10.0),
+        ("\u{2212}", 12.8, -4.8, 7.0),
+        ("3", 18.7, -4.8, 7.0),
+    ];
+    assert_eq!(pieces(&number), "10\u{207b}\u{b3} kg");
+    let energy = [
+        ("E", 0.0, 0.0, 10.0),
+        ("m", 18.6, 0.0, 10.0),
+        ("c", 28.3, 0.0, 10.0),
+        ("=", 8.3, 0.0, 10.0),
+        ("2", 34.3, -4.4, 7.0),
+    ];
+    assert_eq!(pieces(&energy), "E = m c\u{b2}");
+    let hebrew = [("\u{5d0}", 20.0, 0.0, 10.0), ("\u{5d1}", 14.0, 0.0, 10.0), ("2", 26.0, -4.0, 7.0)];
+    assert_eq!(pieces(&hebrew), "\u{5d0} \u{5d1} 2");
+}
+
+#[test]
+fn numbers_of_a_fraction_are_no_powers() {
+    assert_eq!(pieces(&[("3", 0.0, 0.0, 10.0), ("1", 7.0, -3.4, 7.0), ("2", 7.0, 3.6, 7.0)]), "3 1 2");
+    let mixed = [
+        ("=", 0.0, 0.0, 10.0),
+        ("1", 9.0, -3.8, 7.0),
+        ("3", 11.0, 3.4, 7.0),
+        ("0", 13.4, -3.8, 7.0),
+        ("y", -8.0, 0.0, 10.0),
+    ];
+    assert_eq!(pieces(&mixed), "= 1 3 0 y", "not in another order either");
+    assert_eq!(pieces(&[("x", 0.0, 0.0, 10.0), ("1", 5.9, 3.2, 7.0), ("2", 6.4, -4.4, 7.0)]), "x\u{2081}\u{b2}");
 }
