@@ -352,7 +352,23 @@ fn joined(pieces: &[Piece]) -> String {
         let on_line = before.filter(|_| script.is_some()).map_or(piece, |[_, on_line]| on_line);
         before = Some([piece, on_line]);
     }
-    all
+    with_signs_on_line(&all)
+}
+
+/// A text in which raised and lowered signs without a number stand on the line, as in Na+, which says the same: no
+/// table of braille has cells for them.
+fn with_signs_on_line(text: &str) -> String {
+    let all: Vec<char> = text.chars().collect();
+    let is_number = |at: Option<usize>| {
+        let sign = at.and_then(|at| all.get(at));
+        sign.is_some_and(|sign| DIGITS.iter().any(|(_, raised, lowered)| sign == raised || sign == lowered))
+    };
+    let on_line = |(i, &sign): (usize, &char)| {
+        let known = SIGNS.iter().find(|(_, raised, lowered)| sign == *raised || sign == *lowered);
+        let is_alone = !is_number(i.checked_sub(1)) && !is_number(i.checked_add(1));
+        known.filter(|_| is_alone).map_or(sign, |(own, ..)| *own)
+    };
+    all.iter().enumerate().map(on_line).collect()
 }
 
 /// How far to the right and how far up a piece begins from another, if that is known.
@@ -389,15 +405,20 @@ fn script(piece: &Piece, last: &Piece, on_line: &Piece) -> Option<String> {
         && (is_said || piece.size <= SMALL * on_line.size)
         && (0.0..=widest).contains(&right)
         && (OFF_LINE * on_line.size..=on_line.size).contains(&up.abs());
-    let sign = |sign: char| {
-        let known = SCRIPTS.iter().find(|(own, ..)| *own == sign)?;
-        Some(if up > 0.0 { known.1 } else { known.2 })
-    };
-    (is_script && !own.is_empty()).then(|| own.chars().map(sign).collect::<Option<_>>())?
+    is_script.then(|| scripted(own, up > 0.0))?
 }
 
-/// Signs, raised and lowered.
-const SCRIPTS: [(char, char, char); 13] = [
+/// A text in raised or lowered characters, if there are such.
+pub(super) fn scripted(text: &str, is_raised: bool) -> Option<String> {
+    let sign = |sign: char| {
+        let (_, raised, lowered) = DIGITS.iter().chain(&SIGNS).find(|(own, ..)| *own == sign)?;
+        Some(if is_raised { *raised } else { *lowered })
+    };
+    (!text.is_empty()).then(|| text.chars().map(sign).collect::<Option<_>>())?
+}
+
+/// Digits, raised and lowered.
+const DIGITS: [(char, char, char); 10] = [
     ('0', '\u{2070}', '\u{2080}'),
     ('1', '\u{b9}', '\u{2081}'),
     ('2', '\u{b2}', '\u{2082}'),
@@ -408,10 +429,11 @@ const SCRIPTS: [(char, char, char); 13] = [
     ('7', '\u{2077}', '\u{2087}'),
     ('8', '\u{2078}', '\u{2088}'),
     ('9', '\u{2079}', '\u{2089}'),
-    ('+', '\u{207a}', '\u{208a}'),
-    ('-', '\u{207b}', '\u{208b}'),
-    ('\u{2212}', '\u{207b}', '\u{208b}'),
 ];
+
+/// Signs, raised and lowered.
+const SIGNS: [(char, char, char); 3] =
+    [('\u{2212}', '\u{207b}', '\u{208b}'), ('-', '\u{207b}', '\u{208b}'), ('+', '\u{207a}', '\u{208a}')];
 
 #[cfg(test)]
 mod tests;

@@ -102,3 +102,10 @@ fn numbers_of_a_fraction_are_no_powers() {
     assert_eq!(pieces(&mixed), "= 1 3 0 y", "not in another order either");
     assert_eq!(pieces(&[("x", 0.0, 0.0, 10.0), ("1", 5.9, 3.2, 7.0), ("2", 6.4, -4.4, 7.0)]), "x\u{2081}\u{b2}");
 }
+
+#[test]
+fn raised_signs_without_a_number_are_on_the_line() {
+    assert_eq!(pieces(&[("Na", 0.0, 0.0, 10.0), ("+", 13.0, -4.0, 7.0)]), "Na+");
+    assert_eq!(pieces(&[("Cl", 0.0, 0.0, 10.0), ("-", 11.0, -4.0, 7.0)]), "Cl\u{2212}");
+    assert_eq!(pieces(&[("Ca", 0.0, 0.0, 10.0), ("2+", 13.0, -4.0, 7.0)]), "Ca\u{b2}\u{207a}");
+}
