@@ -195,6 +195,15 @@ fn letters_that_are_filled_and_stroked_are_one_text() {
 }
 
 #[test]
+fn small_numbers_off_the_line_are_raised_and_lowered() {
+    let entries = format!("/MediaBox [0 0 200 48] /Resources << {FONT} >>");
+    let power = "BT /F 10 Tf 4 20 Td (10) Tj /F 7 Tf 11.2 4 Td (3) Tj /F 10 Tf 3.9 -4 Td ( kg) Tj ET";
+    let water = "BT /F 10 Tf 104 20 Td (H) Tj /F 7 Tf 7.3 -2 Td (2) Tj /F 10 Tf 3.9 2 Td (O) Tj ET";
+    let content = format!("{power} {water}");
+    assert_eq!(strings(&without_text(&page(&entries, &content, &[]), None)), ["10\u{b3} kg", "H\u{2082}O"]);
+}
+
+#[test]
 fn pages_that_grow_without_end_are_refused() {
     let form = |next: usize, times: usize| {
         let resources = format!("/Resources << /XObject << /N {next} 0 R >> >>");

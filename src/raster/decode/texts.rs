@@ -311,13 +311,13 @@ const POINT: f32 = 0.45;
 /// No sign is broader, in sizes of its font.
 const BROADEST: f32 = 1.1;
 /// A raised or lowered sign is as small as this beside those on the line, and stands so far off it, in sizes of these.
-const SMALL: f32 = 0.85;
-const OFF_LINE: f32 = 0.1;
+pub(super) const SMALL: f32 = 0.85;
+pub(super) const OFF_LINE: f32 = 0.1;
 /// No sign of a formula of one line stands farther off it, in sizes of the largest.
 const BESIDE_LINE: f32 = 0.6;
 /// What stands over another number begins no farther beside it, and its line is so far off, in sizes of their font.
 const BESIDE: f32 = 0.45;
-const OVER: std::ops::RangeInclusive<f32> = 0.7..=2.0;
+pub(super) const OVER: std::ops::RangeInclusive<f32> = 0.7..=2.0;
 /// What is raised or lowered within a part of a text may be as large as that, if it stands so far off its line, in
 /// sizes of their font.
 const FAR_OFF_LINE: std::ops::RangeInclusive<f32> = 0.2..=0.6;

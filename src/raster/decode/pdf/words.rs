@@ -3,7 +3,7 @@
 use hayro_interpret::kurbo::{Point, Rect, Vec2};
 use resvg::tiny_skia::Transform;
 
-use super::super::texts::sentences;
+use super::super::texts::{self, scripted, sentences};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 
@@ -18,6 +18,9 @@ const BETWEEN_WORDS: f64 = 1.5;
 
 /// How far a letter may reach back into the one before it, in font sizes: accents and kerning do.
 const BACK: f64 = 0.5;
+
+/// The same of a raised or lowered number, and of what stands behind it.
+const BACK_OFF_LINE: f64 = 0.2;
 
 /// How far letters of one text may stand above or below its line, in font sizes.
 const OFF_LINE: f64 = 0.2;
@@ -52,8 +55,12 @@ pub(super) struct Written {
     place: Rect,
     up: Vec2,
     along: Vec2,
+    /// Where its first letter begins.
+    from: Point,
     /// Where its last letter ends.
     end: Point,
+    /// If raised or lowered numbers are at its end, where they begin, in its string and on its line.
+    script: Option<(usize, Point)>,
     hidden: bool,
 }
 
@@ -99,7 +106,9 @@ impl Texts {
                 place,
                 up: letter.up,
                 along: letter.along,
+                from: letter.from,
                 end: letter.to,
+                script: None,
                 hidden: letter.hidden,
             });
             (self.spaced, self.open) = (false, true);
@@ -122,8 +131,7 @@ impl Texts {
         let (size, own) = (last.up.hypot(), letter.up.hypot());
         let alike = size > 0.0 && own > 0.0 && (own / size).max(size / own) <= OTHER_SIZE;
         let along = last.along.normalize();
-        let turned = along.cross(letter.along.normalize()).abs() > 0.02 || along.dot(letter.along) < 0.0;
-        if !alike || turned || last.hidden != letter.hidden {
+        if !alike || is_turned(last.along, letter.along) || last.hidden != letter.hidden {
             return None;
         }
         let step = letter.from - last.end;
@@ -133,8 +141,91 @@ impl Texts {
 
     /// The texts in their order, and how many letters are not known.
     pub(super) fn finish(self) -> (Vec<Written>, usize) {
-        (self.done, self.unknown)
+        (with_scripts(&self.done), self.unknown)
     }
+}
+
+/// Texts with what is raised or lowered right behind them, in characters of its own, and with what goes on there.
+fn with_scripts(texts: &[Written]) -> Vec<Written> {
+    let mut all: Vec<Written> = Vec::new();
+    for (i, text) in texts.iter().enumerate() {
+        let around = &texts[i.saturating_sub(1)..texts.len().min(i + 2)];
+        let is_over = around.windows(2).any(|pair| pair[0].is_over(&pair[1]));
+        let is_joined = all.last_mut().is_some_and(|last| last.add_script(text, is_over) || last.go_on(text));
+        if !is_joined {
+            all.push(text.clone());
+        }
+    }
+    all
+}
+
+impl Written {
+    /// How far a point is from another one, along the line and above it, in font sizes.
+    fn step(&self, from: Point, to: Point) -> (f64, f64) {
+        let (along, step, size) = (self.along.normalize(), to - from, self.up.hypot());
+        (along.dot(step) / size, along.cross(step) * along.cross(self.up).signum() / size)
+    }
+
+    /// How large another text is beside this one, if both are painted in one direction: sizes of letters behind a
+    /// scanned picture are guessed.
+    fn size_of(&self, other: &Self) -> Option<f64> {
+        let is_painted = !self.hidden && !other.hidden && self.up.hypot() > 0.0;
+        (is_painted && !is_turned(self.along, other.along)).then(|| other.up.hypot() / self.up.hypot())
+    }
+
+    /// Whether this text and another one of its size stand over one another, as the numbers of a fraction do.
+    fn is_over(&self, other: &Self) -> bool {
+        let (begin, up) = self.step(self.from, other.from);
+        let (own, end) = (self.step(self.from, self.end).0, self.step(self.from, other.end).0);
+        let is_alike = self.size_of(other).is_some_and(|size| size.max(size.recip()) <= OTHER_SIZE);
+        let common = own.min(end) - begin.max(0.0);
+        is_alike && common > 0.5 * own.min(end - begin) && texts::OVER.contains(&(up.abs() as f32))
+    }
+
+    /// Adds a text that is a raised or lowered number right behind this one, and says whether it is. An index and a
+    /// power of a letter may be over one another; over one another behind a number are those of a fraction.
+    fn add_script(&mut self, next: &Self, is_over: bool) -> bool {
+        let is_behind = |end: Point| (-BACK_OFF_LINE..=IN_WORD).contains(&self.step(end, next.from).0);
+        let off_line = f64::from(texts::OFF_LINE)..=1.0;
+        let up = self.step(self.end, next.from).1;
+        let is_small = self.size_of(next).is_some_and(|size| size <= f64::from(texts::SMALL));
+        let (base, end) = self.script.filter(|_| is_over).unwrap_or((self.string.len(), self.end));
+        let is_of_letter = self.string[..base].ends_with(char::is_alphabetic);
+        let is_script = is_small && off_line.contains(&up.abs()) && is_behind(end) && (is_of_letter || !is_over);
+        let has_number = next.string.contains(|sign: char| sign.is_ascii_digit());
+        let Some(own) = scripted(&next.string, up > 0.0).filter(|_| is_script && has_number) else { return false };
+        // an index is written before the power that is over it
+        let at = if up > 0.0 { self.string.len() } else { base };
+        self.string.insert_str(at, &own);
+        self.script = Some((base, end));
+        self.place = self.place.union(next.place);
+        let further = self.step(self.end, next.end).0.max(0.0);
+        self.end += self.along.normalize() * (further * self.up.hypot());
+        true
+    }
+
+    /// Adds a text that goes on with this one behind a raised or lowered number, and says whether it does.
+    fn go_on(&mut self, next: &Self) -> bool {
+        let (gap, up) = self.step(self.end, next.from);
+        let is_alike = self.size_of(next).is_some_and(|size| size.max(size.recip()) <= OTHER_SIZE);
+        let is_near = up.abs() <= OFF_LINE && (-BACK_OFF_LINE..=BETWEEN_WORDS).contains(&gap);
+        if self.script.is_none() || !is_alike || !is_near {
+            return false;
+        }
+        if gap > IN_WORD {
+            self.string.push(' ');
+        }
+        self.string.push_str(&next.string);
+        self.place = self.place.union(next.place);
+        (self.end, self.script) = (next.end, None);
+        true
+    }
+}
+
+/// Whether two directions of reading are not the same.
+fn is_turned(along: Vec2, other: Vec2) -> bool {
+    let along = along.normalize();
+    along.cross(other.normalize()).abs() > 0.02 || along.dot(other) < 0.0
 }
 
 fn is_seen(place: Rect, seen: Rect) -> bool {
