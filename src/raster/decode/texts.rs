@@ -338,7 +338,8 @@ fn joined(pieces: &[Piece]) -> String {
     for (i, piece) in pieces.iter().enumerate() {
         let around = &pieces[i.saturating_sub(1)..pieces.len().min(i + 2)];
         let base = before.filter(|[_, on_line]| !has_fraction(around, on_line));
-        let script = base.and_then(|[last, on_line]| script(piece, last, on_line));
+        let is_alone = !around.windows(2).any(|pair| is_level(&pair[0], &pair[1]));
+        let script = base.and_then(|[last, on_line]| script(piece, last, on_line, is_alone));
         let is_right_on = !piece.goes_on && before.is_some_and(|[last, on_line]| goes_right_on(piece, last, on_line));
         if script.is_some() || is_right_on {
             all.truncate(all.trim_end().len());
@@ -393,8 +394,15 @@ fn goes_right_on(piece: &Piece, last: &Piece, on_line: &Piece) -> bool {
     is_alike && is_near && from(on_line, piece).is_some_and(|(_, up)| up.abs() <= OFF_LINE * on_line.size)
 }
 
-/// A piece in raised or lowered characters, if it stands small above or below the line right behind the last one.
-fn script(piece: &Piece, last: &Piece, on_line: &Piece) -> Option<String> {
+/// Whether two pieces of one size are on one line.
+fn is_level(first: &Piece, second: &Piece) -> bool {
+    let is_alike = (first.size - second.size).abs() <= 0.05 * first.size;
+    is_alike && from(first, second).is_some_and(|(_, up)| up.abs() <= LEVEL * first.size)
+}
+
+/// A piece in raised or lowered characters, if it stands small above or below the line right behind the last one; as a
+/// power if there are no such characters, and it is alone.
+fn script(piece: &Piece, last: &Piece, on_line: &Piece, is_alone: bool) -> Option<String> {
     let (right, _) = from(last, piece)?;
     let (behind, up) = from(on_line, piece)?;
     let (own, widest) = (piece.text.trim(), BROADEST * last.size * last.text.trim().chars().count() as f32);
@@ -405,7 +413,21 @@ fn script(piece: &Piece, last: &Piece, on_line: &Piece) -> Option<String> {
         && (is_said || piece.size <= SMALL * on_line.size)
         && (0.0..=widest).contains(&right)
         && (OFF_LINE * on_line.size..=on_line.size).contains(&up.abs());
-    is_script.then(|| scripted(own, up > 0.0))?
+    let as_power = || power(own, &on_line.text).filter(|_| up > 0.0 && is_alone);
+    is_script.then(|| scripted(own, up > 0.0).or_else(as_power))?
+}
+
+/// A power as it is typed, with a blank behind it, if it may be one of what a text ends in, a number or a letter by
+/// itself: 2^n, which is not 2n, and 10^1.5, which is not 101.5. Other letters are those of ordinals and the like.
+pub(super) fn power(own: &str, base: &str) -> Option<String> {
+    let mut before = base.trim_end().chars().rev();
+    let last = before.next()?;
+    let is_letter = last.is_alphabetic() && before.next().is_none_or(|sign| !sign.is_alphabetic());
+    let is_term = |sign: char| sign.is_ascii_digit() || "ktnxy.,".contains(sign);
+    let is_sum = |sign: char| is_term(sign) || "+-\u{2212}".contains(sign);
+    let is_power = !own.is_empty() && !own.starts_with(['.', ',']) && own.chars().all(is_sum);
+    let is_known = is_power && (last.is_ascii_digit() || is_letter) && own.contains(char::is_alphanumeric);
+    is_known.then(|| if own.chars().all(is_term) { format!("^{own} ") } else { format!("^({own}) ") })
 }
 
 /// A text in raised or lowered characters, if there are such.

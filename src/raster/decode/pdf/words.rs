@@ -3,7 +3,7 @@
 use hayro_interpret::kurbo::{Point, Rect, Vec2};
 use resvg::tiny_skia::Transform;
 
-use super::super::texts::{self, scripted, sentences};
+use super::super::texts::{self, power, scripted, sentences};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 
@@ -193,7 +193,9 @@ impl Written {
         let is_of_letter = self.string[..base].ends_with(char::is_alphabetic);
         let is_script = is_small && off_line.contains(&up.abs()) && is_behind(end) && (is_of_letter || !is_over);
         let has_number = next.string.contains(|sign: char| sign.is_ascii_digit());
-        let Some(own) = scripted(&next.string, up > 0.0).filter(|_| is_script && has_number) else { return false };
+        let as_power = || power(&next.string, &self.string).filter(|_| up > 0.0 && self.script.is_none());
+        let own = scripted(&next.string, up > 0.0).filter(|_| has_number).or_else(as_power);
+        let Some(own) = own.filter(|_| is_script) else { return false };
         // an index is written before the power that is over it
         let at = if up > 0.0 { self.string.len() } else { base };
         self.string.insert_str(at, &own);

@@ -109,3 +109,20 @@ fn raised_signs_without_a_number_are_on_the_line() {
     assert_eq!(pieces(&[("Cl", 0.0, 0.0, 10.0), ("-", 11.0, -4.0, 7.0)]), "Cl\u{2212}");
     assert_eq!(pieces(&[("Ca", 0.0, 0.0, 10.0), ("2+", 13.0, -4.0, 7.0)]), "Ca\u{b2}\u{207a}");
 }
+
+#[test]
+fn powers_without_characters_of_their_own_are_typed() {
+    let of = |base: &str, own: &str| {
+        let behind = 6.4 * base.chars().count() as f32;
+        pieces(&[(base, 0.0, 0.0, 10.0), (own, behind, -4.0, 7.0)]).trim_end().to_owned()
+    };
+    assert_eq!(
+        [of("10", "1.5"), of("2", "n"), of("e", "-x"), of("y = 2", "n+1")],
+        ["10^1.5", "2^n", "e^(-x)", "y = 2^(n+1)"]
+    );
+    assert_eq!([of("1", "er"), of("Rain", "x"), of("5", ","), of("12", "h")], ["1 er", "Rain x", "5 ,", "12 h"]);
+    let lowered = [("v", 0.0, 0.0, 10.0), ("x", 6.0, 3.0, 7.0)];
+    assert_eq!(pieces(&lowered), "v x");
+    let sum = [("2", 0.0, 0.0, 10.0), ("n", 6.4, -4.0, 7.0), ("+", 10.8, -4.0, 7.0), ("k", 16.7, -4.0, 7.0)];
+    assert!(!pieces(&sum).contains('^'), "where it ends is not known");
+}

@@ -56,7 +56,8 @@ fn raised_and_lowered_numbers_have_characters_of_their_own() {
 #[test]
 fn other_small_texts_are_texts_of_their_own() {
     let one = ("1", 10.0, 50.0, 10.0);
-    assert_eq!(sized(&[one, ("n", 15.0, 46.0, 7.0)]), ["1", "n"], "a letter");
+    assert_eq!(sized(&[one, ("e", 15.0, 46.0, 7.0)]), ["1", "e"], "a letter");
+    assert_eq!(sized(&[one, ("n", 15.0, 46.0, 7.0), ("s", 18.7, 50.0, 10.0)]), ["1^n s"], "a power");
     assert_eq!(sized(&[one, ("+", 15.0, 46.0, 7.0)]), ["1", "+"], "a sign");
     assert_eq!(sized(&[one, ("3", 18.0, 46.0, 7.0)]), ["1", "3"], "too far off");
     assert_eq!(sized(&[one, ("3", 15.0, 50.0, 7.0)]), ["1", "3"], "on the line");
