@@ -103,7 +103,7 @@ fn texts_of(inside: &str) -> Vec<String> {
         "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='60' font-family='Block' font-size='16'>\
          <text>{inside}</text></svg>"
     );
-    let texts = decode(text.as_bytes(), &options).unwrap().texts;
+    let texts = decode(text.as_bytes(), &options).expect("a drawing").texts;
     texts.into_iter().map(|text| text.string).collect()
 }
 
