@@ -7,13 +7,14 @@ use super::bars::Chart;
 use super::given::blank_cells;
 use super::legend::LegendEntry;
 use super::progress::Watch;
-use super::textures::{draw_textures, take_unlearned, without_unlearned};
+use super::textures::{cell_at, draw_textures, take_unlearned, without_unlearned};
 use crate::classes::{Class, Classes, Region};
 use crate::edges::Edges;
+use crate::geom::components::{Connectivity, of_labels};
 use crate::lines::Line;
 use crate::listing::list;
 use crate::page::layout::Layout;
-use crate::page::{Medium, Texture};
+use crate::page::{Glyph, Medium, Texture};
 use crate::profile::Plan;
 use crate::textures::leave_out_crumbs;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
@@ -23,6 +24,8 @@ use crate::{About, Note, Reason};
 const INSIDE: f32 = 0.8;
 /// A bar has the colour of at least this share of its cells; the parts of a stacked bar have several.
 const MOSTLY: f32 = 0.6;
+/// An area with more cells than so many of the largest bar is no bar.
+const AS_BARS: usize = 2;
 
 /// A bar of a chart that has one colour.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,8 +156,13 @@ fn made_alike(
     let (blanked, partly): (Vec<Lacking>, Vec<Lacking>) = lacking.iter().partition(|of| becomes_blank(of));
     let is_blanked = |class: Class| blanked.iter().any(|of| of.class == class);
     let own: Vec<MmRect> = bars.iter().filter(|bar| is_blanked(bar.class)).map(|bar| bar.place).collect();
+    let areas = areas_of_chart(bars, classes, is_blanked, figure);
+    let is_own = |glyph: &Glyph| {
+        let [x, y] = cell_at(glyph.at, classes.size, figure);
+        areas[y * classes.size.width as usize + x] || own.iter().any(|place| place.contains(glyph.at))
+    };
     for texture in textures.iter_mut().filter(|texture| is_blanked(texture.class)) {
-        texture.glyphs.retain(|glyph| !own.iter().any(|place| place.contains(glyph.at)));
+        texture.glyphs.retain(|glyph| !is_own(glyph));
     }
     textures.retain(|texture| !texture.glyphs.is_empty());
     if legend.is_empty() {
@@ -165,8 +173,27 @@ fn made_alike(
     let blank: Vec<MmRect> = own.into_iter().chain(bare).collect();
     let cells: BTreeSet<usize> = blank.iter().flat_map(|place| cells_in(*place, classes, figure)).collect();
     let numbers: Vec<bool> = classes.regions.iter().map(|region| is_lacking(region.class)).collect();
-    blank_cells(classes, |cell, region| numbers[region as usize] && cells.contains(&cell));
+    blank_cells(classes, |cell, region| numbers[region as usize] && (areas[cell] || cells.contains(&cell)));
     Some(told(&blanked, &partly))
+}
+
+/// Which cells lie in areas of some classes that reach into the chart of these bars, or are as near to it as a bar is
+/// broad. Where a legend lies on a bar, only a part of that is found as one, or nothing.
+fn areas_of_chart(bars: &[ColouredBar], classes: &Classes, is_of: impl Fn(Class) -> bool, figure: MmRect) -> Vec<bool> {
+    let breadth = bars.iter().map(|bar| bar.place.width().min(bar.place.height())).fold(0.0, f32::max);
+    let chart = MmRect::from_points(bars.iter().flat_map(|bar| [bar.place.min, bar.place.max]));
+    let mut is_near = vec![false; classes.region.len()];
+    cells_in(chart.inflate(breadth, breadth), classes, figure).for_each(|cell| is_near[cell] = true);
+    let largest = bars.iter().map(|bar| cells_in(bar.place, classes, figure).count()).max().unwrap_or(0);
+    let labels: Vec<Option<Class>> =
+        (0..classes.region.len()).map(|cell| class_of(classes, cell).filter(|class| is_of(*class))).collect();
+    let areas = of_labels(&labels, classes.size, Connectivity::Four);
+    let is_bar = |area: &&[usize]| {
+        labels[area[0]].is_some() && area.len() <= AS_BARS * largest && area.iter().any(|&cell| is_near[cell])
+    };
+    let mut is_in = vec![false; classes.region.len()];
+    areas.iter().filter(is_bar).flatten().for_each(|&cell| is_in[cell] = true);
+    is_in
 }
 
 /// What is told of series without textures, and of those of which some bars have none. Whether a key names them is told

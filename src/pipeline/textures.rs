@@ -221,7 +221,7 @@ impl DividedAreas {
 }
 
 /// Column and row of the cell at a place of the sheet, or of the nearest one.
-fn cell_at(at: MmPoint, size: Size, place: MmRect) -> [usize; 2] {
+pub(super) fn cell_at(at: MmPoint, size: Size, place: MmRect) -> [usize; 2] {
     let share = (at - place.min).component_div(place.size().to_vector());
     let index = |share: f32, count: u32| ((share * count as f32).max(0.0) as usize).min(count as usize - 1);
     [index(share.x, size.width), index(share.y, size.height)]

@@ -107,6 +107,28 @@ fn series_that_are_whole_and_several_that_lack_bars_stay_as_they_are() {
 }
 
 #[test]
+fn a_bar_of_a_blank_series_under_a_legend_has_no_texture_either() {
+    let bars = girls_and_boys();
+    let beside = bar(76.0, 80.0, 10.0, Class::Yellow);
+    let all: Vec<ColouredBar> = bars.iter().copied().chain([beside]).collect();
+    let left = |found: &[ColouredBar]| {
+        let (mut all_classes, mut legend) = (classes(&all), Vec::new());
+        let mut textures: Vec<Texture> = [0, 1, 2, 4, 5, 6].iter().map(|&bar| texture(&all[bar])).collect();
+        made_alike(found, &mut all_classes, &mut textures, &mut legend, FIGURE);
+        let cell = |of: &ColouredBar| cells_in(of.place, &all_classes, FIGURE).next();
+        let has_colour = |of: &ColouredBar| cell(of).is_some_and(|cell| all_classes.region[cell].is_some());
+        let with: Vec<usize> = (0..all.len()).filter(|&bar| has_colour(&all[bar])).collect();
+        let lies_in = |texture: &Texture| all.iter().position(|bar| bar.place.contains(texture.glyphs[0].at));
+        (textures.iter().filter_map(lies_in).collect::<Vec<_>>(), with)
+    };
+    // what lies farther off is no bar
+    assert_eq!(left(&bars[..5]), (vec![0, 2, 4, 6], vec![0, 2, 4, 6]), "nothing of the last bar is found");
+    let part = ColouredBar { place: MmRect::new(MmPoint::new(62.0, 36.0), MmPoint::new(65.0, 40.0)), ..bars[5] };
+    let in_part: Vec<ColouredBar> = bars[..5].iter().copied().chain([part]).collect();
+    assert_eq!(left(&in_part), (vec![0, 2, 4, 6], vec![0, 2, 4, 6]), "a part of it is");
+}
+
+#[test]
 fn low_bars_have_the_colour_that_they_lack_in_areas_of_high_ones() {
     let bars = girls_and_boys();
     let fine = classes(&bars);
