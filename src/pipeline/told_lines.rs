@@ -264,8 +264,8 @@ pub(super) fn told_overlaid(edges: &Edges, layout: &Layout) -> Option<Note> {
         count => (format!("{count} strokes lie on lines of other colours"), "the first ", "them"),
     };
     let told = format!(
-        "{strokes} ({first}around {}), as a window in a wall, and fingers cannot tell the two apart; say in a label \
-         what is there, or draw {them} beside the line or with an outline",
+        "{strokes} ({first}around {}), and fingers cannot tell the two apart; where it matters, as of a window in a \
+         wall, say in a label what is there, or draw {them} beside the line or with an outline",
         layout.place_in_words(at)
     );
     Some(Note::TakenAs(About::Lines, Reason::OnOtherLine, told))

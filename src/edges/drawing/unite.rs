@@ -26,46 +26,64 @@ const CELL: f32 = 8.0;
 /// window in a black wall has 1.27 times its contrast. Chosen by us.
 const OTHER_CONTRAST: f32 = 0.15;
 
+/// So many other lines of a grid lie beside one that lies on an axis, at least.
+const OF_GRID: usize = 2;
+
 /// A bend of this many degrees between segments is a corner.
 const CORNER: f32 = 25.0;
 
 /// The contours without those parts that coincide with one before them. Strokes come before outlines and these before
 /// faint strokes, as a line of a grid on the top of a bar; then those with the longest side between two corners: so a
 /// side that goes on beyond the other's corners is whole, and the other ends on it. What comes is of one proposal after
-/// the other. Also gives the middles of strokes that lie as a whole on others from which the eye tells them.
+/// the other, in the order in which strokes are painted. Also gives the middles of strokes that lie as a whole on
+/// others from which the eye tells them.
 pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> (Vec<Confirmed>, Vec<PxPoint>) {
     let mut confirmed = with_faint_strokes(confirmed);
     let rank = |contour: &Confirmed| contour.stroke.map_or(1, |_| 2 * u8::from(contour.faint));
     // in whole pixels: rounding decides nothing
-    confirmed.sort_by_cached_key(|contour| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
+    confirmed.sort_by_cached_key(|(_, contour)| (rank(contour), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);
     let (mut kept, mut overlaid) = (Vec::with_capacity(confirmed.len()), Vec::new());
-    for contour in confirmed {
+    for (painted, contour) in confirmed {
         let parts = uncovered(&contour, &covered);
-        if parts.is_empty() && is_seen_on_others(&contour, &covered) {
-            let vertices = &contour.line.vertices;
-            overlaid.extend(vertices.get(vertices.len() / 2).map(|vertex| vertex.at));
+        if parts.is_empty() && is_seen_on_others(&contour, painted, &covered) {
+            overlaid.push(contour);
         }
         for part in &parts {
             let reach = SAME + 0.5 * part.stroke.unwrap_or(0.0);
-            covered.add(&part.line, reach);
+            covered.add(&part.line, reach, painted);
         }
         kept.extend(parts);
     }
+    let middle = |of: &Confirmed| of.line.vertices.get(of.line.vertices.len() / 2).map(|vertex| vertex.at);
+    let overlaid = overlaid.iter().filter(|of| !is_of_grid(of, &kept)).filter_map(middle).collect();
     (kept, overlaid)
 }
 
-/// Whether the eye tells a stroke from those on which it lies, as a window of a plan from its wall. A short one has the
-/// contrast of what crosses it, as a tick on the other axis, or the end of a white stroke below a point; and a closed
-/// one, as the border of an area that all its neighbours have too, that of other grounds than they have elsewhere.
-fn is_seen_on_others(contour: &Confirmed, covered: &Covered) -> bool {
+/// Whether the eye tells a stroke from those on which it lies, as a window of a plan from its wall. One that is painted
+/// before them is hidden, as the line of a grid at 0 below an axis. A short one has the contrast of what crosses it, as
+/// a tick on the other axis, or the end of a white stroke below a point; and a closed one, as the border of an area
+/// that all its neighbours have too, that of other grounds than they have elsewhere.
+fn is_seen_on_others(contour: &Confirmed, painted: usize, covered: &Covered) -> bool {
     let Confirmed { line, stroke, faint, .. } = contour;
     if stroke.is_none() || *faint || line.closed || line.length() < most_hidden(*stroke) {
         return false;
     }
-    let of_cover = |(a, b): (&Edgel, &Edgel)| covered.strength_at(a.at.lerp(b.at, 0.5));
-    let cover = median(line.segments().filter_map(of_cover).collect());
-    cover > 0.0 && (strength(line) - cover).abs() > OTHER_CONTRAST * cover
+    let cover: Vec<&PathPiece> = line.segments().filter_map(|(a, b)| covered.piece_at(a.at.lerp(b.at, 0.5))).collect();
+    let later = cover.iter().filter(|piece| piece.painted > painted).count();
+    let of_cover = median(cover.iter().map(|piece| piece.strength).collect());
+    2 * later <= cover.len() && of_cover > 0.0 && (strength(line) - of_cover).abs() > OTHER_CONTRAST * of_cover
+}
+
+/// Whether a stroke is one of a grid, as that at 0 on an axis: so many others of its width that are `kept` lead as far
+/// in the same direction.
+fn is_of_grid(contour: &Confirmed, kept: &[Confirmed]) -> bool {
+    let extent = |of: &Confirmed| Some(of.line.vertices.last()?.at - of.line.vertices.first()?.at);
+    let Some(own) = extent(contour) else { return false };
+    let is_alike = |other: &&Confirmed| {
+        other.stroke == contour.stroke && extent(other).is_some_and(|other| (other - own).length() <= SAME)
+    };
+    kept.iter().filter(is_alike).count() >= OF_GRID
 }
 
 /// The strength of most of a contour.
@@ -79,9 +97,10 @@ fn median(mut values: Vec<f32>) -> f32 {
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// All contours, those of faint strokes marked. How a stroke is painted is told from all of it that is seen: a line of
-/// a grid that is the top of a bar and goes on to the next bar is no border of an area.
-fn with_faint_strokes(confirmed: Vec<Vec<Confirmed>>) -> Vec<Confirmed> {
+/// All contours, those of faint strokes marked, each with the number of its proposal. How a stroke is painted is told
+/// from all of it that is seen: a line of a grid that is the top of a bar and goes on to the next bar is no border of
+/// an area.
+fn with_faint_strokes(confirmed: Vec<Vec<Confirmed>>) -> Vec<(usize, Confirmed)> {
     let whole = |of: &Vec<Confirmed>| {
         let first = of.first()?;
         let vertices = of.iter().flat_map(|contour| contour.line.vertices.iter().copied()).collect();
@@ -92,12 +111,11 @@ fn with_faint_strokes(confirmed: Vec<Vec<Confirmed>>) -> Vec<Confirmed> {
     };
     let mut strokes: Vec<Option<WeighedStroke>> = confirmed.iter().map(whole).collect();
     let faint = FaintStrokes::among(strokes.iter_mut().flatten().collect());
-    let marked = |(mut of, stroke): (Vec<Confirmed>, Option<WeighedStroke>)| {
+    let marked = |(number, (of, stroke)): (usize, (Vec<Confirmed>, Option<WeighedStroke>))| {
         let is_faint = stroke.is_some_and(|stroke| faint.holds(&stroke));
-        of.iter_mut().for_each(|contour| contour.faint = is_faint);
-        of
+        of.into_iter().map(move |contour| (number, Confirmed { faint: is_faint, ..contour }))
     };
-    confirmed.into_iter().zip(strokes).flat_map(marked).collect()
+    confirmed.into_iter().zip(strokes).enumerate().flat_map(marked).collect()
 }
 
 /// The longest part of a contour between two corners, px.
@@ -145,6 +163,8 @@ struct PathPiece {
     reach: f32,
     /// That of most of its contour.
     strength: f32,
+    /// The number of its proposal: of strokes the later ones lie on the earlier ones.
+    painted: usize,
 }
 
 /// The contours that are kept so far, found by place: each piece lies in all cells that its reach takes in.
@@ -160,16 +180,16 @@ impl Covered {
     pub(super) fn of(edges: &Edges, reach: f32) -> Self {
         let mut covered = Self::new(edges.size);
         for chain in edges.chains() {
-            covered.add(&Polyline { vertices: chain.vertices.to_vec(), closed: chain.closed }, reach);
+            covered.add(&Polyline { vertices: chain.vertices.to_vec(), closed: chain.closed }, reach, 0);
         }
         covered
     }
 
-    fn add(&mut self, line: &Polyline<Edgel>, reach: f32) {
+    fn add(&mut self, line: &Polyline<Edgel>, reach: f32, painted: usize) {
         let strength = strength(line);
         let beyond = PxVector::splat(reach);
         for (a, b) in line.segments() {
-            let piece = PathPiece { a: a.at, b: b.at, reach, strength };
+            let piece = PathPiece { a: a.at, b: b.at, reach, strength, painted };
             self.0.put_over(a.at.min(b.at) - beyond, a.at.max(b.at) + beyond, piece);
         }
     }
@@ -199,11 +219,11 @@ impl Covered {
         near.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, at), _)| at)
     }
 
-    /// The strength of the contour that lies at a point.
-    fn strength_at(&self, at: PxPoint) -> Option<f32> {
-        let pieces = self.at(at).map(|piece| (nearest_on_segment(at, piece.a, piece.b).0, piece.strength));
+    /// The piece of the contour that lies at a point.
+    fn piece_at(&self, at: PxPoint) -> Option<&PathPiece> {
+        let pieces = self.at(at).map(|piece| (nearest_on_segment(at, piece.a, piece.b).0, piece));
         let here = pieces.filter(|(distance, _)| *distance <= SAME);
-        here.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, strength)| strength)
+        here.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, piece)| piece)
     }
 
     /// Whether a contour reaches as far as a point.

@@ -16,7 +16,7 @@ fn the_longest_side_goes_from_corner_to_corner() {
 #[test]
 fn only_what_runs_along_a_contour_lies_on_it() {
     let mut covered = Covered::new(Size::new(100, 100));
-    covered.add(&line(&[(10.0, 50.0), (90.0, 50.0)], false), 4.0);
+    covered.add(&line(&[(10.0, 50.0), (90.0, 50.0)], false), 4.0, 0);
     let under = |a: (f32, f32), b: (f32, f32), is_stroke: bool| {
         covered.under(PxPoint::new(a.0, a.1), PxPoint::new(b.0, b.1), is_stroke)
     };
@@ -37,13 +37,30 @@ fn a_window_is_told_from_its_wall_and_a_line_drawn_twice_is_not() {
     // the wall has the contrast of the window where that lies on it
     let wall =
         of(&[(10.0, 50.0), (30.0, 50.0), (50.0, 50.0), (70.0, 50.0), (90.0, 50.0)], &[99.0, 99.0, 99.0, 126.0, 126.0]);
-    let merged = |window: Vec<Confirmed>| merged_coincident(vec![window, wall.clone()], Size::new(100, 100));
+    let merged = |window: Vec<Confirmed>| merged_coincident(vec![wall.clone(), window], Size::new(100, 100));
     let window = |strength: f32| of(&[(70.0, 50.0), (80.0, 50.0), (90.0, 50.0)], &[strength; 3]);
     let (kept, overlaid) = merged(window(126.0));
     assert_eq!((kept.len(), overlaid), (1, vec![PxPoint::new(80.0, 50.0)]));
     assert!(merged(window(99.0)).1.is_empty(), "the same colour");
     let tick = of(&[(74.0, 50.0), (80.0, 50.0), (86.0, 50.0)], &[126.0; 3]);
     assert!(merged(tick).1.is_empty(), "so short that what crosses it may give it its contrast");
+    let below = merged_coincident(vec![window(126.0), wall.clone()], Size::new(100, 100));
+    assert!(below.1.is_empty(), "the wall hides it");
+}
+
+#[test]
+fn the_line_of_a_grid_on_an_axis_is_no_window() {
+    let level = |y: f32, strength: f32, width: f32| {
+        let mut drawn = line(&[(10.0, y), (50.0, y), (90.0, y)], false);
+        drawn.vertices.iter_mut().for_each(|vertex| vertex.strength = strength);
+        vec![Confirmed { line: drawn, stroke: Some(width), on_borders: 0, faint: false }]
+    };
+    let overlaid = |grid: &[f32]| {
+        let lines = grid.iter().map(|y| level(*y, 99.0, 2.0));
+        let all = std::iter::once(level(50.0, 126.0, 3.0)).chain(lines).collect();
+        merged_coincident(all, Size::new(100, 100)).1.len()
+    };
+    assert_eq!([overlaid(&[50.0]), overlaid(&[30.0, 50.0]), overlaid(&[30.0, 50.0, 70.0])], [1, 1, 0]);
 }
 
 #[test]
