@@ -172,6 +172,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }
         Note::NoTexts => format!("{note} (--labels FILE)"),
+        Note::NotOnPage(_, Reason::HeadingNotInFull, _) => format!("{note} (--title TEXT)"),
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),
         _ => note.to_string(),

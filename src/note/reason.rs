@@ -256,6 +256,8 @@ reasons! {
     LeadsToNothing => "leads-to-nothing",
     /// A leader line of the drawing has no room as a whole.
     NoRoomForLeader => "no-room-for-leader",
+    /// A heading above the drawing is abbreviated, or has no room.
+    HeadingNotInFull => "heading-not-in-full",
     /// Labels of a row or column stand in the margin.
     InMargin => "in-margin",
     /// Of numbers along an axis only one has the unit.

@@ -91,6 +91,39 @@ pub(super) fn of_nothing(
     })
 }
 
+/// A heading has so many words at least: shorter texts above a drawing may name a part of it.
+const OF_HEADING: usize = 3;
+
+/// Tells of headings that are not on the page in full: texts of several words above all lines, beside which no other
+/// text stands. As the title of the page they have more room.
+pub(super) fn of_headings(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &Figure) -> Option<Note> {
+    let heights = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path().map(|at| at.y));
+    let top = heights.min_by(f32::total_cmp)?;
+    let is_alone = |of: &Wanted| {
+        let is_beside = |other: &&Wanted| other.anchor.min.y < of.anchor.max.y && other.anchor.max.y > of.anchor.min.y;
+        wanted.iter().filter(is_beside).count() == 1
+    };
+    let is_heading = |of: &Wanted| {
+        let is_of_print = !of.anchor.is_empty() && of.lost_leader.is_none() && of.kept_leader.is_none();
+        let has_words = of.text.split_whitespace().count() >= OF_HEADING;
+        is_of_print && has_words && of.anchor.center().y < top && is_alone(of)
+    };
+    let is_short = |result: &Result<Placed, Unplaced>| match result {
+        Ok(placed) => placed.abbreviation.is_some(),
+        Err(why) => matches!(why, Unplaced::NoRoom),
+    };
+    let short = wanted.iter().zip(results).filter(|(of, result)| is_heading(of) && is_short(result));
+    let texts: Vec<&str> = short.map(|(of, _)| of.text.as_str()).collect();
+    (!texts.is_empty()).then(|| {
+        let told = format!(
+            "the full text of {} above the drawing, as there is no room; if it is a title, give it as that of the \
+             page, which has room for it",
+            named(&texts)
+        );
+        Note::NotOnPage(About::Braille, Reason::HeadingNotInFull, told)
+    })
+}
+
 /// How much farther off something may be in a figure that is drawn anew, as a share.
 const MOVED: f32 = 1.25;
 

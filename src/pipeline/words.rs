@@ -8,7 +8,7 @@ use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
     self, NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others,
-    of_axes, of_nothing, told,
+    of_axes, of_headings, of_nothing, told,
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
@@ -252,6 +252,10 @@ impl<'a> WrittenWords<'a> {
         notes.extend(across(&wanted, &results));
         notes.extend(nearer_to_others(&wanted, &results));
         notes.extend(of_axes(&wanted, &results));
+        // a page that is drawn anew has what it had
+        if words.title.is_none() && words.before.is_none() {
+            notes.extend(of_headings(&wanted, &results, figure));
+        }
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
         let MadeRoom { lines, without_texture, with_less_texture } = labels::make_room(figure, &placed, &params);

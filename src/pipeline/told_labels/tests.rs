@@ -1,6 +1,8 @@
 //! Tests of `told_labels`.
 
 use super::*;
+use crate::lines::Run;
+use crate::units::Size;
 
 #[test]
 fn a_label_that_stands_at_what_another_names_is_told() {
@@ -28,4 +30,34 @@ fn textures_that_labels_cut_by_a_third_are_told() {
     let told = with_less_texture(&[vec!["North"], vec!["South", "Town"]]).expect("a note").to_string();
     assert!(told.contains("more than a third of each of the textures of 2 areas"), "{told}");
     assert!(told.contains("(under \"North\", under \"South\" and \"Town\")"), "{told}");
+}
+
+#[test]
+fn a_heading_that_is_abbreviated_is_told_and_what_stands_beside_others_is_none() {
+    let run = Run::stroke(1.5, vec![MmPoint::new(0.0, 30.0), MmPoint::new(90.0, 30.0)]);
+    let line = Line { strength: 50.0, runs: vec![run] };
+    let place = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(100.0, 80.0));
+    let figure = Figure { place, source: Size::new(100, 80), textures: Vec::new(), lines: vec![line] };
+    let wanted = |text: &str, x: f32, y: f32| Wanted {
+        text: text.to_owned(),
+        anchor: MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 30.0, y + 5.0)),
+        lost_leader: None,
+        kept_leader: None,
+        is_nameless: false,
+    };
+    let short = || Ok(Placed { abbreviation: Some("rim".to_owned()), ..Placed::of_test(place) });
+    let told = |wanted: &[Wanted], results: &[Result<Placed, Unplaced>]| {
+        of_headings(wanted, results, &figure).map(|note| note.to_string()).unwrap_or_default()
+    };
+    let above = [wanted("Rain in March", 20.0, 10.0), wanted("Mon", 20.0, 60.0)];
+    let heading = told(&above, &[short(), short()]);
+    assert!(heading.contains("the full text of \"Rain in March\" above the drawing, as"), "{heading}");
+    assert!(!told(&above, &[Err(Unplaced::NoRoom), short()]).is_empty());
+    assert_eq!(told(&above, &[Ok(Placed::of_test(place)), short()]), "", "it is there");
+    let below = [wanted("Rain in March", 20.0, 60.0), wanted("Mon", 20.0, 70.0)];
+    assert_eq!(told(&below, &[short(), short()]), "", "below a line");
+    let columns = [wanted("Rain in March", 20.0, 10.0), wanted("Sun in March", 60.0, 11.0)];
+    assert_eq!(told(&columns, &[short(), short()]), "", "headings of columns");
+    let name = [wanted("Rain", 20.0, 10.0), wanted("Mon", 20.0, 60.0)];
+    assert_eq!(told(&name, &[short(), short()]), "", "too short for a heading");
 }
