@@ -32,7 +32,8 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     if let Some((others, alone)) = without_squared_grid(&drawn, &lines, press, area, least_strength) {
         (drawn, (lines, shown)) = (others, alone);
     }
-    let (stand_for, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
+    let (stand_for, mut shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
+    without_insides(&mut shares, &drawn, &shown.points, &lines);
     // the dots of a line through a small ring are near to all of it, and none of them is its own
     let around = |line: &Line| {
         let points = || line.runs.iter().flat_map(|run| run.points.iter());
@@ -70,6 +71,30 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     // beside those whose ticks are lines, as on a page of few shapes
     lost.scales.extend(drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks));
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
+}
+
+/// The end of a line lies no farther than this beyond the ring in which that line is, mm.
+const BEYOND_RING: f32 = 1.0;
+/// A ring of a point without dots in this share of its radius is hollow.
+const HOLLOW: f32 = 0.5;
+
+/// Takes the shares from lines that lie as a whole in the ring of a point which is hollow on the page, as the cross in
+/// the sign of a lamp: the dots of the ring are near to them, and none is their own.
+fn without_insides(shares: &mut [f32], drawn: &Lines, is_drawn: &[bool], pressed: &[Line]) {
+    let rings = drawn.marks.points.iter().zip(is_drawn).filter(|(point, is_drawn)| !point.is_filled && **is_drawn);
+    for (ring, _) in rings {
+        let far = |at: &MmPoint| (*at - ring.at).length();
+        let mut dots = pressed.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        if dots.any(|at| far(at) < HOLLOW * ring.radius) {
+            continue;
+        }
+        for (line, share) in drawn.lines.iter().zip(shares.iter_mut()).filter(|(line, _)| !is_small_ring(line)) {
+            let mut points = line.runs.iter().flat_map(|run| &run.points);
+            if points.all(|at| far(at) <= ring.radius + BEYOND_RING) {
+                *share = 0.0;
+            }
+        }
+    }
 }
 
 /// A line of which hardly any dots are left.

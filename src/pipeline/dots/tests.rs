@@ -1,7 +1,7 @@
 //! Tests of `dots`.
 
 use super::*;
-use crate::lines::{Height, Lost};
+use crate::lines::{Height, LineMarks, Lost, PointMark};
 
 #[test]
 fn a_squared_grid_that_is_torn_or_hides_others_is_left_out() {
@@ -96,4 +96,28 @@ fn a_line_that_ends_at_the_dots_of_another_is_whole() {
     assert!((kept(&[line(&axis), pressed]) - 1.0).abs() < 1e-3);
     let half = line(&[(40.0, 87.5), (40.0, 62.5)]);
     assert!((0.7..0.8).contains(&kept(&[line(&axis), half])));
+}
+
+#[test]
+fn the_cross_of_a_lamp_that_is_a_hollow_point_is_gone() {
+    let at = MmPoint::new(50.0, 50.0);
+    let stroke = |from: (f32, f32), to: (f32, f32)| Line {
+        strength: 50.0,
+        runs: vec![Run::stroke(1.0, vec![from.into(), to.into()])],
+    };
+    let point = PointMark { at, radius: 6.0, is_filled: false, series: None, is_alone: false, strength: 50.0 };
+    let lines = vec![stroke((45.5, 45.5), (54.5, 54.5)), stroke((50.0, 50.0), (90.0, 50.0))];
+    let marks = LineMarks { points: vec![point], ..LineMarks::default() };
+    let drawn = Lines { lines, marks, ..Lines::default() };
+    let ring = [(56.0, 50.0), (50.0, 56.0), (44.0, 50.0), (50.0, 44.0)].map(MmPoint::from);
+    let are_kept = |is_drawn: bool, more: Option<MmPoint>| {
+        let dots = ring.into_iter().chain(more).collect();
+        let pressed = Line { strength: 50.0, runs: vec![Run::dots(1.6, dots, Height::High)] };
+        let mut shares = [1.0, 1.0];
+        without_insides(&mut shares, &drawn, &[is_drawn], &[pressed]);
+        shares.map(|share| share > 0.5)
+    };
+    assert_eq!(are_kept(true, None), [false, true], "the cross lies in it, and the wire leads on");
+    assert_eq!(are_kept(false, None), [true, true], "the point is not drawn");
+    assert_eq!(are_kept(true, Some(at)), [true, true], "there are dots in it");
 }
