@@ -9,6 +9,9 @@ use crate::units::{Mm, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
 const JOINED_HEADING: f32 = 1.5;
+/// Where a corner lies within that, as at the top of a bar right above a gridline, which parts it from its sides, the
+/// direction is that over this much, mm.
+const HOOK: f32 = 0.4;
 /// Least cosine between an end's heading and the direction of the other end (45 degrees).
 const AHEAD_COSINE: f32 = 0.7;
 /// Least cosine between the headings of two ends, one of them turned round (60 degrees).
@@ -33,7 +36,8 @@ pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32, standing: &Standi
     let base = |end: &End<Mm>| standing.base(end.at, TOUCHING);
     let is_parted = |a: &End<Mm>, b: &End<Mm>| (b.at - a.at).length() > TOUCHING && base(a) != base(b);
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
-        let cost = cost(a, b, &lengths, gap).filter(|_| faint[a.polyline] == faint[b.polyline])?;
+        let of_hooks = || cost_of_hooks(a, b, &polylines, &lengths, gap).filter(|_| standing.of_drawing);
+        let cost = cost(a, b, &lengths, gap).or_else(of_hooks).filter(|_| faint[a.polyline] == faint[b.polyline])?;
         (!is_parted(a, b)).then_some(cost)
     });
     let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
@@ -51,16 +55,33 @@ fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End<Mm>> {
         for at_start in [true, false] {
             let from_end = |i: usize| &vertices[if at_start { i } else { vertices.len() - 1 - i }];
             let tip = from_end(0);
-            let inner = (1..vertices.len())
-                .map(from_end)
-                .find(|v| (v.at - tip.at).length() >= JOINED_HEADING)
-                .unwrap_or_else(|| from_end(vertices.len() - 1));
-            let direction = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
+            let direction = direction(polyline, at_start, JOINED_HEADING);
             let contrast = if at_start { tip.contrast.map(|v| -v) } else { tip.contrast };
             ends.push(End { polyline: number, at_start, at: tip.at, direction, contrast });
         }
     }
     ends
+}
+
+/// The direction in which an end leaves its polyline over the last `span` millimetres.
+fn direction(polyline: &Polyline<Vertex>, at_start: bool, span: f32) -> MmVector {
+    let vertices = &polyline.vertices;
+    let from_end = |i: usize| vertices[if at_start { i } else { vertices.len() - 1 - i }].at;
+    let tip = from_end(0);
+    let mut inner = (1..vertices.len()).map(from_end);
+    let inner = inner.find(|at| (*at - tip).length() >= span).unwrap_or_else(|| from_end(vertices.len() - 1));
+    (tip - inner).try_normalize().unwrap_or(MmVector::zero())
+}
+
+/// How far two ends of steps between colours that are near to one another are from being one line by the last bit of
+/// each; farther than any that point at one another as a whole.
+fn cost_of_hooks(a: &End<Mm>, b: &End<Mm>, polylines: &[Polyline<Vertex>], lengths: &[f32], gap: f32) -> Option<f32> {
+    // of steps the same colours lie on the same side
+    if (b.at - a.at).length() > JOINED_HEADING || dot(a.contrast, b.contrast) >= 0.0 {
+        return None;
+    }
+    let hook = |of: &End<Mm>| End { direction: direction(&polylines[of.polyline], of.at_start, HOOK), ..*of };
+    Some(cost(&hook(a), &hook(b), lengths, gap)? + 3.0 * gap)
 }
 
 /// How far two ends are from being one line, if they can be joined at all.

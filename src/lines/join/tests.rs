@@ -1,5 +1,7 @@
 //! Tests of `join`.
 
+use super::super::params::Params;
+use super::super::tests::area;
 use super::*;
 use crate::units::MmPoint;
 
@@ -32,6 +34,34 @@ fn what_has_other_colours_or_another_direction_stays_apart() {
     assert_eq!(join(aside, 3.0, &StandingEnds::default()).len(), 2);
     let far = vec![straight((0., 0.), (8., 0.), 20.0), straight((11.5, 0.), (18., 0.), 20.0)];
     assert_eq!(join(far, 3.0, &StandingEnds::default()).len(), 2);
+}
+
+#[test]
+fn the_top_of_a_bar_is_joined_to_its_sides_though_these_begin_right_below_it() {
+    let path = |corners: &[(f32, f32)]| {
+        let corner = |&(x, y): &(f32, f32)| Vertex {
+            at: MmPoint::new(x, y),
+            strength: 30.0,
+            contrast: [20.0, 0.0, 0.0],
+            ..Vertex::TEST
+        };
+        let sides = corners.windows(2).flat_map(|side| {
+            let [from, to] = [corner(&side[0]), corner(&side[1])];
+            let steps = ((to.at - from.at).length() / 0.2).ceil();
+            (0..steps as u32).map(move |k| Vertex { at: from.at.lerp(to.at, k as f32 / steps), ..from })
+        });
+        Polyline::open(sides.chain(corners.last().map(corner)).collect())
+    };
+    let top = path(&[(0.0, 0.7), (0.0, 0.0), (12.0, 0.0), (12.0, 0.7)]);
+    let bar = vec![top, path(&[(0.0, 20.0), (0.0, 1.7)]), path(&[(12.0, 1.7), (12.0, 20.0)])];
+    let count = |mut lines: Vec<Polyline<Vertex>>, of_drawing: bool| {
+        let standing = StandingEnds::of(&mut lines, area(), &Params { of_drawing, ..Params::TEST });
+        join(lines, 3.0, &standing).len()
+    };
+    assert_eq!([true, false].map(|of_drawing| count(bar.clone(), of_drawing)), [1, 3]);
+    let mut of_other_colours = bar;
+    of_other_colours[0].vertices.iter_mut().for_each(|vertex| vertex.contrast[0] = -20.0);
+    assert_eq!(count(of_other_colours, true), 3, "the colours lie the other way round");
 }
 
 #[test]
