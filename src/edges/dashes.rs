@@ -268,7 +268,7 @@ impl<'a> DashRow<'a> {
         let mut contour =
             Contour { vertices: self.ends.iter().flatten().filter_map(point).collect(), closed: self.closed };
         contour.subdivide(1.0);
-        FoundContour { whole: contour.length(), contour, stroke: Some(width) }
+        FoundContour { whole: contour.length(), contour, stroke: Some(width), tint: None }
     }
 }
 

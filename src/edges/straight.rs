@@ -105,9 +105,10 @@ impl Reassignment {
         parts.insert(1, side);
         let free = if is_ring { [false; 2] } else { [parts[0].free[0], parts[parts.len() - 1].free[1]] };
         let whole = parts.iter().map(|part| part.found.whole).fold(0.0, f32::max);
+        let tint = parts[0].found.tint;
         let vertices = parts.into_iter().flat_map(|part| part.found.contour.vertices).collect();
         let contour = Polyline { vertices, closed: is_ring };
-        let found = FoundContour { whole: contour.length().max(whole), contour, stroke };
+        let found = FoundContour { whole: contour.length().max(whole), contour, stroke, tint };
         Self { gone, joined: OpenPart { found, free }, rest }
     }
 }
@@ -162,6 +163,9 @@ fn onward(
     sigma: f32,
 ) -> Option<Onward> {
     let (stroke, contour) = (&pieces[number].found.contour, &pieces[owner].found.contour);
+    if pieces[number].found.differs_in_tint(&pieces[owner].found) {
+        return None;
+    }
     let [width, other_width] = [number, owner].map(|of| pieces[of].found.stroke.unwrap_or(0.0));
     let tip = if at_start { 0 } else { stroke.vertices.len() - 1 };
     let at = stroke.vertices.get(tip)?.at;

@@ -1,8 +1,10 @@
 //! Ends of strokes that belong together. Near its tip the two sides of a corner are one thick spot, so that a stroke
-//! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin.
+//! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin. Of strokes of two tints
+//! only ends that touch may belong together, as the sides of a triangle in two colours: a gridline may end near the end
+//! of a curve.
 
 use super::contour::{Contour, ContourPoint, crossing};
-use super::stroke::Stroke;
+use super::stroke::{Stroke, Tint};
 use crate::geom::link::{End, Part, link};
 use crate::geom::walk::runs;
 use crate::units::{Px, PxPoint, Size};
@@ -14,6 +16,8 @@ pub(super) struct FoundContour {
     pub(super) stroke: Option<f32>,
     /// Length of what it is a part of, px: a stroke goes on where another one lies over it.
     pub(super) whole: f32,
+    /// The tint of a stroke, where it is known.
+    pub(super) tint: Option<Tint>,
 }
 
 /// Two ends make a corner if they are at most so many widths of the stroke apart, and this much more, px: those of a
@@ -33,6 +37,9 @@ const WIDE: f32 = 0.5;
 const NARROW: f32 = 0.985;
 /// Least cosine between the directions of two ends that make any other corner (120 degrees).
 const WIDEST: f32 = -0.5;
+/// Two strokes of different tints make a corner only where they are no farther apart than the wider one is wide, and
+/// this much more, px: over that nobody can tell which of the two it is.
+const TINT_UNSURE: f32 = 6.0;
 /// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
 const BEYOND: f32 = 1.5;
 /// An end goes on in another if the cosine between its direction and the direction there is at least this (18 degrees).
@@ -134,12 +141,17 @@ fn concatenated(
 impl FoundContour {
     /// An edge.
     pub(super) fn edge(contour: Contour) -> Self {
-        Self { whole: contour.length(), contour, stroke: None }
+        Self { whole: contour.length(), contour, stroke: None, tint: None }
     }
 
     /// A stroke, along its middle.
-    pub(super) fn stroke(Stroke { contour, width, whole, .. }: Stroke) -> Self {
-        Self { contour, stroke: Some(width), whole }
+    pub(super) fn stroke(Stroke { contour, width, whole, tint, .. }: Stroke) -> Self {
+        Self { contour, stroke: Some(width), whole, tint }
+    }
+
+    /// Whether the two are strokes whose tints are known and differ: pieces of two lines, which may cross.
+    pub(super) fn differs_in_tint(&self, other: &Self) -> bool {
+        self.tint.zip(other.tint).is_some_and(|(own, other)| own.differs_from(other))
     }
 
     /// Goes on in another one, as a stroke if most of it is one.
@@ -155,6 +167,9 @@ impl FoundContour {
                 }
             }
         };
+        if after > before {
+            self.tint = next.tint;
+        }
         self.whole = self.whole.max(next.whole).max(before + after);
         let last = self.contour.vertices.last().map(|vertex| vertex.at);
         let is_there = |first: &ContourPoint| last.is_some_and(|last| (first.at - last).length() < SAME);
@@ -206,8 +221,16 @@ fn tip_of(a: &End<Px>, b: &End<Px>) -> PxPoint {
 }
 
 fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {
+    let [first, second] = [a, b].map(|end| &found[end.polyline]);
+    let is_one = !first.differs_in_tint(second);
+    // what has its own tint comes first
+    let more = if is_one { 0.0 } else { first.reach(sigma).max(second.reach(sigma)) };
     if let Some(cost) = straight_on(a, b, found, sigma) {
-        return Some(cost);
+        return Some(cost + more);
+    }
+    let width = first.stroke.unwrap_or(0.0).max(second.stroke.unwrap_or(0.0));
+    if !is_one && (b.at - a.at).length() > width + TINT_UNSURE {
+        return None;
     }
     let leads_to = |end: &End<Px>, ahead: f32| {
         let found = &found[end.polyline];
@@ -218,7 +241,7 @@ fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &
     };
     let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
     let cost = sharp_corner(a, b, found, sigma).or_else(|| wide_corner(a, b, found, sigma))?;
-    (leads_to(a, from_a) && leads_to(b, from_b)).then_some(cost)
+    (leads_to(a, from_a) && leads_to(b, from_b)).then_some(cost + more)
 }
 
 /// The cost of going straight on over a gap.

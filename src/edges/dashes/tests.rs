@@ -91,7 +91,7 @@ fn what_is_too_short_for_a_stroke_stays_in_a_row_of_such() {
     let left = |count: usize, apart: f32| {
         let stroke = |[x, y, length]: [f32; 3], is_dash: bool| {
             let contour = polyline(&[(x, y), (x + length, y)]);
-            Stroke { whole: contour.length(), contour, width: 1.6, is_dash }
+            Stroke { whole: contour.length(), contour, width: 1.6, is_dash, tint: None }
         };
         let dashes = (0..count).map(|k| stroke([20.0 + apart * k as f32, 50.0, 7.0], true));
         let strokes: Vec<Stroke> = dashes.chain([stroke([20.0, 80.0, 30.0], false)]).collect();

@@ -3,6 +3,7 @@
 use super::arms::Strand;
 use super::ends::{self, STEP, UNSURE};
 use super::order::{median, quantile, sorted};
+use super::tint::{self, Tint};
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
@@ -23,6 +24,8 @@ pub(in crate::edges) struct Stroke {
     pub(in crate::edges) whole: f32,
     /// Whether it is so short that it is a stroke only in a row of such, as a dash.
     pub(in crate::edges) is_dash: bool,
+    /// Its tint, where that can be told: the ground beside it is the same on both sides.
+    pub(in crate::edges) tint: Option<Tint>,
 }
 
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
@@ -46,6 +49,8 @@ const SHORTEST_APART: f32 = 1.5;
 const SAME_GROUND: f32 = 0.25;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
 const EVEN: f32 = 0.5;
+/// A tint is told on one ground only: its colours differ by at most this, a step that is hardly worth a line.
+const ONE_GROUND: f32 = 10.0;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
 pub(super) const LONG: f32 = 5.0;
 /// A stroke is lighter or darker than both its sides, or otherwise beyond both, by at least this share of the step
@@ -117,9 +122,12 @@ pub(super) fn strokes(
     if length < SHORTEST * params.min_length && !is_apart() {
         return Vec::new();
     }
-    let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
+    let passed = PASSED_WIDTHS * width + PASSED;
+    let stretches = with_contrast(&line, &junctions, &contrasts, (passed, params.low)).into_iter();
+    let parts =
+        stretches.flat_map(|stretch| if is_dash { vec![stretch] } else { of_one_tint(stretch, passed, params.high) });
     let long = if is_dash { ends::LONG_DASH } else { LONG };
-    let strokes = stretches.into_iter().filter(|(line, contrasts)| {
+    let strokes = parts.filter(|(line, contrasts)| {
         line.length() >= long * width
             && contrasts.iter().any(|contrast| contrast.of_stroke() >= params.high)
             && !is_border(line, residue)
@@ -146,7 +154,41 @@ fn stroke(
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
     corner::sharpen(&mut contour, picture, false);
     let whole = contour.length();
-    Stroke { contour, width, whole, is_dash: false }
+    let tints: Vec<Tint> = tints(contrasts, params.high).into_iter().flatten().collect();
+    Stroke { contour, width, whole, is_dash: false, tint: Tint::most_common(&tints) }
+}
+
+/// The parts of a stretch of a line that have one tint each, told where its contrast is at least `least`; all of it if
+/// it has one. What has another one over less than `passed` px crosses it.
+fn of_one_tint(
+    (line, contrasts): (Polyline<PxPoint>, Vec<StrokeContrast>),
+    passed: f32,
+    least: f32,
+) -> Vec<(Polyline<PxPoint>, Vec<StrokeContrast>)> {
+    let Some(parts) = tint::parts(&line, &tints(&contrasts, least), passed) else {
+        return vec![(line, contrasts)];
+    };
+    let part = |vertices: Vec<usize>| {
+        let line = Polyline::open(vertices.iter().map(|&i| line.vertices[i]).collect());
+        (line, vertices.iter().map(|&i| contrasts[i]).collect())
+    };
+    parts.into_iter().map(part).collect()
+}
+
+/// The tints along a line where its contrast is at least `least` and the ground on both sides is that of most of it. On
+/// another ground the same stroke has another tint.
+fn tints(contrasts: &[StrokeContrast], least: f32) -> Vec<Option<Tint>> {
+    let is_clear = |contrast: &StrokeContrast| contrast.is_apart && contrast.of_stroke() >= least;
+    let clear: Vec<&StrokeContrast> = contrasts.iter().filter(|&contrast| is_clear(contrast)).collect();
+    let ground = [0, 1, 2].map(|plane| median(clear.iter().map(|contrast| contrast.ground[plane])));
+    let is_ground = |here: [f32; 3]| {
+        let square: f32 = here.iter().zip(ground).map(|(here, ground)| (here - ground) * (here - ground)).sum();
+        square <= ONE_GROUND * ONE_GROUND
+    };
+    let of = |contrast: &StrokeContrast| {
+        if is_clear(contrast) && is_ground(contrast.ground) { Tint::of(contrast.excess) } else { None }
+    };
+    contrasts.iter().map(of).collect()
 }
 
 /// The stretches of a line that have a contrast of at least `least`, or that are no longer than `passed` px and beside
@@ -365,6 +407,9 @@ struct StrokeContrast {
     is_stroke: bool,
     /// Whether the colours on both sides of the stroke are the same.
     is_apart: bool,
+    /// The mean of these, and what the colour of the line has more; 0 in planes that there are not.
+    ground: [f32; 3],
+    excess: [f32; 3],
 }
 
 impl StrokeContrast {
@@ -388,17 +433,20 @@ fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> S
     let outside = 0.5 * width + OUTSIDE;
     let places = [outside, -outside, 0.0].map(|distance| at + across * distance);
     let (x, y) = (places.map(|place| place.x), places.map(|place| place.y));
-    let (mut step, mut excess, mut beyond) = (0.0, 0.0, 0.0);
-    for plane in planes {
+    let (mut step, mut height, mut beyond) = (0.0, 0.0, 0.0);
+    let (mut ground, mut excess) = ([0.0; 3], [0.0; 3]);
+    for (plane, (ground, excess)) in planes.iter().zip(ground.iter_mut().zip(&mut excess)) {
         let [a, b, here] = plane.at_each(x, y);
         let add = |sum: &mut f32, difference: f32| *sum += difference * difference;
+        *ground = 0.5 * (a + b);
+        *excess = here - *ground;
         add(&mut step, a - b);
-        add(&mut excess, here - 0.5 * (a + b));
+        add(&mut height, *excess);
         add(&mut beyond, here - here.clamp(a.min(b), a.max(b)));
     }
-    let [step, excess, beyond] = [step, excess, beyond].map(f32::sqrt);
-    let (is_stroke, is_apart) = (beyond >= OF_STEP * step, step <= SAME_GROUND * excess);
-    StrokeContrast { height: excess.max(step), is_stroke, is_apart }
+    let [step, height, beyond] = [step, height, beyond].map(f32::sqrt);
+    let (is_stroke, is_apart) = (beyond >= OF_STEP * step, step <= SAME_GROUND * height);
+    StrokeContrast { height: height.max(step), is_stroke, is_apart, ground, excess }
 }
 
 /// Whether a line runs along the border of the picture.

@@ -3,7 +3,7 @@
 //!
 //! An end is followed pixel by pixel along what is seen there, a stroke or the border of two areas, and is kept if that
 //! leads to another stroke, or to the other end of the same one. What leads nowhere else is left to the detector of
-//! edges.
+//! edges. At the end of a stroke of another tint it ends, and does not go on in that.
 
 use std::collections::HashSet;
 
@@ -86,7 +86,9 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
         else {
             continue;
         };
-        let goes_on = |other: &StrokeEnd| *other != end && turn(direction, *other, &strokes) <= SHARPEST;
+        let goes_on = |other: &StrokeEnd| {
+            *other != end && turn(direction, *other, &strokes) <= SHARPEST && is_of_one_tint(end.0, other.0, &strokes)
+        };
         match end_at(&strokes, to).filter(goes_on) {
             Some(other) => met.push([end, other]),
             // it ends on the other one
@@ -131,6 +133,11 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
     leaving(&strokes[other].contour, at_start).map_or(1.0, |(_, leaving)| direction.dot(leaving))
 }
 
+/// Whether two strokes may be one: their tints do not differ, as far as they are known.
+fn is_of_one_tint(one: usize, other: usize, strokes: &[Stroke]) -> bool {
+    !strokes[one].tint.zip(strokes[other].tint).is_some_and(|(one, other)| one.differs_from(other))
+}
+
 /// The continuation from an end of a stroke, if it leads to another one or to another part of the same.
 fn continuation(
     end: StrokeEnd,
@@ -146,7 +153,9 @@ fn continuation(
     let strength = contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / contour.vertices.len() as f32;
     let least = params.low.max(SEEN * strength);
     if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke.max(params.widest_of_bitmap())) {
-        let goes_on = end_at(strokes, met).is_some_and(|other| turn(direction, other, strokes) <= -AHEAD_COSINE);
+        let goes_on = end_at(strokes, met).is_some_and(|other| {
+            turn(direction, other, strokes) <= -AHEAD_COSINE && is_of_one_tint(number, other.0, strokes)
+        });
         return goes_on.then_some(Continuation { points: Vec::new(), met, direction });
     }
     let size = planes[0].size;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Lab -> residue (what a square of a size does not fit into) -> skeleton (thinned to a pixel)
-//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast) -> those of their own
+//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast, of one tint) -> those of their own
 //!     -> followed (where pixels show no stroke) -> Strokes
 //! ```
 //!
@@ -21,6 +21,7 @@ mod flat;
 mod follow;
 mod order;
 mod skeleton;
+mod tint;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -29,6 +30,7 @@ pub(super) use self::centre::Stroke;
 pub(super) use self::cut_out::is_cut_out;
 pub(super) use self::flat::is_drawing;
 use self::skeleton::{SkeletonNode, SkeletonPath, StrokeMask};
+pub(super) use self::tint::Tint;
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
 use crate::geom::polyline::Polyline;

@@ -8,7 +8,7 @@ const SIGMA: f32 = 1.8;
 fn stroke(points: &[(f32, f32)], closed: bool) -> Stroke {
     let mut contour = polyline(points);
     contour.closed = closed;
-    Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false }
+    Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false, tint: None }
 }
 
 #[test]
@@ -79,4 +79,35 @@ fn short_pieces_that_join_nothing_may_be_dashes() {
     assert!(found.len() == 6 && found.iter().all(|stroke| stroke.is_dash), "{} strokes", found.len());
     let lengths: Vec<f32> = found.iter().map(|stroke| stroke.contour.length()).collect();
     assert!(lengths.iter().all(|length| (length - 7.0).abs() <= 2.0), "{lengths:?}");
+}
+
+#[test]
+fn two_strokes_of_different_tints_are_two_where_one_begins_at_the_end_of_the_other() {
+    let params =
+        Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 19.0, ..Params::default() };
+    let size = Size::new(220, 90);
+    // a grey line that ends where a steeper one begins, both 2 px wide, on white
+    let lengths = |second: [f32; 3]| {
+        let lines = [([(20.0, 30.5), (110.0, 30.5)], [-30.0, 0.0, 0.0]), ([(110.0, 30.5), (180.0, 65.5)], second)];
+        let value = |cell: usize, plane: usize| {
+            let at = PxPoint::new((cell % 220) as f32 + 0.5, (cell / 220) as f32 + 0.5);
+            let ground = if plane == 0 { 100.0 } else { 0.0 };
+            lines.iter().fold(ground, |below, ([from, to], colour)| {
+                let (from, to) = (PxPoint::new(from.0, from.1), PxPoint::new(to.0, to.1));
+                let along = ((at - from).dot(to - from) / (to - from).square_length()).clamp(0.0, 1.0);
+                let cover = (1.5 - (at - from.lerp(to, along)).length()).clamp(0.0, 1.0);
+                let own = if plane == 0 { 100.0 + colour[0] } else { colour[plane] };
+                below + cover * (own - below)
+            })
+        };
+        let planes = [0, 1, 2].map(|plane| Plane { size, values: (0..size.len()).map(|i| value(i, plane)).collect() });
+        let mut found: Vec<f32> =
+            find(&planes, 0.0, &params).iter().map(|stroke| stroke.contour.length().round()).collect();
+        found.sort_by(f32::total_cmp);
+        found
+    };
+    let one = lengths([-50.0, 0.0, 0.0]);
+    assert!(matches!(one[..], [all] if (all - 168.0).abs() < 8.0), "grey and black are one tint: {one:?}");
+    let two = lengths([-50.0, -8.0, -80.0]);
+    assert!(matches!(two[..], [blue, grey] if (blue - 78.0).abs() < 9.0 && (grey - 90.0).abs() < 9.0), "{two:?}");
 }

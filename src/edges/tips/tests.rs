@@ -93,6 +93,31 @@ fn a_stroke_goes_on_over_a_gap() {
 }
 
 #[test]
+fn strokes_of_two_tints_make_a_corner_only_where_they_touch_and_go_on_in_their_own_first() {
+    let of = |colour: [f32; 3], points: &[(f32, f32)]| FoundContour { tint: Tint::of(colour), ..stroke(points) };
+    let (grey, blue) = ([-30.0, 0.0, 0.0], [-50.0, -8.0, -80.0]);
+    // up to an x, 28 degrees between the sides
+    let corner = |second, x: f32| {
+        let off = 0.25 * (100.0 - x);
+        let sides = [of(grey, &[(-60.0, 10.0), (x, 50.0 - off)]), of(second, &[(-60.0, 90.0), (x, 50.0 + off)])];
+        join_corners(sides.to_vec(), SIGMA, &|_, _, _, _| true).len()
+    };
+    assert_eq!([corner(grey, 76.0), corner(blue, 76.0), corner(blue, 92.0)], [1, 2, 1]);
+    // the blue end is nearer to the grey one than the other grey end is
+    let row = |third| {
+        let pieces = vec![
+            of(grey, &[(20.0, 30.0), (140.0, 30.0)]),
+            of(grey, &[(155.0, 30.0), (280.0, 30.0)]),
+            of(third, &[(149.0, 30.5), (290.0, 50.0)]),
+        ];
+        let joined = join_corners(pieces, SIGMA, &|_, _, _, _| true);
+        joined.iter().map(|found| found.contour.length()).fold(0.0, f32::max)
+    };
+    assert!((row(grey) - 271.4).abs() < 1.0, "{}", row(grey));
+    assert!((row(blue) - 260.0).abs() < 1.0, "{}", row(blue));
+}
+
+#[test]
 fn an_edge_and_a_stroke_meet_and_stay_two() {
     let edge = FoundContour { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
     let both = join_corners(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA, &|_, _, _, _| true);

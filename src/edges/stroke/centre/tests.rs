@@ -12,7 +12,8 @@ fn changes_of_contrast_on_a_ring_do_not_depend_on_where_it_begins() {
         (_, along) => PxPoint::new(0.0, 20.0 - along),
     };
     let is_stroke = |k: usize| !(30..50).contains(&k) && !(65..70).contains(&k);
-    let of = |k: usize| StrokeContrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };
+    let none = StrokeContrast { height: 50.0, is_stroke: true, is_apart: false, ground: [0.0; 3], excess: [0.0; 3] };
+    let of = |k: usize| StrokeContrast { is_stroke: is_stroke(k), ..none };
     for turn in 0..80 {
         let vertices = (0..80).map(|k| side((k + turn) % 80)).collect();
         let contrasts: Vec<StrokeContrast> = (0..80).map(|k| of((k + turn) % 80)).collect();

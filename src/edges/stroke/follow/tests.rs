@@ -34,7 +34,7 @@ fn stroke(from: f32, to: f32) -> Stroke {
         position_sigma: 0.2,
     };
     let vertices = (0..=(to - from) as usize).map(|k| point(from + k as f32)).collect();
-    Stroke { contour: Polyline::open(vertices), width: 2.0, whole: to - from, is_dash: false }
+    Stroke { contour: Polyline::open(vertices), width: 2.0, whole: to - from, is_dash: false, tint: None }
 }
 
 #[test]
