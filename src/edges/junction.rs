@@ -54,13 +54,17 @@ struct EndExtension {
     junction: PxPoint,
 }
 
-/// Extends open ends to the contours at which they point, in a picture of `size`.
-pub(super) fn extend(contours: &mut [Contour], size: Size) {
+/// Whether an end of a contour may be led to another contour: the numbers of both, and the way from the end.
+pub(super) type MayLead<'a> = dyn Fn(usize, usize, [PxPoint; 2]) -> bool + Sync + 'a;
+
+/// Extends open ends to the contours at which they point, in a picture of `size`, where they may be.
+pub(super) fn extend(contours: &mut [Contour], size: Size, may_lead: &MayLead<'_>) {
     let index = index_of(contours, size);
     let is_open = |&number: &usize| !contours[number].closed && contours[number].vertices.len() > 3;
     let both_ends = |number| [true, false].into_iter().map(move |at_start| (number, at_start));
     let ends = (0..contours.len()).into_par_iter().filter(is_open).flat_map_iter(both_ends);
-    let found: Vec<_> = ends.filter_map(|(number, at_start)| extension(contours, &index, number, at_start)).collect();
+    let extension = |(number, at_start)| extension(contours, &index, (number, at_start), may_lead);
+    let found: Vec<_> = ends.filter_map(extension).collect();
     for extension in found {
         apply(&mut contours[extension.contour], &extension);
     }
@@ -177,7 +181,12 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
 }
 
 /// Where an end meets another contour if it continues straight on.
-fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: bool) -> Option<EndExtension> {
+fn extension(
+    contours: &[Contour],
+    index: &PointIndex,
+    (number, at_start): (usize, bool),
+    may_lead: &MayLead<'_>,
+) -> Option<EndExtension> {
     let contour = &contours[number];
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
     let ContourPoint { at: end, blur, .. } = contour.vertices[tip];
@@ -190,7 +199,7 @@ fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: 
     // the last part of the contour itself does not count
     let is_own =
         |k: usize| contour.walk(tip, at_start).take_while(|(_, arc)| *arc < 3.0 * reach).any(|(own, _)| own == k);
-    let mut nearest: Option<f32> = None;
+    let mut nearest: Option<(f32, usize)> = None;
     index.around(end, end, reach, |&(other, k)| {
         let (other, k) = (other as usize, k as usize);
         let Some(next) = contours[other].next(k, 1) else { return };
@@ -200,12 +209,14 @@ fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: 
         let (a, b) = (contours[other].vertices[k].at, contours[other].vertices[next].at);
         if let Some(distance) = crossing(from, ahead, a, b)
             && distance <= reach
-            && nearest.is_none_or(|least| distance < least)
+            && nearest.is_none_or(|(least, _)| distance < least)
         {
-            nearest = Some(distance);
+            nearest = Some((distance, other));
         }
     });
-    nearest.map(|distance| EndExtension { contour: number, at_start, line, junction: from + ahead * distance })
+    let (distance, other) = nearest?;
+    let junction = from + ahead * distance;
+    may_lead(number, other, [end, junction]).then_some(EndExtension { contour: number, at_start, line, junction })
 }
 
 /// Distance along the ray at which it crosses the segment `a`-`b`, if it does.

@@ -69,7 +69,7 @@ pub use params::Params;
 use ridge::RidgePoint;
 use side_statistics::SideStatistics;
 use strength::Evidence;
-use stroke::Stroke;
+use stroke::{Stroke, Tint};
 use tips::FoundContour;
 
 use crate::raster::Raster;
@@ -255,13 +255,17 @@ impl<'a> Ridges<'a> {
             let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
             found = discs::split_at_discs(rings::split_at_contact(reassigned, params.min_length), &discs, params);
         }
+        let strokes: Vec<Option<(f32, Tint)>> = found.iter().map(|found| found.stroke.zip(found.tint)).collect();
         let (mut contours, widths): (Vec<_>, Vec<_>) =
             found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
         if of_drawing {
             junction::straighten(&mut contours, size);
             junction::trim(&mut contours, size);
         }
-        junction::extend(&mut contours, size);
+        junction::extend(&mut contours, size, &|number, other, way| {
+            let pair = strokes[number].zip(strokes[other]);
+            pair.is_none_or(|(own, other)| stroke::may_lead([own, other], way, 0.5 * params.low, &planes))
+        });
         let weighed = match of_drawing {
             true => pale_grid::parted(contours, &widths, size),
             false => contours.into_iter().zip(widths).map(|(contour, width)| (contour, width, false)).collect(),

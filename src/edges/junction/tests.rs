@@ -8,7 +8,7 @@ const SIZE: Size = Size { width: 100, height: 100 };
 /// The contours with their ends extended.
 fn extended(contours: &[Contour]) -> Vec<Contour> {
     let mut contours = contours.to_vec();
-    extend(&mut contours, SIZE);
+    extend(&mut contours, SIZE, &|_, _, _| true);
     contours
 }
 
@@ -91,6 +91,17 @@ fn an_end_before_another_contour_is_extended_to_it() {
         assert!(unchanged, "{:?}", tip.contrast);
         assert!((found[1].length() - 30.0).abs() < 1e-3, "{}", found[1].length());
     }
+}
+
+#[test]
+fn an_end_that_may_not_be_led_to_another_contour_stays() {
+    let contours = [polyline(&[(50.0, 20.0), (50.0, 80.0)]), polyline(&[(20.0, 50.3), (47.0, 50.3)])];
+    let mut left = contours.clone();
+    extend(&mut left, SIZE, &|number, other, [from, to]| {
+        assert!((number, other) == (1, 0) && (to - from).length() < 3.1, "{number} to {other}: {from:?} to {to:?}");
+        false
+    });
+    assert_eq!(left, contours);
 }
 
 #[test]

@@ -120,6 +120,22 @@ pub(super) fn is_seen([from, to]: [PxPoint; 2], width: f32, least: f32, planes: 
     })
 }
 
+/// The side of a stroke is no farther beyond half of its width than this, px.
+const BESIDE: f32 = 1.5;
+
+/// Whether a stroke may be led to another one on a way to its middle, both given with their widths and tints. One that
+/// ends visibly before a stroke of another tint ends there: as a sample of a line in the frame of a legend.
+pub(super) fn may_lead(
+    [(width, tint), (other_width, other_tint)]: [(f32, Tint); 2],
+    [from, to]: [PxPoint; 2],
+    least: f32,
+    planes: &[Plane],
+) -> bool {
+    let (gap, beyond) = (to - from, 0.5 * other_width + BESIDE);
+    let before = 1.0 - beyond / gap.length().max(beyond);
+    !tint.differs_from(other_tint) || is_seen([from, from + gap * before], width, least, planes)
+}
+
 /// Half sides of the squares for strokes of up to a width, px: each twice the one before. A square has to be wider by
 /// 1 px than the strokes that it finds whole: a slanted one as wide as it is found in parts.
 fn radii(widest: f32) -> impl Iterator<Item = usize> {

@@ -111,3 +111,24 @@ fn two_strokes_of_different_tints_are_two_where_one_begins_at_the_end_of_the_oth
     let two = lengths([-50.0, -8.0, -80.0]);
     assert!(matches!(two[..], [blue, grey] if (blue - 78.0).abs() < 9.0 && (grey - 90.0).abs() < 9.0), "{two:?}");
 }
+
+#[test]
+fn a_stroke_is_not_led_over_blank_ground_to_one_of_another_tint() {
+    let size = Size::new(80, 40);
+    // a blue line that ends at 40, or leads on to a grey one at 50
+    let planes = |leads_on: bool| {
+        let plane = |[blue, grey, ground]: [f32; 3]| {
+            let value = |cell: usize| match (cell % 80, cell / 80) {
+                (50, _) => grey,
+                (x, 20) if x < 40 || leads_on && x < 50 => blue,
+                _ => ground,
+            };
+            Plane { size, values: (0..size.len()).map(value).collect() }
+        };
+        [plane([50.0, 70.0, 100.0]), plane([-80.0, 0.0, 0.0])]
+    };
+    let [blue, grey] = [[-50.0, -80.0, 0.0], [-30.0, 0.0, 0.0]].map(|colour| Tint::of(colour).unwrap());
+    let way = [PxPoint::new(40.0, 20.5), PxPoint::new(50.5, 20.5)];
+    let leads = |own: Tint, leads_on: bool| may_lead([(1.0, own), (1.0, grey)], way, 1.5, &planes(leads_on));
+    assert_eq!([leads(blue, false), leads(blue, true), leads(grey, false)], [false, true, true]);
+}
