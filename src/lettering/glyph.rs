@@ -81,6 +81,12 @@ impl LetterShape {
         count / area(self.hull()).max(count)
     }
 
+    /// Its box: top left and bottom right.
+    pub(super) fn bounds(&self) -> [PixelPoint; 2] {
+        let [right, bottom] = self.max.map(|last| (last + 1) as f32);
+        [self.min.map(|first| first as f32), [right, bottom]]
+    }
+
     /// The larger side of its box.
     pub(super) fn side(&self) -> f32 {
         [0, 1].map(|axis| (self.max[axis] + 1 - self.min[axis]) as f32).into_iter().fold(0.0, f32::max)

@@ -40,6 +40,18 @@ const BETTER: f32 = -0.01;
 /// Digits of a number differ in height by at most this, and have at most this gap, in heights.
 const HEIGHTS_OF_PAIR: LetterLength = LetterLength::new(0.2, 1.0);
 const GAP_OF_PAIR: f32 = 0.5;
+/// A decimal point or a comma between two digits is at most so high and so wide, and hangs below them by less, in
+/// heights.
+const POINT: f32 = 0.4;
+/// It is looked for in gaps that are wider than this, in heights, of numbers of at most so many digits.
+const GAP_OF_POINT: f32 = 0.4;
+const MOST_DIGITS: usize = 6;
+/// A minus is so long, in heights, and so thick at most; its middle lies in this part of the height of the number, from
+/// the top. It is so near to the number.
+const MINUS: [f32; 2] = [0.25, 1.0];
+const MINUS_THICK: LetterLength = LetterLength::new(0.15, 1.0);
+const MINUS_AT: std::ops::RangeInclusive<f32> = 0.3..=0.75;
+const MINUS_GAP: LetterLength = LetterLength::new(0.35, 0.5);
 /// Texts have one style if their heights, their strokes and their contrasts differ at most by these factors, and by so
 /// many pixels or units more, and their colours by this share of their contrast.
 const STYLE_HEIGHT: f32 = 1.35;
@@ -77,6 +89,10 @@ pub(super) struct TextLine {
     pub(super) contrast: f32,
     /// How much speaks for text.
     pub(super) score: f32,
+    /// Whether a decimal point or a comma stands between its letters.
+    pub(super) has_point: bool,
+    /// Widest gap between its letters, px; on both sides of a point it has two.
+    widest_gap: f32,
     /// Width of strokes, px.
     stroke: f32,
     /// Standard deviation of the width of strokes from letter to letter, in widths.
@@ -115,8 +131,35 @@ fn slope(letters: &[RotatedLetter]) -> f32 {
     median(slopes).atan().to_degrees()
 }
 
-/// The line that a chain of letters is, if their heights, gaps and strokes are those of text.
-pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
+/// The gap between two digits of a level number with a decimal point or a comma between them: the wider one of those
+/// beside it. None where there is no point.
+fn gap_at_point(glyphs: &[LetterShape], a: &RotatedLetter, b: &RotatedLetter, height: f32) -> Option<f32> {
+    let (left, right, foot) = (a.along[1], b.along[0], a.across[1].min(b.across[1]));
+    glyphs.iter().find_map(|glyph| {
+        let [[from, top], [to, bottom]] = glyph.bounds();
+        let is_small = (to - from).max(bottom - top) <= POINT * height;
+        let stands = top < foot && bottom >= foot - OFF_LINE.of(height) && bottom < foot + POINT * height;
+        (is_small && stands && from >= left && to <= right).then(|| (from - left).max(right - to))
+    })
+}
+
+/// The gaps between letters, and whether there is a point in one of them, if these may be the digits of a number with
+/// one (`may_have_point`).
+fn gaps(glyphs: &[LetterShape], letters: &[RotatedLetter], height: f32, may_have_point: bool) -> (Vec<f32>, bool) {
+    let may_have_point = may_have_point && letters.len() <= MOST_DIGITS;
+    let gap = |pair: &[RotatedLetter]| {
+        let gap = pair[1].along[0] - pair[0].along[1];
+        let is_wide = may_have_point && gap > GAP_OF_POINT * height;
+        let at_point = if is_wide { gap_at_point(glyphs, &pair[0], &pair[1], height) } else { None };
+        (at_point.unwrap_or(gap), at_point.is_some())
+    };
+    let all: Vec<(f32, bool)> = letters.windows(2).map(gap).collect();
+    (all.iter().map(|(gap, _)| *gap).collect(), all.iter().any(|(_, has_point)| *has_point))
+}
+
+/// The line that a chain of letters is, if their heights, gaps and strokes are those of text. Points between digits are
+/// looked for in a drawing.
+pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32, of_drawing: bool) -> Option<TextLine> {
     let (letters, angle) = straightened(glyphs, chain, angle);
     let n = letters.len();
     let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
@@ -127,11 +170,11 @@ pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) 
     if !is_size || stroke > THICKEST * height || stroke < THINNEST * height {
         return None;
     }
-    let gaps = letters.windows(2).map(|pair| pair[1].along[0] - pair[0].along[1]).collect();
+    let (gaps, has_point) = gaps(glyphs, &letters, height, of_drawing && angle.abs() < LEAST_TURN);
     // words of letters that touch stand further apart
     let is_spaced = median(letters.iter().map(RotatedLetter::width).collect()) <= WIDEST * height;
     let widest = if is_spaced { GAP } else { GAP_OF_WORDS };
-    if median(gaps) > widest.of(height) {
+    if median(gaps.clone()) > widest.of(height) {
         return None;
     }
     let top = median(letters.iter().map(|letter| letter.across[0]).collect());
@@ -156,6 +199,8 @@ pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) 
         along: [letters[0].along[0], letters.iter().map(|letter| letter.along[1]).fold(f32::MIN, f32::max)],
         across: [low, high],
         score: count as f32 * aligned * (SIMPLE + complex),
+        has_point,
+        widest_gap: gaps.into_iter().fold(f32::MIN, f32::max),
         stroke_spread: mean(&|glyph| (glyph.stroke / stroke - 1.0).powi(2)).sqrt(),
         unevenness: mean(&|glyph| glyph.unevenness),
         spread: variance.sqrt() / contrast,
@@ -225,7 +270,28 @@ impl TextLine {
         let [a, b] = self.letters[..] else { return false };
         let level = (a.across[1] - b.across[1]).abs() <= OFF_LINE.of(self.height)
             && (a.height() - b.height()).abs() <= HEIGHTS_OF_PAIR.of(self.height);
-        level && b.along[0] - a.along[1] <= GAP_OF_PAIR * self.height
+        level && self.widest_gap <= GAP_OF_PAIR * self.height
+    }
+
+    /// The same with the minus before it, if it is a level number and there is one among these things.
+    pub(super) fn with_minus(mut self, glyphs: &[LetterShape]) -> Self {
+        if self.letters.len() > MOST_DIGITS || self.angle.abs() >= LEAST_TURN {
+            return self;
+        }
+        let (start, [top, foot], height) = (self.along[0], self.across, self.height);
+        let is_minus = |glyph: &&LetterShape| {
+            let [[from, upper], [to, lower]] = glyph.bounds();
+            let at = (0.5 * (upper + lower) - top) / (foot - top);
+            (MINUS[0] * height..=MINUS[1] * height).contains(&(to - from))
+                && lower - upper <= MINUS_THICK.of(height)
+                && 2.0 * (lower - upper) <= to - from
+                && MINUS_AT.contains(&at)
+                && (0.0..=MINUS_GAP.of(height)).contains(&(start - to))
+        };
+        if let Some(minus) = glyphs.iter().find(is_minus) {
+            self.along[0] = minus.bounds()[0][0];
+        }
+        self
     }
 
     /// Whether another line has its style: height and stroke of letters, colour and contrast.

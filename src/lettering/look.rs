@@ -1,6 +1,6 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
-use super::chain::{axes, chains, distance, groups, placed};
+use super::chain::{RotatedLetter, axes, chains, distance, groups, placed};
 use super::glyph::{LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
@@ -99,11 +99,13 @@ impl Look {
             }
             let mut used = vec![false; self.glyphs.len()];
             for chain in chains(&self.glyphs, &left, angle) {
-                let Some(line) = line(&self.glyphs, &chain, angle) else { continue };
-                let fits = line.letters.len() >= least
-                    && (line.angle - angle).abs() <= OFF
-                    && (least == LEVEL || line.is_aligned(ALIGNED_ASLANT));
-                if fits && self.is_text(&line, self.strict, colours) {
+                let fits = |line: &TextLine| {
+                    line.letters.len() >= least
+                        && (line.angle - angle).abs() <= OFF
+                        && (least == LEVEL || line.is_aligned(ALIGNED_ASLANT))
+                };
+                let line = self.line(&chain, angle).filter(fits);
+                if let Some(line) = line.and_then(|line| self.text(line, self.strict, colours)) {
                     line.letters.iter().for_each(|letter| used[letter.of] = true);
                     lines.push(line);
                 }
@@ -126,14 +128,14 @@ impl Look {
             let mut chains = chains(&self.glyphs, &self.letters, angle);
             chains.extend(placed(&self.glyphs, &self.letters, angle).into_iter().map(|one| vec![one]));
             for chain in chains {
-                let Some(line) = line(&self.glyphs, &chain, angle) else { continue };
+                let Some(line) = self.line(&chain, angle) else { continue };
                 let mut like = others.iter().filter(|other| line.is_styled_as(other));
                 let is_like = match line.letters.len() {
                     1 => like.any(|other| line.is_in_row_with(other)),
                     _ => like.next().is_some(),
                 };
-                if is_like && (line.angle - angle).abs() <= OFF && self.is_text(&line, Strictness::Context, colours) {
-                    lines.push(line);
+                if is_like && (line.angle - angle).abs() <= OFF {
+                    lines.extend(self.text(line, Strictness::Context, colours));
                 }
             }
         }
@@ -161,12 +163,21 @@ impl Look {
         self.thin.contrast.size.width as usize
     }
 
-    fn is_text(&self, line: &TextLine, strict: Strictness, colours: &Colours<'_>) -> bool {
-        // what costs more comes last
-        line.is_text(strict, 0.0)
-            && are_unlike(&self.glyphs, &line.letters, self.width())
-            && line.is_text(strict, self.clutter(line))
-            && self.stands_out(line, colours)
+    fn line(&self, chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
+        line(&self.glyphs, chain, angle, self.strict == Strictness::Drawing)
+    }
+
+    /// A line with its minus, if it is text.
+    fn text(&self, line: TextLine, strict: Strictness, colours: &Colours<'_>) -> Option<TextLine> {
+        // the digits of a number such as 0.0 may be alike; what costs more comes last
+        let may_be_alike = strict == Strictness::Context && line.has_point;
+        let are_letters =
+            line.is_text(strict, 0.0) && (may_be_alike || are_unlike(&self.glyphs, &line.letters, self.width()));
+        if !are_letters {
+            return None;
+        }
+        let line = if self.strict == Strictness::Drawing { line.with_minus(&self.glyphs) } else { line };
+        (line.is_text(strict, self.clutter(&line)) && self.stands_out(&line, colours)).then_some(line)
     }
 
     /// Thin things around a line that are none of its own, in shares of its own pixels.

@@ -99,6 +99,38 @@ fn a_digit_alone_is_text_only_beside_others_of_its_style() {
 }
 
 #[test]
+fn a_number_with_a_decimal_point_is_one_line() {
+    // its digits are 15 px apart there, and 21 px high
+    let number = |rest: &str, point: Option<[usize; 2]>| {
+        let mut sheet = Sheet::of(&[("5", [40, 40]), (rest, [70, 40])]);
+        if let Some(at) = point {
+            sheet.bar(at, [3, 3]);
+        }
+        sheet.letters()
+    };
+    assert_eq!((number("AE", Some([61, 58])), number("A", Some([61, 58]))), (vec![3], vec![2]));
+    for no_point in [None, Some([61, 48])] {
+        assert!(number("AE", no_point).iter().all(|letters| *letters < 3), "{no_point:?}");
+        assert_eq!(number("A", no_point), [0_usize; 0], "{no_point:?}");
+    }
+}
+
+#[test]
+fn a_minus_before_a_number_is_part_of_it() {
+    let start = |bar: [usize; 2], sides: [usize; 2]| {
+        let mut sheet = Sheet::of(&[("5AE", [60, 40])]);
+        sheet.bar(bar, sides);
+        let lines = |look: &Look, colours: &Colours<'_>| look.lines(colours);
+        let lines = sheet.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, lines).unwrap_or_default();
+        lines.first().map(|line| line.along[0].round() as i32)
+    };
+    assert_eq!(start([42, 49], [12, 3]), Some(42));
+    assert_eq!(start([20, 49], [12, 3]), Some(60), "too far");
+    assert_eq!(start([42, 58], [12, 3]), Some(60), "at the foot");
+    assert_eq!(start([14, 49], [40, 3]), Some(60), "too long");
+}
+
+#[test]
 fn bars_side_by_side_are_no_text() {
     let mut bars = Sheet::of(&[]);
     (0..8).for_each(|i| bars.bar([40 + 24 * i, 40], [4, 30]));
