@@ -27,6 +27,7 @@ mod legend;
 mod line_legend;
 mod lines_of_part;
 mod links_of_overview;
+mod lost_colours;
 mod lost_marks;
 mod lost_signs;
 mod margins;

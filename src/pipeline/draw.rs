@@ -14,6 +14,7 @@ use super::leaders;
 use super::legend::{self, LegendEntry};
 use super::line_legend;
 use super::links_of_overview;
+use super::lost_colours;
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
@@ -42,6 +43,7 @@ use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
 use crate::profile::Plan;
+use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
 use crate::regions::{Chosen, OutlineAreas};
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
@@ -189,7 +191,7 @@ pub(super) fn draw(
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
     let overview = if regions.is_some() { overview.within(&drawn.lines, &layout, plan) } else { overview };
-    notes.extend(told_of_drawn(&drawn, &edges, &texts, &layout, plan));
+    notes.extend(told_of_drawn(&drawn, &edges, (&texts, &picture.raster), &layout, plan));
     if let Some(of_colours) = &mut areas_of_colours {
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
         notes.extend(of_colours.fit_to_page(given, &mut decisions, areas.as_ref(), edges.size, &layout, plan));
@@ -226,8 +228,15 @@ fn said_of(drawn: &Lines, overview: &DrawnOverview, edges: &Edges, areas: Option
 }
 
 /// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.
-fn told_of_drawn(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout, plan: &Plan) -> Vec<Note> {
-    let left_out = told_of_lost(drawn, edges, texts, layout);
+fn told_of_drawn(
+    drawn: &Lines,
+    edges: &Edges,
+    (texts, raster): (&[Text], &Raster),
+    layout: &Layout,
+    plan: &Plan,
+) -> Vec<Note> {
+    let of_colours = lost_colours::told(drawn, edges, raster, layout, plan);
+    let left_out = told_of_lost(drawn, edges, texts, layout).chain(of_colours);
     let has_lines = plan.profile().figure.lines;
     let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
     left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).collect()

@@ -1,0 +1,95 @@
+//! The colours of lines that have no room. Whoever makes a page knows the curves of a chart by their colours, so it is
+//! told where much of one colour is not drawn.
+
+use super::legend::places_along;
+use crate::classes::{Class, class_at};
+use crate::edges::{ChainRange, Edges};
+use crate::geom::polyline;
+use crate::lines::{Lines, LostLine};
+use crate::listing::list;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::raster::Raster;
+use crate::units::{MmPoint, MmRect, PageTransform};
+use crate::{About, Note, Reason};
+
+/// Share of the lines of a colour from which on it is told that they are missing.
+const TOLD: f32 = 0.2;
+/// A line has the colour of a stroke if the box around what of the stroke is in its own, and so far around it, mm, has
+/// the same sides: off by so much together, mm, and by this share of them.
+const AROUND: f32 = 1.0;
+const OFF: f32 = 4.0;
+const OFF_SHARE: f32 = 0.2;
+
+/// A stroke of the picture, and its colour.
+#[derive(Debug, Clone)]
+struct ColouredStroke {
+    class: Class,
+    points: Vec<MmPoint>,
+}
+
+/// What the maker of a drawing is told of the colours of lines of which much is not on the page.
+pub(super) fn told(drawn: &Lines, edges: &Edges, raster: &Raster, layout: &Layout, plan: &Plan) -> Option<Note> {
+    let all = drawn.lost.gone.iter().chain(&drawn.lost.torn).copied();
+    let lost: Vec<LostLine> = all.filter(|line| !line.is_faint && !line.closed).collect();
+    if lost.is_empty() || raster.is_grey() || !edges.of_drawing() {
+        return None;
+    }
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let params = plan.classes(transform.px_per_mm());
+    let stroke = |chain: &ChainRange| {
+        let places = places_along(edges, chain, chain.kind.stroke?, raster).into_iter();
+        let on_ground = places.filter(|(_, ground)| ground.is_some());
+        let class = most_common(&on_ground.filter_map(|(at, _)| class_at(raster, at, &params)).collect::<Vec<_>>())?;
+        let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
+        Some(ColouredStroke { class, points })
+    };
+    let strokes: Vec<ColouredStroke> = edges.chains.iter().filter_map(stroke).collect();
+    told_of(&lost, &strokes)
+}
+
+/// The class of most; none of none.
+fn most_common(classes: &[Class]) -> Option<Class> {
+    let count = |class: &Class| classes.iter().filter(|other| *other == class).count();
+    Class::ALL.into_iter().max_by_key(count).filter(|class| count(class) > 0)
+}
+
+fn told_of(lost: &[LostLine], strokes: &[ColouredStroke]) -> Option<Note> {
+    let missing: Vec<(Class, f32)> =
+        lost.iter().filter_map(|line| Some((class_of(line.extent, strokes)?, line.length))).collect();
+    let of_colour = |class: Class| {
+        let missing: f32 = missing.iter().filter(|(of, _)| *of == class).map(|(_, length)| length).sum();
+        let own = strokes.iter().filter(|stroke| stroke.class == class);
+        let share = missing / own.map(|stroke| polyline::length(&stroke.points)).sum::<f32>().max(missing);
+        let percent = (100.0 * share).round();
+        (missing > 0.0 && share >= TOLD)
+            .then(|| format!("{missing:.0} mm of the {} lines, {percent} percent of them", class.name()))
+    };
+    let colours = Class::ALL.into_iter().filter(|class| *class != Class::Grey);
+    let each: Vec<String> = colours.filter_map(of_colour).collect();
+    let why = "there is no room for them beside other lines; say in a label how these go on, or make the figure larger";
+    (!each.is_empty())
+        .then(|| Note::NotOnPage(About::Lines, Reason::NoRoomForLine, format!("{}: {why}", list(&each, "and"))))
+}
+
+/// The colour of the stroke that a lost line, with this box around it, is or is a piece of; none where it may be one of
+/// two.
+fn class_of(extent: MmRect, strokes: &[ColouredStroke]) -> Option<Class> {
+    let around = extent.inflate(AROUND, AROUND);
+    let off = |stroke: &ColouredStroke| {
+        let inside: Vec<MmPoint> = stroke.points.iter().copied().filter(|at| around.contains(*at)).collect();
+        let own = MmRect::from_points(&inside);
+        let (low, high) = (own.min - extent.min, own.max - extent.max);
+        (!inside.is_empty()).then(|| low.x.abs() + low.y.abs() + high.x.abs() + high.y.abs())
+    };
+    let most = OFF + OFF_SHARE * (extent.width() + extent.height());
+    let all = strokes.iter().filter_map(|stroke| Some((off(stroke)?, stroke.class)));
+    let mut near: Vec<(f32, Class)> = all.filter(|(off, _)| *off <= most).collect();
+    near.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let &(least, class) = near.first()?;
+    // two that cross from corner to corner have one box
+    near.iter().all(|(off, of)| *of == class || *off > least + OFF).then_some(class)
+}
+
+#[cfg(test)]
+mod tests;
