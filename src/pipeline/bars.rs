@@ -20,6 +20,8 @@ const COVERED: f32 = 0.7;
 const BELOW_TOP: f32 = 8.0;
 /// Widths of bars differ by this factor at most from their median: a frame around all of them is no bar.
 const ALIKE: f32 = 2.0;
+/// Of cells between gridlines this share at least reaches up to the frame side by side.
+const CELLS: f32 = 0.66;
 /// A level with straight lines over this share of a chart's width is one of its gridlines.
 const GRIDLINE: f32 = 0.2;
 /// Lines run along this share of a base at least: the lower sides of bars, or an axis.
@@ -117,6 +119,9 @@ impl Chart {
         let base = base(&sides, &levels)?;
         let mut chart = Self { direction, base, bars: Vec::new(), sides, gridlines: Vec::new() };
         chart.bars = chart.bars_below(&levels);
+        if are_cells(&chart.bars) {
+            return None;
+        }
         // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such
         // tops do not count
         let is_above = |across: f32, top: f32| {
@@ -271,6 +276,16 @@ fn base(sides: &[BaseSpan], levels: &[BaseSpan]) -> Option<f32> {
     grounds.max_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1))).map(|(_, at)| at)
 }
 
+/// Whether bars are cells between gridlines in the frame of a plot: most reach up to the highest level of all, side by
+/// side. Some may seem to end below it, at a legend or where a curve hides a piece of a gridline.
+fn are_cells(bars: &[Bar]) -> bool {
+    let highest = bars.iter().map(|bar| bar.top).fold(f32::MIN, f32::max);
+    let high: Vec<&Bar> = bars.iter().filter(|bar| highest - bar.top <= SAME).collect();
+    let touch = |a: &Bar, b: &Bar| (a.to - b.from).abs() <= SAME || (b.to - a.from).abs() <= SAME;
+    let cells = high.iter().filter(|bar| high.iter().any(|other| touch(bar, other))).count();
+    cells > 0 && cells as f32 >= CELLS * bars.len() as f32
+}
+
 /// Levels that continue one another as one.
 fn joined(mut levels: Vec<BaseSpan>) -> Vec<BaseSpan> {
     levels.sort_by(|a, b| a.from.total_cmp(&b.from));
@@ -320,3 +335,6 @@ pub(super) fn missing(wanted: &[WantedPath], lines: &[Line], transform: &PageTra
     }
     (missing, all)
 }
+
+#[cfg(test)]
+mod tests;
