@@ -92,7 +92,8 @@ pub(in crate::lines) fn draw(
     let mut taken: Vec<(usize, Tip)> = Vec::new();
     for mark in marks {
         let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
-        let places = HeadPlaces { line, lines, segments: &segments, points, others: &drawn.heads, area, params };
+        let (toward, others) = (mark.toward, &drawn.heads[..]);
+        let places = HeadPlaces { line, lines, toward, segments: &segments, points, others, area, params };
         let Some((head, cut)) = places.head(which) else { continue };
         taken.push((line, which));
         drawn.heads.push(head);
@@ -118,19 +119,26 @@ fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, Tip)
     let ends = ends.flat_map(|(number, line)| Tip::BOTH.map(|which| (number, which, *line)));
     let near = ends.filter_map(|(number, which, line)| {
         let far = (end(line, which)? - mark.at).length();
-        let leads = far <= 2.0 * RING_FARTHEST && heading(line, which, HEADING)?.dot(mark.toward) >= ALONG;
+        let is_there = far <= 2.0 * RING_FARTHEST && leads(line, which, mark.toward);
         // not a curve that ends beside an axis which is not drawn up to there
         let strength = which.of(line)?.strength;
         let is_it = far <= SAME || (strength - mark.strength).abs() <= ALIKE * mark.strength;
-        (leads && is_it).then_some((far, number, which))
+        (is_there && is_it).then_some((far, number, which))
     });
     near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, number, which)| (number, which))
+}
+
+/// Whether a line leads to one of its ends as the head there points, but for 45 degrees.
+pub(super) fn leads(line: &Polyline<Vertex>, which: Tip, toward: MmVector) -> bool {
+    heading(line, which, HEADING).is_some_and(|way| way.dot(toward) >= ALONG)
 }
 
 /// Where a head may be on a line.
 struct HeadPlaces<'a> {
     line: usize,
     lines: &'a [&'a Polyline<Vertex>],
+    /// Which way the head points in the drawing.
+    toward: MmVector,
     segments: &'a Nearby,
     points: &'a [(MmPoint, f32)],
     others: &'a [Polyline<Vertex>],
@@ -144,7 +152,11 @@ impl HeadPlaces<'_> {
         let line = self.lines[self.line];
         let most = (line.length() - self.params.min_length).clamp(0.0, MOST);
         let cuts = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
-        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, line.shortened(which, cut))).collect();
+        // before a bend it would point another way
+        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts
+            .map(|cut| (cut, line.shortened(which, cut)))
+            .take_while(|(_, shaft)| leads(shaft, which, self.toward))
+            .collect();
         let head = |(cut, shaft): &(f32, Polyline<Vertex>), length: f32| {
             let at = end(shaft, which)?;
             let strokes = strokes(at, heading(shaft, which, HEADING)?, length);

@@ -1,6 +1,7 @@
 //! Shafts of arrows end before what they point at.
 
 use super::find::FoundHead;
+use super::place::leads;
 use super::shapes::end;
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
@@ -47,11 +48,13 @@ pub(super) fn make_room(
             polylines[shaft.line] = shorter;
             mark.at = at;
         }
+        // a head may be a little aslant to its shaft, along which it is drawn
+        mark.toward = heading(&polylines[shaft.line], shaft.which, HEADING).unwrap_or(mark.toward);
         let is_free = |at: MmPoint, toward: MmVector| is_free_before(at, toward, &others, reach, is_other);
         let line = &polylines[shaft.line];
         // at a line a short shaft is a link; before one it would be nothing
         let most = (line.length() - params.min_length).clamp(0.0, 2.0 * reach);
-        let free = until_free(line, shaft.which, most, is_free);
+        let free = until_free(line, (shaft.which, mark.toward), most, is_free);
         if let Some((shorter, at, toward)) = free {
             polylines[shaft.line] = shorter;
             (mark.at, mark.toward) = (at, toward);
@@ -74,14 +77,16 @@ fn up_to_pointed_at(
     near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line, at)| (line, at))
 }
 
-/// A shaft shortened by at most `most`, mm, until its end is free, with its end and which way it leads there.
+/// A shaft shortened by at most `most`, mm, until its end is free, with its end and which way it leads there; not as
+/// far as a bend, before which it leads otherwise than its head points.
 fn until_free(
     shaft: &Polyline<Vertex>,
-    which: Tip,
+    (which, toward): (Tip, MmVector),
     most: f32,
     is_free: impl Fn(MmPoint, MmVector) -> bool,
 ) -> Option<(Polyline<Vertex>, MmPoint, MmVector)> {
-    shaft.shorter_ones(which, most).find_map(|line| {
+    let mut shorter = shaft.shorter_ones(which, most).take_while(|line| leads(line, which, toward));
+    shorter.find_map(|line| {
         let (at, toward) = (end(&line, which)?, heading(&line, which, HEADING)?);
         is_free(at, toward).then_some((line, at, toward))
     })

@@ -181,6 +181,17 @@ fn a_head_on_a_short_shaft_between_two_lines_touches_what_it_points_at() {
     assert_eq!(short(46.0, [(18.0, 10.0), (98.0, 90.0)]).1, [false], "one stroke would lie along it");
 }
 
+/// As in a flow chart: one line from a box down and across, and down by so much to the next.
+#[test]
+fn a_head_is_not_moved_round_a_bend_of_its_shaft() {
+    let shaft = contour(&[(90.0, 40.0), (60.0, 40.0), (60.0, 45.3)], false);
+    let head = contour(&[(58.0, 41.6), (60.0, 45.3), (62.0, 41.6)], true);
+    let pointed_at = contour(&[(60.0, 45.3), (87.0, 61.0), (60.0, 77.0), (33.0, 61.0)], true);
+    let (lines, is_drawn) = drawn(vec![shaft, head, pointed_at]);
+    assert!(is_drawn == [false] && arrows(&lines).is_empty(), "{is_drawn:?}");
+    assert!((lines[0].length() - 35.3).abs() < 0.2, "it leads up to what it points at: {}", lines[0].length());
+}
+
 #[test]
 fn a_triangle_has_three_corners() {
     let points = |corners: &[(f32, f32)]| -> Vec<MmPoint> {
