@@ -9,7 +9,7 @@ use crate::lines::clearance::TOUCH;
 use crate::lines::lead_on::{extend_to, heading};
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{HEADING, Params, RING_FARTHEST};
-use crate::lines::vertex::{FoundIn, Tip, Vertex, nearby};
+use crate::lines::vertex::{FoundIn, SHORTENED_BY, Tip, Vertex, nearby};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The end of a shaft as drawn leads as it did, but for 45 degrees: the cosine.
@@ -19,6 +19,9 @@ const ALONG: f32 = 0.7;
 /// differs by more.
 const ALIKE: f32 = 0.25;
 const SAME: f32 = 0.3;
+/// So far are the strokes of a head from its own shaft before a bend of that, as a share of the clearance. Chosen by
+/// us: less would be a clot.
+const BEFORE_BEND: f32 = 0.6;
 /// A shaft is shortened by at most this for its head to have room, mm, in steps.
 const MOST: f32 = 8.0;
 const STEP: f32 = 0.5;
@@ -92,8 +95,9 @@ pub(in crate::lines) fn draw(
     let mut taken: Vec<(usize, Tip)> = Vec::new();
     for mark in marks {
         let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
-        let (toward, others) = (mark.toward, &drawn.heads[..]);
-        let places = HeadPlaces { line, lines, toward, segments: &segments, points, others, area, params };
+        let last_piece = last_piece(lines[line], which, mark.toward, own_end(params));
+        let (toward, segments, others) = (mark.toward, &segments, &drawn.heads[..]);
+        let places = HeadPlaces { line, lines, toward, last_piece, segments, points, others, area, params };
         let Some((head, cut)) = places.head(which) else { continue };
         taken.push((line, which));
         drawn.heads.push(head);
@@ -133,12 +137,24 @@ pub(super) fn leads(line: &Polyline<Vertex>, which: Tip, toward: MmVector) -> bo
     heading(line, which, HEADING).is_some_and(|way| way.dot(toward) >= ALONG)
 }
 
+/// How much of a line, from one of its ends on, leads as the head there points, up to its last bend, mm; or `most`.
+pub(super) fn last_piece(line: &Polyline<Vertex>, which: Tip, toward: MmVector, most: f32) -> f32 {
+    line.shorter_ones(which, most).take_while(|line| leads(line, which, toward)).count() as f32 * SHORTENED_BY
+}
+
+/// As far from its tip, along its shaft, a head may be near to that, mm.
+fn own_end(params: &Params) -> f32 {
+    params.approach(0.5 * params.width_max, 0.5 * params.width_max)
+}
+
 /// Where a head may be on a line.
 struct HeadPlaces<'a> {
     line: usize,
     lines: &'a [&'a Polyline<Vertex>],
     /// Which way the head points in the drawing.
     toward: MmVector,
+    /// How much of the line leads that way, mm.
+    last_piece: f32,
     segments: &'a Nearby,
     points: &'a [(MmPoint, f32)],
     others: &'a [Polyline<Vertex>],
@@ -216,15 +232,20 @@ impl HeadPlaces<'_> {
         })
     }
 
-    /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own; of a line that it
-    /// points at and touches only beside its shaft.
+    /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own, before a bend of
+    /// which they may be a little nearer; of a line that it points at and touches only beside its shaft.
     fn has_room(&self, [left, apex, right]: [MmPoint; 3], which: Tip, pointed_at: Option<u32>) -> bool {
         let (clearance, length) = (self.params.max_clearance(), self.lines[self.line].length());
-        let own_end = self.params.approach(0.5 * self.params.width_max, 0.5 * self.params.width_max);
+        let own_end = own_end(self.params);
         let arcs = self.lines[self.line].arc_lengths();
-        let is_own_end = |index: u32| {
-            let arc = arcs.get(index as usize).copied().unwrap_or(0.0);
-            if which == Tip::First { arc <= own_end } else { arc >= length - own_end }
+        let arc = |index: u32| arcs.get(index as usize).copied().unwrap_or(length);
+        let least = |segment: &Segment| {
+            let from_tip = if which == Tip::First { arc(segment.index) } else { length - arc(segment.index + 1) };
+            match segment.line as usize == self.line {
+                true if from_tip < self.last_piece => 0.0,
+                true if from_tip <= own_end => BEFORE_BEND * clearance,
+                _ => clearance,
+            }
         };
         let ahead = apex - left.lerp(right, 0.5);
         let is_before = |at: MmPoint| (at - apex).dot(ahead) >= -BEHIND * ahead.square_length();
@@ -234,9 +255,7 @@ impl HeadPlaces<'_> {
             let mut is_free = self.area.contains(stroke.0) && self.area.contains(stroke.1);
             let reach = clearance + 0.5 * (stroke.1 - stroke.0).length();
             self.segments.around_point(stroke.0.lerp(stroke.1, 0.5), reach, |segment| {
-                let is_own = segment.line as usize == self.line && is_own_end(segment.index);
-                is_free &=
-                    is_own || is_touched(segment) || segment_distance(stroke, (segment.a, segment.b)) >= clearance;
+                is_free &= is_touched(segment) || segment_distance(stroke, (segment.a, segment.b)) >= least(segment);
             });
             let is_beside = |(at, radius): &(MmPoint, f32)| {
                 nearest_on_segment(*at, stroke.0, stroke.1).0 >= self.params.beside_disc(*radius)

@@ -1,7 +1,7 @@
 //! Shafts of arrows end before what they point at.
 
 use super::find::FoundHead;
-use super::place::leads;
+use super::place::{last_piece, leads};
 use super::shapes::end;
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
@@ -21,6 +21,9 @@ const BEFORE: f32 = 0.3;
 const BEYOND: f32 = 0.5;
 /// Such a line is at least so many times as long as the shortest line: it is no tick of an axis.
 const POINTED_AT: f32 = 2.0;
+/// A shaft is shortened before what it points at if so much of its last piece is left, mm: the smallest head has room
+/// before the bend. Otherwise the head may still touch what it points at, which heads of dots do not.
+const LAST_PIECE: f32 = 6.0;
 
 /// Shortens the shafts of heads up to the lines that they point at, and on until nothing is too near before their tips.
 pub(super) fn make_room(
@@ -53,7 +56,10 @@ pub(super) fn make_room(
         let is_free = |at: MmPoint, toward: MmVector| is_free_before(at, toward, &others, reach, is_other);
         let line = &polylines[shaft.line];
         // at a line a short shaft is a link; before one it would be nothing
-        let most = (line.length() - params.min_length).clamp(0.0, 2.0 * reach);
+        let mut most = (line.length() - params.min_length).clamp(0.0, 2.0 * reach);
+        if !params.on_dots() {
+            most = (last_piece(line, shaft.which, mark.toward, most + LAST_PIECE) - LAST_PIECE).clamp(0.0, most);
+        }
         let free = until_free(line, (shaft.which, mark.toward), most, is_free);
         if let Some((shorter, at, toward)) = free {
             polylines[shaft.line] = shorter;

@@ -193,6 +193,28 @@ fn a_head_is_not_moved_round_a_bend_of_its_shaft() {
 }
 
 #[test]
+fn a_head_on_a_short_last_piece_touches_what_it_points_at_or_is_left_out() {
+    let bent = |below: f32| {
+        let y = 40.0 + below;
+        let shaft = contour(&[(10.0, 40.0), (60.0, 40.0), (60.0, y)], false);
+        let head = contour(&[(58.0, y - 4.0), (60.0, y), (62.0, y - 4.0)], true);
+        drawn(vec![shaft, head, contour(&[(40.0, y), (80.0, y), (80.0, y + 20.0), (40.0, y + 20.0)], true)])
+    };
+    let (lines, is_drawn) = bent(9.8);
+    let found = arrows(&lines);
+    let [arrow] = found[..] else { panic!("{found:?}") };
+    assert!(is_drawn == [true] && (49.8..50.0).contains(&arrow.at.y) && arrow.toward.y > 0.99, "{arrow:?}");
+    assert!(arrow.wings.iter().all(|wing| wing.y > 43.0), "clear of its own shaft: {arrow:?}");
+    let (lines, is_drawn) = bent(6.0);
+    assert!(is_drawn == [false] && lines.len() == 2, "{is_drawn:?}");
+    assert!((lines[0].length() - 56.0).abs() < 0.2, "it leads up to the box: {}", lines[0].length());
+    // a longer one ends before the box, with room for a head
+    let (lines, is_drawn) = bent(16.0);
+    let found = arrows(&lines);
+    assert!(is_drawn == [true] && matches!(found[..], [arrow] if arrow.at.y < 52.0), "{found:?}");
+}
+
+#[test]
 fn a_triangle_has_three_corners() {
     let points = |corners: &[(f32, f32)]| -> Vec<MmPoint> {
         let at = |i: usize| MmPoint::from(corners[i % corners.len()]);
