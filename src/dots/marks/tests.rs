@@ -171,6 +171,33 @@ fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
     assert_eq!(place(&beside(52.0), &[head(113.0, 1.0)]).shown.heads, [true]);
 }
 
+/// As in a flow chart: a row that runs across and then down by so many dots.
+#[test]
+fn the_head_of_a_bent_row_points_as_its_last_piece_leads_and_keeps_clear_of_the_bend() {
+    let place = |below: i32| {
+        let across = (2..=20).map(|x| MmPoint::new(2.0 * x as f32, 20.0));
+        let down = (1..=below).map(|y| MmPoint::new(40.0, 20.0 + 2.0 * y as f32));
+        let row = Row { dots: across.chain(down).collect(), closed: false, is_heavy: false, is_weak: false };
+        let head = HeadMark {
+            at: MmPoint::new(40.0, 20.0 + 2.0 * below as f32),
+            toward: MmVector::new(0.0, 1.0),
+            extent: MmRect::zero(),
+            strength: 100.0,
+            has_shaft: true,
+            is_drawn: false,
+        };
+        let (grid, marks) = (grid(), LineMarks { heads: vec![head], ..LineMarks::default() });
+        super::place(&marks, &[row], Lattice::Grid { grid: &grid, within: GridBox::within(SHEET, &grid) }, &PARAMS)
+    };
+    assert_eq!(place(3).shown.heads, [false], "it would lie at the piece before the bend");
+    assert_eq!(place(2).shown.heads, [false]);
+    let drawn = place(4);
+    assert_eq!(drawn.shown.heads, [true]);
+    let mut dots: Vec<[f32; 2]> = drawn.runs[0][0].iter().map(|at| [at.x, at.y]).collect();
+    dots.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    assert_eq!(dots, [[36.0, 24.0], [38.0, 26.0], [42.0, 26.0], [44.0, 24.0]]);
+}
+
 #[test]
 fn a_head_of_dots_is_read_again_and_is_neither_a_tick_nor_a_point() {
     let at = |x: f32, y: f32| MmPoint::new(2.0 * x, 2.0 * y);
