@@ -87,8 +87,13 @@ impl<'a> Contours<'a> {
         }
         let mut taken = vec![false; self.polylines.len()];
         let mut whole: Vec<(f32, FoundHead)> = self.shafts().flat_map(|shaft| self.whole(&shaft)).collect();
-        // where arrows meet, each head is that of the shaft which it points along best
-        whole.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        // where arrows meet, each head is that of the shaft which it points along best; a border of areas that it hides
+        // in part ends there too
+        let is_stroke = |head: &FoundHead| {
+            let FoundHead { shaft, .. } = head;
+            shaft.which.of(&self.polylines[shaft.line]).is_some_and(Vertex::is_in_stroke)
+        };
+        whole.sort_by(|(a, one), (b, other)| is_stroke(other).cmp(&is_stroke(one)).then(b.total_cmp(a)));
         let mut keep = |head: FoundHead, taken: &mut [bool]| {
             let FoundHead { tip, shaft, lines } = &head;
             let is_long = self.polylines[shaft.line].length() >= SHAFT * tip.axis().length();

@@ -259,6 +259,21 @@ fn where_arrows_meet_each_head_is_that_of_its_own_shaft() {
     }
 }
 
+/// As where a river leads into the sea, and the triangle hides an end of the shore.
+#[test]
+fn a_head_is_that_of_a_stroke_and_not_of_a_border_that_it_hides_in_part() {
+    let shaft = contour(&[(10.0, 45.0), (60.0, 50.0)], false);
+    // a triangle with equal sides, whose middle of one is where the border ends
+    let head = contour(&[(62.0, 50.0), (58.5, 48.0), (58.5, 52.0)], true);
+    let mut border = contour(&[(60.25, 51.0), (80.4, 85.6)], false);
+    border.vertices.iter_mut().for_each(|vertex| vertex.contrast = [40.0, 0.0, 0.0]);
+    for contours in [vec![shaft.clone(), border.clone(), head.clone()], vec![border, head, shaft]] {
+        let (heads, left) = taken(contours);
+        assert!(matches!(heads[..], [head] if head.toward.x > 0.9), "{heads:?}");
+        assert_eq!(left.len(), 2);
+    }
+}
+
 #[test]
 fn a_tick_beside_the_end_of_an_axis_is_no_head() {
     let halves = [contour(&[(59.3, 49.0), (59.3, 50.0)], false), contour(&[(59.3, 50.0), (59.3, 51.0)], false)];
