@@ -186,7 +186,7 @@ impl HeadPlaces<'_> {
             }
             let at_end = end(line, which)?;
             if let Some((at, pointed_at)) = self.on_other(at_end) {
-                return self.touching(which, at, &pointed_at);
+                return self.touching(which, at, pointed_at);
             }
             let steps = (1..=(FARTHER / STEP) as u32).map(|step| step as f32 * STEP);
             let longer = steps.map(|by| (-by, longer(line, which, by)));
@@ -198,22 +198,33 @@ impl HeadPlaces<'_> {
 
     /// The largest head at the end of a short shaft that leads up to another line there, between two boxes: before that
     /// line there is no room for it, so its tip touches it. Without a head such a shaft says nothing.
-    fn touching(&self, which: Tip, at: MmPoint, pointed_at: &Segment) -> Option<(Polyline<Vertex>, f32)> {
+    fn touching(&self, which: Tip, at: MmPoint, pointed_at: u32) -> Option<(Polyline<Vertex>, f32)> {
         let toward = heading(self.lines[self.line], which, HEADING)?;
-        let side = (pointed_at.b - pointed_at.a).try_normalize()?;
+        let sides = self.sides(at, pointed_at);
         LENGTHS.iter().find_map(|length| {
             let strokes = strokes(at + toward * BEYOND, toward, *length);
             let [left, apex, right] = strokes;
-            let is_steep = [left, right].iter().all(|wing| (*wing - apex).dot(side).abs() <= FLATTEST * length);
-            let has_room = is_steep && self.has_room(strokes, which, Some(pointed_at.line));
+            let is_steep = |wing: MmPoint| sides.iter().all(|side| (wing - apex).dot(*side) <= FLATTEST * length);
+            let has_room = is_steep(left) && is_steep(right) && self.has_room(strokes, which, Some(pointed_at));
             has_room.then(|| (self.polyline(strokes, which), 0.0))
         })
     }
 
-    /// The place on another line that runs through this one, and its segment.
-    fn on_other(&self, at: MmPoint) -> Option<(MmPoint, Segment)> {
+    /// Which ways a line leads from a place on it: two, which are opposite but for a corner.
+    fn sides(&self, at: MmPoint, line: u32) -> Vec<MmVector> {
+        let mut sides = Vec::new();
+        self.segments.around_point(at, TOUCH, |segment| {
+            let is_there = segment.line == line && nearest_on_segment(at, segment.a, segment.b).0 <= TOUCH;
+            let ends = [segment.a, segment.b].into_iter().filter(|end| is_there && (*end - at).length() > TOUCH);
+            sides.extend(ends.filter_map(|end| (end - at).try_normalize()));
+        });
+        sides
+    }
+
+    /// The place on another line that runs through this one, and its number.
+    fn on_other(&self, at: MmPoint) -> Option<(MmPoint, u32)> {
         let nearest = self.segments.nearest(at, TOUCH, |segment| segment.line as usize != self.line)?;
-        Some((nearest.1, nearest.2))
+        Some((nearest.1, nearest.2.line))
     }
 
     /// Whether the end of a longer shaft is clear of all other lines.

@@ -193,6 +193,17 @@ fn a_head_is_not_moved_round_a_bend_of_its_shaft() {
 }
 
 #[test]
+fn a_head_on_a_short_shaft_touches_the_corner_that_it_points_at() {
+    let shaft = contour(&[(60.0, 30.0), (60.0, 40.7)], false);
+    let head = contour(&[(58.0, 37.0), (60.0, 40.7), (62.0, 37.0)], true);
+    let start = contour(&[(30.0, 30.0), (90.0, 30.0)], false);
+    let pointed_at = contour(&[(60.0, 40.7), (87.0, 56.4), (60.0, 72.1), (33.0, 56.4)], true);
+    let (lines, is_drawn) = drawn(vec![shaft, head, start, pointed_at]);
+    let found = arrows(&lines);
+    assert!(is_drawn == [true] && matches!(found[..], [arrow] if (40.7..40.9).contains(&arrow.at.y)), "{found:?}");
+}
+
+#[test]
 fn a_head_on_a_short_last_piece_touches_what_it_points_at_or_is_left_out() {
     let bent = |below: f32| {
         let y = 40.0 + below;
