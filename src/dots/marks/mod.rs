@@ -17,6 +17,7 @@ mod alone;
 mod head;
 mod interrupt;
 mod lattice;
+mod order;
 
 #[cfg(test)]
 mod tests;
@@ -189,10 +190,7 @@ fn place_with(marks: &LineMarks, wanted: &[bool], rows: &[Row], lattice: Lattice
     };
     let level = rows.iter().map(|row| row.is_level_or_upright(params.pitch)).collect();
     let mut places = Places { rows, level, params, field, points: Vec::new(), placed };
-    for (point, wanted) in marks.points.iter().zip(wanted) {
-        let is_drawn = *wanted && !point.is_alone && places.point(point);
-        places.placed.shown.points.push(is_drawn);
-    }
+    places.placed.shown.points = places.points_on_rows(&marks.points, wanted);
     for head in &marks.heads {
         let is_drawn = places.head(head);
         places.placed.shown.heads.push(is_drawn);

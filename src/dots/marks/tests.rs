@@ -101,6 +101,23 @@ fn points_keep_apart_from_one_another_and_from_other_lines() {
     assert_eq!(shown(&both[..1], &rows(Some(slanting))), [true]);
 }
 
+/// As the contacts of a switch: the wire from the second one was cut back before the lever, which ends near there.
+#[test]
+fn a_point_whose_line_ends_before_it_takes_no_room_from_those_on_their_lines() {
+    let row = |dots: &[(f32, f32)]| Row {
+        dots: dots.iter().map(|&(x, y)| MmPoint::new(x, y)).collect(),
+        closed: false,
+        is_heavy: false,
+        is_weak: false,
+    };
+    let wire: Vec<(f32, f32)> = (2..=20).map(|x| (2.0 * x as f32, 40.0)).collect();
+    let lever = [(42.0, 38.0), (44.0, 38.0), (46.0, 36.0), (48.0, 36.0), (50.0, 34.0), (52.0, 34.0)];
+    let rows = [row(&wire), row(&lever)];
+    let (pivot, contact) = (point(40.0, 1.5, true), point(51.0, 1.5, true));
+    assert_eq!(placed(&[contact, pivot], &[], &rows).shown.points, [false, true]);
+    assert_eq!(placed(&[pivot, contact], &[], &rows).shown.points, [true, false]);
+}
+
 /// As the arc of a jump along a number line, which ends above a point of it.
 #[test]
 fn a_line_that_ends_in_the_blank_beside_a_point_ends_before_it() {
