@@ -18,8 +18,8 @@ use crate::raster::Raster;
 use crate::raster::vector::DrawnText;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform, PxPoint, Size};
 
-/// Most room on one side, as a share of the drawing's width or height: beyond it the drawing would lose more than
-/// abbreviations cost. Words that need more get none.
+/// How far words reach beyond the drawing at most on one side, as a share of its width or height: beyond it the drawing
+/// would lose more than abbreviations cost. Words that reach farther get no room, and shorter forms of them are tried.
 const MOST: f32 = 0.25;
 /// Two rows of labels have room above or below any drawing, as below the axis of a time line: a low drawing loses
 /// little by it. The blank beside each, mm.
@@ -52,7 +52,7 @@ pub(super) struct Lettered<'a> {
 /// How much room there may be.
 #[derive(Clone, Copy)]
 struct TextBounds {
-    /// The widest on the left or right, and above or below, mm.
+    /// How far words may reach on the left or right, and above or below, mm.
     most: [f32; 2],
     /// The least width and height that are left to the drawing, mm.
     min_side: f32,
@@ -140,12 +140,14 @@ fn widened(
             continue;
         }
         let px_per_mm = source.width as f32 / best.figure.width();
+        // what words of the greatest reach lack, and the drawing itself may lie a step aside on the grid
+        let widest = most.map(|reach| reach + moved(&best) + best.medium.pitch() + SLACK);
         let more = lacks(&best).map(|lack| lack * px_per_mm);
         let mut changes = false;
         for (side, lack) in more.into_iter().enumerate() {
             let wanted = room[side] + lack;
             // in the end room falls away that nothing stands in, as what it was for is abbreviated after all
-            let is_needed = lack > 0.0 && round < ROUNDS && wanted <= most[side % 2] * px_per_mm;
+            let is_needed = lack > 0.0 && round < ROUNDS && wanted <= widest[side % 2] * px_per_mm;
             if lack.abs() > SLACK * px_per_mm && (is_needed || lack < 0.0 && round == ROUNDS && room[side] > 0.0) {
                 room[side] = wanted.max(0.0);
                 changes = true;
@@ -245,8 +247,7 @@ fn lacks(
     };
     let predicted = RowPrediction { wanted: &wanted, contours, line_width, longer_to, params: &params };
     let [left, top, right, bottom] = row_overhang(&predicted, &cells, translator, layout.room);
-    // on a grid braille may move by a step, to where its cells can stand
-    let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + step + MOVED);
+    let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + moved(layout));
     // a word above all else, such as a heading, is higher than its print
     let height = cells.extent(1, 1).y + step;
     let is_heading =
@@ -255,6 +256,12 @@ fn lacks(
     let of_heading = |text: &Text| layout.room.min.y - (text.place.center().y - 0.5 * height - LOWER - 0.5 * CLEARANCE);
     let top = headings.map(of_heading).filter(|lack| *lack <= down).fold(top, f32::max);
     [left, top, right, bottom]
+}
+
+/// How far a label may stand beside where it is predicted, mm: lines are moved apart, and on a grid braille may move
+/// by a step, to where its cells can stand.
+fn moved(layout: &Layout) -> f32 {
+    layout.medium.pitch() + MOVED
 }
 
 /// Share of the drawing's height in which a heading stands.

@@ -386,3 +386,28 @@ fn words_of_a_column_are_written_in_full_where_each_has_room() {
     let whole = ["membrane", "mitochondrion", "nucleus", "vacuole"].iter().filter(|word| is_whole(word)).count();
     assert_eq!(whole, 4, "{:?}", drawing.notes);
 }
+
+/// All numbers of an axis with a unit are written, however much blank there is beside them: before, some margins lost
+/// all of them but one, which larger and smaller ones did not.
+#[test]
+fn numbers_with_a_unit_are_written_whatever_the_margin_is() {
+    let cases = [("index-basic-d", "km/h", [56, 62, 80, 86]), ("pins-120x60", "°C", [62, 68, 80, 86])];
+    for (profile, unit, margins) in cases {
+        for x in margins {
+            let mut svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' width='{}' height='400' font-size='14'>\
+                <rect width='100%' height='100%' fill='#fff'/><g fill='none' stroke='#000' stroke-width='3'>\
+                <path d='M{x} 40V360H{}M{x} 200l120 -80 100 130 120 -160 120 210'/></g>",
+                x + 520,
+                x + 480
+            );
+            for (i, number) in [10, 5, 0, -5, -10].into_iter().enumerate() {
+                let (right, y) = (x - 10, 45 + 79 * i);
+                write!(svg, "<text x='{right}' y='{y}' text-anchor='end'>{number} {unit}</text>").expect("text");
+            }
+            let options = options(profile).label_texts(true).title("Speed");
+            let drawing = convert((svg + "</svg>").as_bytes(), &options).expect("a page");
+            assert_eq!(labels_of(&drawing).len(), 5, "{x} px on {profile}: {:?}", drawing.notes);
+        }
+    }
+}

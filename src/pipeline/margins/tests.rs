@@ -1,6 +1,7 @@
 //! Tests of `margins`.
 
 use super::*;
+use crate::page::Print;
 
 /// A contour is seen where two pixels side by side differ, in pale lines and in one plane of colours too.
 #[test]
@@ -13,4 +14,30 @@ fn contours_are_where_pixels_differ() {
     assert!(contours(&Raster::grey(size, bar(0.99))).is_empty(), "noise");
     let flat = vec![1.0; 24];
     assert_eq!(contours(&Raster::colour(size, [flat.clone(), bar(0.5), flat])).len(), 8);
+}
+
+/// Words beside an axis have room for the shorter of their two forms at least, however near to the limit the longer one
+/// comes: before, one that reached up to it was wanted, and then there was no room for any.
+#[test]
+fn words_up_to_the_limit_have_room() {
+    let (source, sheet, most) = (Size::new(600, 400), [210.0, 297.0], [45.0, 30.0]);
+    let layout_of = |size: Size| -> Result<Layout, Error> {
+        let figure = MmVector::new(180.0, 180.0 * size.height as f32 / size.width as f32);
+        let figure = MmRect::from_origin_and_size(MmPoint::new(15.0, 20.0), figure.to_size());
+        Ok(Layout::of_figure(sheet, figure, Medium::Print(Print::default())))
+    };
+    for whole in (30_u8..120).map(f32::from) {
+        // they end at an eighth of the drawing
+        let left = |layout: &Layout, long: f32| layout.figure.min.x + 0.12 * layout.figure.width() - long;
+        let lacks = |layout: &Layout| {
+            let is_whole = left(layout, whole) >= layout.figure.min.x - most[0];
+            let reach = left(layout, if is_whole { whole } else { 0.5 * whole });
+            let least = f32::NEG_INFINITY;
+            [layout.room.min.x - reach + moved(layout), least, least, least]
+        };
+        let own = layout_of(source).expect("a layout");
+        let layout = widened(own, source, TextBounds { most, min_side: 12.7 }, lacks, &layout_of);
+        let (shorter, room) = (left(&layout, 0.5 * whole), layout.room.min.x);
+        assert!(shorter >= room - SLACK, "{whole} mm: from {shorter} in a room from {room} mm");
+    }
 }
