@@ -21,6 +21,10 @@ use crate::units::{MmPoint, MmRect, MmVector, PageTransform, PxPoint, Size};
 /// How far words reach beyond the drawing at most on one side, as a share of its width or height: beyond it the drawing
 /// would lose more than abbreviations cost. Words that reach farther get no room, and shorter forms of them are tried.
 const MOST: f32 = 0.25;
+/// By what share a drawing is hardly smaller: fingers do not tell 2 mm of 100.
+const HARDLY_SMALLER: f32 = 0.02;
+/// In steps of such a part of a drawing's width the blank beside it is looked for.
+const STEPS_OF_BLANK: u32 = 64;
 /// Two rows of labels have room above or below any drawing, as below the axis of a time line: a low drawing loses
 /// little by it. The blank beside each, mm.
 const BESIDE_ROW: f32 = CLEARANCE + MOVED;
@@ -116,10 +120,42 @@ pub(super) fn with_room_for(
     // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
     let [across, down] = [layout.figure.width(), layout.figure.height()].map(|side| MOST * side);
     let row = CellGrid::of(&layout.medium, plan.profile().braille.cell).extent(1, 1).y;
-    let most = [across, down.max(2.0 * (row + BESIDE_ROW + layout.medium.pitch()))];
-    let lacks = |layout: &Layout| lacks(&wants(layout), &contours_at(layout), written, layout, most, plan);
-    let bounds = TextBounds { most, min_side: plan.profile().figure.min_side };
-    widened(layout, source, bounds, lacks, layout_of)
+    let down = down.max(2.0 * (row + BESIDE_ROW + layout.medium.pitch()));
+    let with_reach = |across: f32| {
+        let most = [across, down];
+        let lacks = |layout: &Layout| lacks(&wants(layout), &contours_at(layout), written, layout, most, plan);
+        let bounds = TextBounds { most, min_side: plan.profile().figure.min_side };
+        widened(layout.clone(), source, bounds, lacks, layout_of)
+    };
+    let narrowed = with_reach(across);
+    let blank = blank_beside(&layout, source, layout_of);
+    if blank <= across {
+        return narrowed;
+    }
+    let moved_aside = with_reach(blank);
+    if is_as_large(moved_aside.figure.width(), narrowed.figure.width()) { moved_aside } else { narrowed }
+}
+
+/// How much wider a drawing can be with room beside it that costs it nothing, as the sheet is blank there, mm.
+fn blank_beside(own: &Layout, source: Size, layout_of: &dyn Fn(Size) -> Result<Layout, Error>) -> f32 {
+    let mm_per_px = own.figure.width() / source.width as f32;
+    let is_free = |more: u32| {
+        let size = Size::new(source.width.saturating_add(more), source.height);
+        layout_of(size).is_ok_and(|wider| is_as_large(wider.figure.width() / size.width as f32, mm_per_px))
+    };
+    let (mut free, mut step) = (0, source.width.saturating_mul(2));
+    while step > source.width / STEPS_OF_BLANK {
+        step /= 2;
+        if is_free(free + step) {
+            free += step;
+        }
+    }
+    free as f32 * mm_per_px
+}
+
+/// Whether a drawing is as large as another, or hardly smaller.
+fn is_as_large(width: f32, other: f32) -> bool {
+    width >= (1.0 - HARDLY_SMALLER) * other
 }
 
 /// The layout with as much room on each side as lacks on it, found in rounds: more room makes the drawing smaller, and

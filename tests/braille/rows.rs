@@ -2,7 +2,7 @@
 
 use super::labels::{labels_of, options, place};
 use std::fmt::Write as _;
-use tactograph::marks::Line;
+use tactograph::marks::{BrailleText, Line};
 use tactograph::{Drawing, MmPoint, MmRect, Note, convert};
 
 const MONTHS: [&str; 14] = [
@@ -409,5 +409,26 @@ fn numbers_with_a_unit_are_written_whatever_the_margin_is() {
             let drawing = convert((svg + "</svg>").as_bytes(), &options).expect("a page");
             assert_eq!(labels_of(&drawing).len(), 5, "{x} px on {profile}: {:?}", drawing.notes);
         }
+    }
+}
+
+/// Words beside a drawing are whole and in one line where the sheet is blank there, however long they are: the drawing
+/// is as large with them.
+#[test]
+fn words_stand_on_the_blank_of_the_sheet() {
+    let words = ["membranatorium", "mitochondriono", "nucleoluminate", "vacuolationist"];
+    for letters in [11, 12, 14] {
+        let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='400' font-size='14'>\
+            <rect width='600' height='400' fill='#fff'/>\
+            <path d='M140 40H560V360H140Z' fill='none' stroke='#000' stroke-width='3'/>"
+            .to_owned();
+        for (i, word) in words.iter().enumerate() {
+            let (y, word) = (75 + 80 * i, &word[..letters]);
+            write!(svg, "<text x='130' y='{y}' text-anchor='end'>{word}</text>").expect("text");
+        }
+        let drawing = drawn(&(svg + "</svg>"), "pins-120x60");
+        let labels = labels_of(&drawing);
+        let is_whole = |label: &&&BrailleText| label.abbreviation.is_none() && place(label).height() < 7.5;
+        assert_eq!(labels.iter().filter(is_whole).count(), 4, "{letters}: {:?}", drawing.notes);
     }
 }

@@ -41,3 +41,20 @@ fn words_up_to_the_limit_have_room() {
         assert!(shorter >= room - SLACK, "{whole} mm: from {shorter} in a room from {room} mm");
     }
 }
+
+/// Blank of the sheet is beside a drawing that takes all of its height, and not beside one as wide as the sheet.
+#[test]
+fn blank_is_found_where_the_sheet_is_wider_than_the_drawing() {
+    let source = Size::new(600, 400);
+    for (sheet, blank) in [([300.0, 100.0], 150.0), ([150.0, 300.0], 0.0)] {
+        let layout_of = |size: Size| -> Result<Layout, Error> {
+            let [width, height] = [size.width as f32, size.height as f32];
+            let mm_per_px = (sheet[0] / width).min(sheet[1] / height);
+            let figure = MmRect::new(MmPoint::zero(), MmPoint::new(width * mm_per_px, height * mm_per_px));
+            Ok(Layout::of_figure(sheet, figure, Medium::Print(Print::default())))
+        };
+        let own = layout_of(source).expect("a layout");
+        let found = blank_beside(&own, source, &layout_of);
+        assert!((found - blank).abs() < 8.0, "{found} mm and not {blank}");
+    }
+}
