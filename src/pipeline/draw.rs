@@ -27,7 +27,7 @@ use super::paper_edge;
 use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
 use super::read::{Content, Read, ReadPicture, read_lines};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
-use super::series;
+use super::series::{self, TexturedPicture};
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::thing_of_overview;
@@ -90,6 +90,8 @@ pub(super) struct Found {
     legend: Vec<LegendEntry>,
     /// How large the overview should be: it may be laid out smaller.
     overview: OverviewSize,
+    /// Whether there are labels in the figure.
+    has_labels: bool,
     notes: Vec<Note>,
 }
 
@@ -156,7 +158,8 @@ pub(super) fn find(
     request.go_on()?;
     let none_sought = content.is_uniform() || given.lines.is_some();
     let facts = PictureFacts { none_sought, all_erased, coloured_ground: false };
-    Ok(Found { picture, facts, layout, texts, edges, decisions, legend, overview, notes })
+    let has_labels = plan.profile().braille.on && (!words.labels.is_empty() || texts.iter().any(become_labels(words)));
+    Ok(Found { picture, facts, layout, texts, edges, decisions, legend, overview, has_labels, notes })
 }
 
 /// Everything but the page: draws the contours and colours that were found.
@@ -206,7 +209,7 @@ pub(super) fn draw(
     notes.extend(told_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan).filter(|_| !line_legend::is_told(&notes)));
-    let of_legend = (&mut legend, edges.of_drawing());
+    let of_legend = (&mut legend, TexturedPicture { is_drawing: edges.of_drawing(), has_labels: found.has_labels });
     let leaders = leaders::on_page(&edges, (&texts, leaders::FROM_PRINT), &layout);
     drop((picture.raster, edges));
     let mixed = areas_of_colours.as_mut().and_then(|areas| areas.mixed.take());

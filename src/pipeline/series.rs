@@ -16,7 +16,7 @@ use crate::listing::list;
 use crate::page::layout::Layout;
 use crate::page::{Glyph, Medium, Texture};
 use crate::profile::Plan;
-use crate::textures::leave_out_crumbs;
+use crate::textures::{leave_out_cells, leave_out_crumbs};
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note, Reason};
 
@@ -100,11 +100,20 @@ struct Lacking {
     bare: usize,
 }
 
+/// What textures are laid in.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TexturedPicture {
+    /// Whether it is a drawing, and no photograph.
+    pub(super) is_drawing: bool,
+    /// Whether it has labels.
+    pub(super) has_labels: bool,
+}
+
 /// The textures of the figure, those of bars alike in each series, and what is told of areas without any. Entries of
 /// the legend whose series have bars without one are marked; without one, colours without any texture are added.
 pub(super) fn textured(
     areas: Option<(Classes, Vec<ColouredBar>)>,
-    (legend, of_drawing): (&mut Vec<LegendEntry>, bool),
+    (legend, picture): (&mut Vec<LegendEntry>, TexturedPicture),
     layout: &Layout,
     lines: &[Line],
     plan: &Plan,
@@ -112,8 +121,14 @@ pub(super) fn textured(
 ) -> (Vec<Texture>, Vec<Note>) {
     let (mut classes, bars) = areas.unzip();
     let mut textures = draw_textures(classes.as_ref(), layout, lines, plan, watch);
-    if !of_drawing && matches!(layout.medium, Medium::Print(_)) {
-        leave_out_crumbs(&mut textures, &plan.textures());
+    // on a grid of dots they are looked at where labels stand
+    if matches!(layout.medium, Medium::Print(_)) {
+        if !picture.is_drawing {
+            leave_out_crumbs(&mut textures, &plan.textures());
+        }
+        if picture.has_labels {
+            leave_out_cells(&mut textures, &plan.textures());
+        }
     }
     let mut notes = Vec::new();
     if let (Some(classes), Some(bars)) = (&mut classes, bars) {
@@ -122,7 +137,7 @@ pub(super) fn textured(
         notes.extend(made_alike(&bars, classes, &mut textures, legend, layout.figure));
     }
     // where outlined areas became one colour each, little may be left of another
-    notes.extend(without_unlearned(&mut textures, classes.as_ref(), lines, layout, of_drawing, plan));
+    notes.extend(without_unlearned(&mut textures, classes.as_ref(), lines, layout, picture.is_drawing, plan));
     (textures, notes)
 }
 

@@ -21,6 +21,9 @@ const LEAST_COMPONENT: usize = 4;
 /// drawings smaller ones stay, as there they may be all that says the colour of a bar or a window, whose outline is
 /// felt as well.
 const LEAST_IN_PHOTOGRAPH: usize = 6;
+/// On a page with labels a component of dots has at least so many: a cell of braille has up to six, and one more does
+/// not make a texture of it.
+const LEAST_BESIDE_LABELS: usize = 8;
 /// Of a component of rhombuses so large a share lies beside another one of its row. In a strip with room for one
 /// rhombus of each row, such as a narrow bar of a chart, they are felt as one row, and that runs across their own:
 /// level rows, blue, would be felt as upright ones, yellow.
@@ -122,16 +125,24 @@ fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach:
     clear
 }
 
-/// Leaves out what is too small a patch of a photograph to be felt as a texture: `LEAST_IN_PHOTOGRAPH`. Dots are
-/// linked if they are no further apart than those of sparse grey, as a trail of single ones is no patch.
+/// Leaves out what is too small a patch of a photograph to be felt as a texture: `LEAST_IN_PHOTOGRAPH`.
 pub fn leave_out_crumbs(textures: &mut Vec<Texture>, params: &Params) {
+    leave_out_smaller(textures, params, |_| LEAST_IN_PHOTOGRAPH);
+}
+
+/// Leaves out patches of dots that are read as a cell on a page with labels: `LEAST_BESIDE_LABELS`.
+pub fn leave_out_cells(textures: &mut Vec<Texture>, params: &Params) {
+    leave_out_smaller(textures, params, |degrees| if degrees.is_none() { LEAST_BESIDE_LABELS } else { 0 });
+}
+
+/// Leaves out components of fewer glyphs than the least of a texture whose rows run in these degrees, or that has
+/// dots. Dots are linked if they are no further apart than those of sparse grey, as a trail of single ones is no patch.
+fn leave_out_smaller(textures: &mut Vec<Texture>, params: &Params, least: impl Fn(Option<f32>) -> usize) {
     for texture in textures.iter_mut() {
-        let apart = match params.palette.degrees(texture.class) {
-            Some(_) => 2.0 * params.across,
-            None => 3.0_f32.sqrt() * params.dot_pitch,
-        };
+        let degrees = params.palette.degrees(texture.class);
+        let apart = if degrees.is_some() { 2.0 * params.across } else { 3.0_f32.sqrt() * params.dot_pitch };
         let groups = components_within(&texture.glyphs, 1.01 * apart);
-        components::retain(&mut texture.glyphs, &groups, |_, group| group.len() >= LEAST_IN_PHOTOGRAPH);
+        components::retain(&mut texture.glyphs, &groups, |_, group| group.len() >= least(degrees));
     }
     textures.retain(|texture| !texture.glyphs.is_empty());
 }

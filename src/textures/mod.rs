@@ -18,7 +18,7 @@ mod params;
 #[cfg(test)]
 mod tests;
 
-pub use fill::{fill, leave_out_crumbs, sample};
+pub use fill::{fill, leave_out_cells, leave_out_crumbs, sample};
 pub use glyph::{Glyph, Shape, Texture};
 pub use palette::{LEAST_ANGLE, Palette, Sign};
 pub use params::Params;

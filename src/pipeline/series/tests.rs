@@ -163,7 +163,8 @@ fn a_colour_of_which_too_little_is_left_has_no_texture_and_is_told() {
     let told = |height: f32| {
         let parts = [bar(0.0, 60.0, 40.0, Class::Red), bar(62.0, 69.0, height, Class::Yellow)];
         let areas = Some((classes(&parts), Vec::new()));
-        let (textures, notes) = textured(areas, (&mut Vec::new(), false), &layout, &[], &plan, &mut |_| ());
+        let photograph = TexturedPicture { is_drawing: false, has_labels: false };
+        let (textures, notes) = textured(areas, (&mut Vec::new(), photograph), &layout, &[], &plan, &mut |_| ());
         let has_texture = textures.iter().any(|of| of.class == Class::Yellow);
         (7.0 * height * cell, has_texture, notes.iter().map(ToString::to_string).collect::<String>())
     };

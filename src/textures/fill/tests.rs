@@ -95,3 +95,22 @@ fn of_a_photograph_patches_of_fewer_than_six_go() {
     let trail: Vec<(f32, f32)> = (0..9).map(|k| (2.0 * pitch * k as f32, 0.0)).collect();
     assert_eq!(left(Class::Grey, dots(&trail)), 0);
 }
+
+#[test]
+fn on_a_page_with_labels_patches_of_dots_go_that_are_as_small_as_a_cell() {
+    let left = |class: Class, glyphs: Vec<Glyph>| {
+        let mut textures = vec![texture(class, glyphs)];
+        leave_out_cells(&mut textures, &Params::TEST);
+        textures.iter().map(|texture| texture.glyphs.len()).sum::<usize>()
+    };
+    let pitch = Params::TEST.dot_pitch;
+    // in rows of two, every second one moved by half a pitch
+    let dot = |k: usize| {
+        let (column, row) = ((k % 2) as f32 + 0.5 * ((k / 2) % 2) as f32, 0.87 * (k / 2) as f32);
+        Glyph { at: MmPoint::new(column * pitch, row * pitch), shape: Shape::Dot { diameter: 1.5 } }
+    };
+    for (count, stays) in [(4, 0), (7, 0), (8, 8), (12, 12)] {
+        assert_eq!(left(Class::Grey, (0..count).map(dot).collect()), stays, "{count} dots");
+    }
+    assert_eq!(left(Class::Blue, level_rows(2, 2)), 4, "rhombuses are no braille");
+}
