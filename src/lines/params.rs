@@ -120,6 +120,15 @@ impl Params {
         matches!(self.medium, LineMedium::Dots(_))
     }
 
+    /// How far dots of a row are apart, mm; 0 on paper.
+    pub(super) fn dot_pitch(&self) -> f32 {
+        match self.medium {
+            LineMedium::Print => 0.0,
+            // a broad stroke is one from the width of a step on
+            LineMedium::Dots(HeavyStrokes { width: pitch, .. }) => pitch,
+        }
+    }
+
     /// The same with lines no wider than needed, so that more of them have room.
     pub(super) fn thin(self) -> Self {
         Self { width_max: 0.5 * (self.width_min + self.width_max), ..self }

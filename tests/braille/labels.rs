@@ -159,9 +159,18 @@ fn labels_at_the_lower_side_of_bars_stand_in_the_middle_below_them() {
 /// The capital of the map is a small disc, which dots have no room for beside the river: its label stays.
 #[test]
 fn a_small_shape_that_dots_do_not_show_is_told() {
-    let picture = samples::read("map.svg");
-    for (profile, is_told) in [("swell-a4", false), ("viewplus-columbia", true)] {
-        let drawing = convert(&picture, &options(profile)).expect("a page");
+    let picture = String::from_utf8(samples::read("map.svg")).expect("text");
+    let square = "<rect x=\"406\" y=\"286\" width=\"28\" height=\"28\" fill=\"#202020\"/>";
+    let of_square = picture.replace("<circle id=\"capital\" cx=\"420\" cy=\"300\" r=\"16\" fill=\"#202020\"/>", square);
+    let cases = [
+        (&picture, "swell-a4", false),
+        (&picture, "viewplus-columbia", false),
+        (&picture, "pins-120x60", false),
+        (&of_square, "swell-a4", false),
+        (&of_square, "viewplus-columbia", true),
+    ];
+    for (svg, profile, is_told) in cases {
+        let drawing = convert(svg.as_bytes(), &options(profile)).expect("a page");
         let told = drawing
             .notes
             .iter()

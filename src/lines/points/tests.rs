@@ -326,3 +326,21 @@ fn a_disc_that_another_hides_in_part_is_one_of_a_cloud() {
     assert_eq!(taken(0.3, 4).len(), 4, "an arc");
     assert!(taken(0.7, 3).is_empty());
 }
+
+/// A river that begins under the disc of a town: as large as it is the disc is a ring on fine dots, and the hidden
+/// stretch was in its way; on pins it has no hollow, and is a point.
+#[test]
+fn on_dots_a_line_that_begins_under_a_large_disc_leaves_it_on_the_page() {
+    for (pitch, points, length) in [(1.27, 0, 36.0), (2.5, 1, 40.0)] {
+        let medium = LineMedium::Dots(HeavyStrokes { from: 40.0, width: pitch });
+        for from in [10.0, 90.0] {
+            let town = line(&arc((50.0, 50.0), 4.0, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
+            let mut lines = vec![axis(from, 50.0), town];
+            let taken = take(&mut lines, &Params { medium, ..PARAMS });
+            assert_eq!((taken.len(), lines.len()), (points, 2 - points), "{pitch} mm");
+            let end = lines[0].vertices.last().expect("a line").at;
+            let off = (lines[0].length() - length).abs().max((end.y - 50.0).abs());
+            assert!(off < 0.1 && (lines[0].vertices[0].at.x - from).abs() < 0.01, "{pitch} mm: {off}");
+        }
+    }
+}
