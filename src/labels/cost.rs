@@ -115,7 +115,7 @@ pub(super) fn cost(
     around: &Surroundings<'_>,
 ) -> f32 {
     let &Surroundings { room, params, end, anchor, .. } = around;
-    let distance = distance(place, around);
+    let distance = distance(label, place, around);
     let elsewhere = if around.is_at_lower_side() && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
     let over_others = match attachment {
         Attachment::Beside => OVER_ANOTHER * around.over_others(place) as f32,
@@ -164,7 +164,7 @@ fn of_few_dots([from, to]: [MmPoint; 2], around: &Surroundings<'_>) -> f32 {
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.
-fn distance(place: MmRect, around: &Surroundings<'_>) -> f32 {
+fn distance(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> f32 {
     let anchor = around.anchor;
     let gap = distance_to_box(anchor, place);
     let away = place.center() - anchor;
@@ -178,9 +178,22 @@ fn distance(place: MmRect, around: &Surroundings<'_>) -> f32 {
         // in the row of the line's end, and rather away from it than back over it
         Named::Text { line_on: Some(side), .. } => {
             let is_back = side * away.x > 0.0;
-            (away.x * if is_back { BACK_OVER_LINE } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
+            let along = if is_back { BACK_OVER_LINE * away.x } else { onwards(label.kept_leader, side, place, away.x) };
+            along.hypot(OFF_THE_ROW * away.y)
         }
         // in place of the text
         Named::Text { line_on: None, .. } => (ALONG * away.x).hypot(away.y),
     }
 }
+
+/// How far a label is from its text, from which its middle is `away` mm, onwards from the line that comes up to that on
+/// this side. Where that is the drawing's leader line, it counts from the end of it, at which a finger goes on: braille
+/// is wider than print, so that its middle is further off though it begins right there.
+fn onwards(leader: Option<MmPoint>, side: f32, place: MmRect, away: f32) -> f32 {
+    let begins = if side < 0.0 { place.min.x } else { place.max.x };
+    let from_end = leader.map(|end| side * (end.x - begins)).filter(|gap| *gap >= 0.0);
+    from_end.map_or(away.abs(), |gap| gap.min(away.abs()))
+}
+
+#[cfg(test)]
+mod tests;
