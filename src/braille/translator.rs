@@ -54,6 +54,14 @@ impl<'a> Translator<'a> {
         self.table.as_ref().map_or_else(|| self.translate(text), |table| Ok(table.translate(text)))
     }
 
+    /// Whether letters that are spelled stand for these alone: the other translator writes a sign before them, or other
+    /// cells, where the code reads a word or a part of one in theirs. What has a digit is known as no word.
+    pub fn is_read_as_letters(&self, letters: &str) -> bool {
+        let (Some(_), Some(table)) = (self.other, &self.table) else { return true };
+        let has_digit = letters.contains(|letter: char| letter.is_ascii_digit());
+        has_digit || self.translate(letters).is_ok_and(|other| other.cells == table.translate(letters).cells)
+    }
+
     /// A word of the key, by its English name, in the language of the code.
     pub fn word<'w>(&'w self, name: &'w str) -> &'w str {
         self.table.as_ref().map_or(name, |table| table.word(name))

@@ -18,8 +18,9 @@ pub(super) struct Short {
 const MOST_CELLS: usize = 3;
 
 /// An abbreviation for each text; none for texts without two letters, which are short or numbers, and where all
-/// are taken. The same text has the same one. Letters are spelled, also where texts are contracted, and those that
-/// the code lacks are passed over. `known` has the texts in braille, and `written` are on the page already.
+/// are taken. The same text has the same one. Letters are spelled, also where texts are contracted, those that the
+/// code lacks are passed over, and so are those that are a word by themselves, as "fr" is "friend" in contracted
+/// English. `known` has the texts in braille, and `written` are on the page already.
 pub(super) fn all(
     texts: &[&str],
     written: &[WrittenLabel],
@@ -49,7 +50,7 @@ pub(super) fn all(
             let proposals = in_letters.map(|braille| proposals(&without(text, &braille.lacking), texts));
             let own_word = texts.iter().find_map(|other| own_word(text, other));
             let as_numbered = own_word.into_iter().chain(numbered).chain(quantity.into_iter().flatten());
-            let short = as_numbered.chain(proposals.into_iter().flatten()).find_map(|letters| {
+            let possible = as_numbered.chain(proposals.into_iter().flatten()).filter_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
                 let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
                 // a letter behind a number may have a sign before it
@@ -58,11 +59,28 @@ pub(super) fn all(
                 let is_whole = lacking.is_empty() && (2..=most).contains(&cells.len());
                 (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
             });
+            let short = first_of_letters(possible, translator);
             taken.extend(short.iter().map(|short| short.cells.clone()));
             of_text.insert(text, short);
         }
     }
     texts.iter().map(|text| of_text.get(text).cloned().flatten()).collect()
+}
+
+/// Most proposals of which another translator is asked, which may be a process for each.
+const MOST_ASKED: usize = 12;
+
+/// The first of these that is read as its letters; the first of all where none is, as with a table that writes letters
+/// in another way.
+fn first_of_letters(possible: impl Iterator<Item = Short>, translator: &Translator<'_>) -> Option<Short> {
+    let mut first = None;
+    for short in possible.take(MOST_ASKED) {
+        if translator.is_read_as_letters(&short.letters) {
+            return Some(short);
+        }
+        first.get_or_insert(short);
+    }
+    first
 }
 
 /// Whether a character is one of a number: a digit, or the point or comma in one.

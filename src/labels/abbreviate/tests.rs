@@ -82,6 +82,29 @@ fn abbreviations_differ_in_their_cells() {
     }
 }
 
+/// "fr" is "friend" in contracted English, before which liblouis writes the sign of letters; what has a digit stays.
+#[test]
+fn words_of_a_contracted_code_are_no_abbreviations() {
+    let table = || Code::of_language("en").and_then(Code::table).expect("a table");
+    let short = |marked: &'static [&'static str], texts: &[&str]| -> Vec<String> {
+        let spell = table();
+        let other = move |text: &str| {
+            let sign = marked.contains(&text).then_some(0b11_0000);
+            Ok(sign.into_iter().chain(spell.translate(text).cells).collect())
+        };
+        let translator = Translator::new(Some(table()), Some(&other)).expect("there are two");
+        let known = texts.iter().map(|&text| (text, translator.translate(text))).collect();
+        let all = all(texts, &[], &known, &translator);
+        all.into_iter().map(|short| short.map_or_else(|| "-".to_owned(), |short| short.letters)).collect()
+    };
+    let words = &["fr", "al", "ab", "bl", "c1"];
+    assert_eq!(short(words, &["France", "Albania", "Abyssinia", "Blackland"]), ["fa", "aa", "ay", "ba"]);
+    assert_eq!(short(&[], &["France", "Albania", "Abyssinia", "Blackland"]), ["fr", "al", "ab", "bl"]);
+    assert_eq!(short(words, &["cup 1", "cup 2"]), ["c1", "c2"]);
+    // rather one that may be misread than none
+    assert_eq!(short(&["fo", "fx", "fox"], &["Fox"]), ["fo"]);
+}
+
 /// Letters that the code lacks are in no abbreviation.
 #[test]
 fn letters_without_cells_are_passed_over() {
