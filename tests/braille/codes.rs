@@ -313,6 +313,11 @@ fn rules_of_the_codes() {
         ("en", "SEA LEVEL RISE, 2 m", "⠠⠠⠠⠎⠑⠁⠀⠇⠑⠧⠑⠇⠀⠗⠊⠎⠑⠂⠠⠄⠀⠼⠃⠀⠍"),
         // a minus sign is one at the beginning too
         ("de", "-5 °C", "⠈⠤⠼⠑⠈⠴⠉"),
+        // a hyphen before a number is one in English too, for which liblouis writes a hyphen
+        ("en", "-5 °C", "⠐⠤⠼⠑⠀⠘⠚⠠⠉"),
+        ("en", "Temperature -5 °C", "⠠⠞⠑⠍⠏⠑⠗⠁⠞⠥⠗⠑⠀⠐⠤⠼⠑⠀⠘⠚⠠⠉"),
+        ("en", "(-5), x=-3", "⠐⠣⠐⠤⠼⠑⠐⠜⠂⠀⠭⠐⠶⠐⠤⠼⠉"),
+        ("en", "5-10, A-4, 3 - 2, 3--5", "⠼⠑⠤⠼⠁⠚⠂⠀⠠⠁⠤⠼⠙⠂⠀⠼⠉⠀⠤⠀⠼⠃⠂⠀⠼⠉⠤⠤⠼⠑"),
         // scales and divisions: a number after spaces has its sign again, as liblouis has it; the dot of times, too
         ("de", "1 : 50 000", "⠼⠁⠈⠒⠼⠑⠚⠀⠼⠚⠚⠚"),
         ("de", "12 : 3 = 4", "⠼⠁⠃⠈⠒⠼⠉⠀⠈⠶⠼⠙"),
