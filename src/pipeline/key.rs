@@ -169,18 +169,59 @@ impl Item {
 /// braille.
 const ROW: f32 = 5.0;
 
-/// Texts in the order in which hands come to them: row by row from the top, and from the left.
+/// A row of labels in two lines by turns has its lines less than this one below the other, mm: a line of braille and a
+/// half.
+const BY_TURNS: f32 = 15.0;
+/// From so many labels on two lines by turns are taken for one row: fewer may stand so by chance.
+const OF_TURNS: usize = 5;
+
+/// A text and the box around its dots.
+type PlacedText<'b> = (MmRect, &'b BrailleText);
+
+/// Abbreviated texts in the order in which hands come to them: row by row from the top, and from the left; a row that
+/// stands in two lines by turns, as the months of a chart, is one.
 fn as_read(braille: &[BrailleText]) -> Vec<&BrailleText> {
-    let corner = |text: &BrailleText| text.dots.bounds().map_or_else(MmPoint::zero, |place| place.min);
-    let mut all: Vec<(MmPoint, &BrailleText)> = braille.iter().map(|text| (corner(text), text)).collect();
-    all.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y));
-    let mut rest = &mut all[..];
-    while let Some(top) = rest.first().map(|(corner, _)| corner.y) {
-        let (row, below) = rest.split_at_mut(rest.partition_point(|(corner, _)| corner.y - top < ROW));
-        row.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
-        rest = below;
+    let short = braille.iter().filter(|text| text.abbreviation.is_some());
+    let mut all: Vec<PlacedText<'_>> =
+        short.map(|text| (text.dots.bounds().unwrap_or_else(MmRect::zero), text)).collect();
+    all.sort_by(|(a, _), (b, _)| a.min.y.total_cmp(&b.min.y));
+    let mut rows: Vec<Vec<PlacedText<'_>>> = Vec::new();
+    for text in all {
+        match rows.last_mut() {
+            Some(row) if text.0.min.y - row[0].0.min.y < ROW => row.push(text),
+            _ => rows.push(vec![text]),
+        }
     }
-    all.into_iter().map(|(_, text)| text).collect()
+    let mut read: Vec<Vec<PlacedText<'_>>> = Vec::new();
+    for mut row in rows {
+        row.sort_by(|(a, _), (b, _)| a.min.x.total_cmp(&b.min.x));
+        match read.last().and_then(|above| by_turns(above, &row)) {
+            Some(both) => {
+                read.pop();
+                read.push(both);
+            }
+            None => read.push(row),
+        }
+    }
+    read.into_iter().flatten().map(|(_, text)| text).collect()
+}
+
+/// Two rows as one from the left, if they are one that stands in two lines by turns: three of four labels have their
+/// next in the other line, and all are about as far apart. In the columns of a table one stands below the other.
+fn by_turns<'b>(above: &[PlacedText<'b>], below: &[PlacedText<'b>]) -> Option<Vec<PlacedText<'b>>> {
+    let top = |row: &[PlacedText<'_>]| row.iter().map(|(place, _)| place.min.y).fold(f32::INFINITY, f32::min);
+    let in_line = |is_below: bool, row: &[PlacedText<'b>]| row.iter().map(|&text| (is_below, text)).collect::<Vec<_>>();
+    let mut both = [in_line(false, above), in_line(true, below)].concat();
+    both.sort_by(|(_, (a, _)), (_, (b, _))| a.center().x.total_cmp(&b.center().x));
+    let turns = both.windows(2).filter(|pair| pair[0].0 != pair[1].0).count();
+    let steps = both.windows(2).map(|pair| pair[1].1.0.center().x - pair[0].1.0.center().x);
+    let (least, sum) = steps.fold((f32::INFINITY, 0.0), |(least, sum), step| (step.min(least), sum + step));
+    let count = both.len().saturating_sub(1);
+    let is_one = both.len() >= OF_TURNS
+        && top(below) - top(above) < BY_TURNS
+        && 4 * turns >= 3 * count
+        && 2.0 * least * count as f32 >= sum;
+    is_one.then(|| both.into_iter().map(|(_, text)| text).collect())
 }
 
 /// Abbreviations and what they stand for, each once, in the order of the page.
