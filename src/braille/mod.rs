@@ -17,6 +17,7 @@ mod joined;
 mod neighbours;
 mod numbers;
 mod parse;
+mod quotes;
 mod table;
 mod telephone;
 mod translate;

@@ -21,6 +21,7 @@
 //! capital-end 6-3                      a word goes on in small letters
 //! capital-through - .                  signs that capitals go through
 //! capital-passage 3 6-6-6 6-3          from 3 words on; "before-last" behind it: the end stands before the last word
+//! straight-quotes paired               single ones in pairs are those that open and close
 //! letters a 1 b 12
 //! sign . _# 3456-256 number            a sign, its neighbours, its cells, and what else it does
 //! sign . ** 256
@@ -90,6 +91,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             let passage = CapitalPassage { words, begin: cells(part(1)?)?, end: cells(part(2)?)?, before_last };
             capitals(table, &|capitals| capitals.passage = Some(passage.clone()));
         }
+        "straight-quotes" => table.pairs_straight_quotes = part(0)? == "paired",
         "in-address" => pairs(&parts, &mut table.in_address)?,
         "letters" => pairs(&parts, &mut table.letters)?,
         "sign" => {

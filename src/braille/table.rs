@@ -34,6 +34,8 @@ pub struct Table {
     pub(super) letters: BTreeMap<char, Vec<u8>>,
     /// Signs of one or more characters, the rules of each in their order.
     pub(super) signs: BTreeMap<String, Vec<SignRule>>,
+    /// Whether straight single quotation marks in pairs are those that open and close.
+    pub(super) pairs_straight_quotes: bool,
     /// Length of the longest sign, in characters.
     pub(super) longest: usize,
 }

@@ -7,6 +7,7 @@ use super::divide;
 use super::joined;
 use super::neighbours::Neighbours;
 use super::numbers::{self, Written};
+use super::quotes;
 use super::table::{SignRule, Table};
 use super::telephone;
 
@@ -59,6 +60,9 @@ impl Table {
         let mut text = plain(characters(text));
         numbers::with_degrees(&mut text);
         numbers::with_times(&mut text);
+        if self.pairs_straight_quotes {
+            quotes::paired(&mut text);
+        }
         let (mut lacking, mut simplified): (Vec<Lacking>, Vec<char>) = (Vec::new(), Vec::new());
         loop {
             let braille = self.write(&text);

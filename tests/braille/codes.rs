@@ -294,6 +294,8 @@ fn rules_of_the_codes() {
         ("es", "6·7", "⠼⠋⠦⠼⠛"),
         // UEB 6.6: a numeric space joins groups of three digits only
         ("en", "12 345, 3 40", "⠼⠁⠃⠐⠉⠙⠑⠂⠀⠼⠉⠀⠼⠙⠚"),
+        // UEB 7.6: straight single ones in pairs too, which liblouis has as apostrophes
+        ("en", "'yes', don't, the boys' 5", "⠠⠦⠽⠑⠎⠠⠴⠂⠀⠙⠕⠝⠄⠞⠂⠀⠞⠓⠑⠀⠃⠕⠽⠎⠄⠀⠼⠑"),
         // as liblouis has telephone numbers; a list of numbers is none
         ("en", "Tel. 020 7946 0018", "⠠⠞⠑⠇⠲⠀⠼⠚⠃⠚⠐⠛⠊⠙⠋⠐⠚⠚⠁⠓"),
         ("en", "+44 20 7946 0018", "⠐⠖⠼⠙⠙⠐⠃⠚⠐⠛⠊⠙⠋⠐⠚⠚⠁⠓"),
