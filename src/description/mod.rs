@@ -68,8 +68,10 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     let mut sentences: Vec<_> = before(page, wording).map(|text| ("sheet", text)).into_iter().collect();
     // a disc that is printed narrower is no disc by its width
     let risen = felt.risen();
-    sentences.push(("sheet", sheet(&risen, wording)));
     let lines = &risen.figure.lines;
+    // its figure is nothing but patches, of which its texts tell
+    let is_key = lines.is_empty() && felt.braille.iter().any(|text| text.role == TextRole::Key);
+    sentences.push(("sheet", sheet(&risen, is_key, wording)));
     let told = shapes::told(lines, felt.figure.place, MOST_LINES, wording);
     let shorter = shapes::count(lines) - told.len();
     sentences.extend(told.into_iter().map(|text| ("shape", text)));
@@ -80,7 +82,8 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     let points = shapes::points(lines, felt.figure.place, wording);
     sentences.extend(points.into_iter().map(|text| ("shape", text)));
     sentences.extend(marks_on_lines(&risen, wording).map(|text| ("lines", text)));
-    sentences.extend(areas(felt, wording).into_iter().map(|text| ("area", text)));
+    let areas = if is_key { Vec::new() } else { areas(felt, wording) };
+    sentences.extend(areas.into_iter().map(|text| ("area", text)));
     sentences.extend(texts(felt, wording).into_iter().map(|text| ("text", text)));
     if let Some(overview) = &risen.overview {
         let [width, height] = size(overview.place);
@@ -141,10 +144,15 @@ fn before(page: &Page, wording: &Wording) -> Option<String> {
     }
 }
 
-/// The sheet and how much is on it, of a page as it is felt.
-fn sheet(page: &Page, wording: &Wording) -> String {
+/// The sheet and how much is on it, of a page as it is felt; of one of a key, how many patches.
+fn sheet(page: &Page, is_key: bool, wording: &Wording) -> String {
     let [width, height] = page.sheet.map(|side| side.round());
     let orientation = if width > height { "across" } else { "upright" };
+    if is_key {
+        let (width, height) = (("width", width.into()), ("height", height.into()));
+        let patches = ("patches", page.figure.textures.len().into());
+        return wording.say("sheet-of-key", &[("orientation", orientation.into()), width, height, patches]);
+    }
     let [across, down] = size(page.figure.place);
     let values = [
         ("orientation", orientation.into()),

@@ -1,7 +1,7 @@
 //! Tests of `description`.
 
 use super::*;
-use crate::page::{Figure, Medium, Parts, Print, Run};
+use crate::page::{BrailleText, Dots, Figure, Medium, Parts, Print, Run};
 use crate::units::Size;
 
 /// An arrow, seven lines and a disc, as they are felt, on a page that prints marks by this much narrower, mm.
@@ -30,6 +30,30 @@ fn a_page_that_is_printed_narrower_is_told_as_it_is_felt() {
     assert_eq!(plain.iter().filter(|text| text.to_lowercase().contains("arrow")).count(), 1, "{plain:?}");
     assert!(plain[0].contains("has 8 lines"), "{plain:?}");
     assert_eq!(told(0.5), plain);
+}
+
+/// The figure of a key is nothing but patches: shares of it, and that it has no lines, say nothing.
+#[test]
+fn a_key_is_told_as_one() {
+    let place = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+    let dots = Dots { diameter: 1.6, at: vec![MmPoint::new(60.0, 20.0)] };
+    let key = BrailleText {
+        role: TextRole::Key,
+        text: "blue".to_owned(),
+        language: "en".to_owned(),
+        abbreviation: None,
+        lines: vec!["\u{2801}".to_owned()],
+        dots,
+        leader: None,
+    };
+    let figure = Figure { place, source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
+    let page =
+        Page::new(Parts { braille: vec![key], ..Parts::of([150.0, 160.0], figure) }).expect("it is on the sheet");
+    let told = |language: &str| -> Vec<String> {
+        marks(&page, Wording::nearest(language)).into_iter().map(|(_, text)| text).collect()
+    };
+    assert_eq!(told("en"), ["A sheet upright, 150 by 160 mm, with a key.", "The key says \"blue\"."]);
+    assert_eq!(told("de")[0], "Ein Blatt im Hochformat, 150 mal 160 mm, mit einer Legende.");
 }
 
 #[test]

@@ -32,6 +32,14 @@ sheet = Ein Blatt im { $orientation ->
     [one] 1 Fläche mit Textur
    *[other] { $areas } Flächen mit Textur
 }.
+sheet-of-key = Ein Blatt im { $orientation ->
+    [across] Querformat
+   *[upright] Hochformat
+}, { $width } mal { $height } mm, mit einer Legende{ $patches ->
+    [0] {""}
+    [one] {" "}und 1 Feld mit Textur
+   *[other] {" "}und { $patches } Feldern mit Textur
+}.
 
 shape-round = Ein geschlossener runder Umriss { $place }, { $across } mm im Durchmesser{ $holds ->
     [0] {""}

@@ -35,6 +35,14 @@ sheet = A sheet { $orientation ->
     [one] 1 textured area
    *[other] { $areas } textured areas
 }.
+sheet-of-key = A sheet { $orientation ->
+    [across] that lies across
+   *[upright] upright
+}, { $width } by { $height } mm, with a key{ $patches ->
+    [0] {""}
+    [one] {" "}and 1 patch of a texture
+   *[other] {" "}and { $patches } patches of textures
+}.
 
 # $holds: how many closed outlines lie inside
 shape-round = A closed round outline { $place }, { $across } mm across{ $holds ->

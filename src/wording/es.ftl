@@ -32,6 +32,14 @@ sheet = Una hoja { $orientation ->
     [one] 1 superficie con textura
    *[other] { $areas } superficies con textura
 }.
+sheet-of-key = Una hoja { $orientation ->
+    [across] horizontal
+   *[upright] vertical
+}, de { $width } por { $height } mm, con una leyenda{ $patches ->
+    [0] {""}
+    [one] {" "}y 1 muestra de textura
+   *[other] {" "}y { $patches } muestras de textura
+}.
 
 shape-round = Un contorno cerrado redondo { $place }, de { $across } mm de diámetro{ $holds ->
     [0] {""}

@@ -32,6 +32,14 @@ sheet = Une feuille { $orientation ->
     [one] { $areas } surface à texture
    *[other] { $areas } surfaces à texture
 }.
+sheet-of-key = Une feuille { $orientation ->
+    [across] en largeur
+   *[upright] en hauteur
+}, de { $width } sur { $height } mm, avec une légende{ $patches ->
+    [0] {""}
+    [one] {" "}et { $patches } échantillon de texture
+   *[other] {" "}et { $patches } échantillons de texture
+}.
 
 shape-round = Un contour fermé rond { $place }, de { $across } mm de diamètre{ $holds ->
     [0] {""}

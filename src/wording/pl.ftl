@@ -25,6 +25,10 @@ sheet = Arkusz { $orientation ->
    *[upright] pionowy
 }, { $width } na { $height } mm, z rysunkiem { $across } na { $down } mm; liczba linii: { $lines }, liczba pól z fakturą:
     { $areas }.
+sheet-of-key = Arkusz { $orientation ->
+    [across] poziomy
+   *[upright] pionowy
+}, { $width } na { $height } mm, z legendą; liczba próbek faktury: { $patches }.
 
 shape-round = Zamknięty okrągły kontur { $place }, o średnicy { $across } mm{ $holds ->
     [0] {""}
