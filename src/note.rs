@@ -102,7 +102,7 @@ pub enum Note {
          braille that has {}",
         listed(.texts),
         it_or_them(.lacking.len()),
-        first_few(.lacking, MOST_TEXTS, |&(character, at)| character_at(character, at, .texts.len() == 1)),
+        first_few(.lacking, MOST_TEXTS, |&(character, at)| character_at(character, at, .texts)),
         it_or_them(.lacking.len()),
         it_or_them(.lacking.len())
     )]

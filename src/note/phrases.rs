@@ -26,8 +26,14 @@ pub(super) fn listed(texts: &[String]) -> String {
     first_few(texts, MOST_TEXTS, |text| format!("\"{}\"", short(text)))
 }
 
-pub(super) fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {
-    if is_of_one_text { format!("{character:?} (character {at})") } else { format!("{character:?}") }
+/// A character and where in its text it stands, of several texts with that which has it there.
+pub(super) fn character_at(character: char, at: usize, texts: &[String]) -> String {
+    let has_it = |text: &&String| at.checked_sub(1).and_then(|before| text.chars().nth(before)) == Some(character);
+    match (texts, texts.iter().find(has_it)) {
+        ([_], _) => format!("{character:?} (character {at})"),
+        (_, Some(text)) => format!("{character:?} (character {at} of \"{}\")", short(text)),
+        (_, None) => format!("{character:?}"),
+    }
 }
 
 pub(super) fn hexadecimal([red, green, blue]: [u8; 3]) -> String {

@@ -81,7 +81,7 @@ fn what_several_texts_lack_is_told_once() {
     lacks.add("apple", &[]);
     let told = lacks.note().expect("a note").to_string();
     let wanted = "left out of the braille of \"α = 39\", \"β\", \"2α\", as its code has no \
-                  cells for them: 'α', 'β'; write them in words";
+                  cells for them: 'α' (character 1 of \"α = 39\"), 'β' (character 1 of \"β\"); write them in words";
     assert!(told.starts_with(wanted), "{told}");
     assert_eq!(Lacks::default().note(), None);
 }
