@@ -139,7 +139,7 @@ impl Given {
         }
         // of pictures that are saved one by one, the other rows may be of those to come
         let alone = if session.is_none() { self.titles.without_picture(pictures) } else { Vec::new() };
-        [self.titles.without_row(pictures), alone].concat()
+        [self.titles.without_words(pictures), alone].concat()
     }
 
     fn add_to(&self, options: Options, args: &Convert, picture: &Path) -> Result<Options, Error> {

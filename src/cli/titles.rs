@@ -72,19 +72,22 @@ impl Titles {
         self.rows.iter().filter_map(of_two).collect()
     }
 
-    /// Pictures without a row: what each is about, and what is to be known.
-    pub(super) fn without_row(&self, pictures: &[PathBuf]) -> Vec<(String, String)> {
-        let without_row = pictures.iter().filter(|picture| self.of(picture).is_none());
-        let without_row = without_row.map(|picture| {
+    /// Pictures without a row, or without words in it: what each is about, and what is to be known.
+    pub(super) fn without_words(&self, pictures: &[PathBuf]) -> Vec<(String, String)> {
+        let told = pictures.iter().filter_map(|picture| {
+            if let Some(Row { line, title, alt, .. }) = self.of(picture) {
+                let what = format!("{}, line {line} has neither a title nor an alt for it", self.table);
+                return (title.is_none() && alt.is_none()).then(|| (places::picture_name(picture), what));
+            }
             let mut what = format!("{} has no row for it, so it gets no title from there", self.table);
             let name = picture.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
             let alike = |row: &&Row| row.file.to_string_lossy().to_lowercase() == name;
             if let Some(Row { line, file, .. }) = self.rows.iter().find(alike) {
                 what += &format!("; line {line} has {}, in other capitals", file.display());
             }
-            (places::picture_name(picture), what)
+            Some((places::picture_name(picture), what))
         });
-        without_row.collect()
+        told.collect()
     }
 
     /// Rows without a picture, in the same way.
@@ -218,9 +221,6 @@ impl Columns {
         }
         if file.is_none() {
             faults.push("there is no name of a file".to_owned());
-        }
-        if title.is_none() && alt.is_none() {
-            faults.push("there is neither a title nor an alt; write one, or take the row out".to_owned());
         }
         match file {
             Some(file) if faults.is_empty() => Ok(Row { line, file: plain(Path::new(&file)), title, alt }),

@@ -43,9 +43,9 @@ fn a_table_gives_each_picture_its_title() {
 #[test]
 fn all_faults_of_a_table_are_told_at_once() {
     let place = Place::with_picture("a.png");
-    place.put("t.csv", b"file;title\na.png;x\nb.png\na.png;y\n");
+    place.put("t.csv", b"file;title\na.png;x\n;b\na.png;y\n");
     let lines = [
-        "--titles t.csv, line 3: there is neither a title nor an alt; write one, or take the row out",
+        "--titles t.csv, line 3: there is no name of a file",
         "--titles t.csv, line 4: a.png has a row already, line 2; keep one",
     ];
     place.refuses(&["convert", "a.png", "--titles", "t.csv"], 2, &lines);

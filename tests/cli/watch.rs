@@ -226,7 +226,7 @@ fn what_cannot_be_watched_is_told() {
     assert_eq!((run.code, run.err.lines().count()), (2, 2), "{}", run.err);
     let line = "--lines: this is of one picture, and --watch is for many; convert it by itself";
     place.refuses(&["convert", "--watch", ".", "--lines", "a.png"], 2, &[line]);
-    let line = "--number: these words are for one picture, and --watch is for many; convert it by itself";
+    let line = "--number: this page number is for one picture, and --watch is for many; convert it by itself";
     place.refuses(&["convert", "--watch", ".", "--number", "3"], 2, &[line]);
     let run = place.run(&["convert", "--watch", ".", "a.png"]);
     assert_eq!((run.code, run.err.lines().count()), (2, 1), "{}", run.err);

@@ -32,7 +32,7 @@ pub(in crate::cli) struct Words {
     ///
     /// Its first line has the names of the columns; alt can be missing. Pictures are found by their names, with or
     /// without their directories; titles are never made of names. A picture without a row has no title, and you are
-    /// told; so you are of a row without a picture.
+    /// told; so you are of one whose row is empty, and of a row without a picture.
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["title", "alt"], hide_short_help = true)]
     pub(in crate::cli) titles: Option<PathBuf>,
 
@@ -90,6 +90,11 @@ impl Words {
             ("--number", labels.is_numbered()),
         ];
         let given: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(option, _)| *option).collect();
+        let which = match given[..] {
+            ["--number"] => "this page number is",
+            [.., "--number"] => "these are",
+            _ => "these words are",
+        };
         let given = given.join(" and ");
         let many = match pictures {
             None => "and --watch is for many; convert it by itself".to_owned(),
@@ -97,7 +102,7 @@ impl Words {
             Some(pictures) if pictures > 1 => format!("but there are {pictures}; convert them one by one"),
             Some(_) => return None,
         };
-        (!given.is_empty()).then(|| format!("{given}: these words are for one picture, {many}"))
+        (!given.is_empty()).then(|| format!("{given}: {which} for one picture, {many}"))
     }
 }
 

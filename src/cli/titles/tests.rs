@@ -29,7 +29,6 @@ fn every_fault_has_its_line() {
     let faults = rows(table).expect_err("faults");
     let expected = [
         "line 3: there is no name of a file",
-        "line 4: there is neither a title nor an alt; write one, or take the row out",
         "line 5: a.png has a row already, line 2; keep one",
         "line 6: there are 4 columns, and the heading has 3; put a text that has the sign between columns in it in \
              quotation marks",
@@ -70,7 +69,7 @@ fn a_picture_is_found_by_its_path_or_its_name() {
     let of_both = "--titles t.csv, line 2: a.png is the name of both x/a.png and y/a.png; write it with its directory";
     assert_eq!(faults, [of_both]);
     let pictures = pictures(&["a.png", "x/b.png"]);
-    let notes = [titles.without_row(&pictures), titles.without_picture(&pictures)].concat();
+    let notes = [titles.without_words(&pictures), titles.without_picture(&pictures)].concat();
     let note = |place: &str, what: &str| (place.to_owned(), what.to_owned());
     let expected = [
         note("x/b.png", "t.csv has no row for it, so it gets no title from there; line 4 has B.png, in other capitals"),
@@ -78,4 +77,13 @@ fn a_picture_is_found_by_its_path_or_its_name() {
         note("t.csv, line 4", "no picture that is given is called B.png"),
     ];
     assert_eq!(notes, expected);
+}
+
+/// One picture without words keeps no others from theirs.
+#[test]
+fn a_row_without_words_is_told() {
+    let rows = rows("file,title,alt\na.png,one,\nb.png\nc.png,,two\n").expect("a table");
+    let titles = Titles { table: "t.csv".into(), rows };
+    let notes = titles.without_words(&["a.png", "b.png", "c.png"].map(PathBuf::from));
+    assert_eq!(notes, [("b.png".to_owned(), "t.csv, line 3 has neither a title nor an alt for it".to_owned())]);
 }
