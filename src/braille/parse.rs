@@ -10,6 +10,7 @@
 //! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
 //! group 5                              between groups of three digits
 //! address 6-46                         before an address of mail or of the net
+//! continuation 5                       at the end of a line behind which an address goes on
 //! in-address / 256                     characters of addresses with cells of their own, in pairs
 //! letter-after-number 56               before a to j after digits; "any" behind it: before capitals too
 //! superscript 34 356 2 23 25 256 26 235 2356 236 35    before raised numbers, and their digits 0 to 9 if these are
@@ -91,6 +92,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             let passage = CapitalPassage { words, begin: cells(part(1)?)?, end: cells(part(2)?)?, before_last };
             capitals(table, &|capitals| capitals.passage = Some(passage.clone()));
         }
+        "continuation" => table.continuation = Some(cell(part(0)?)?),
         "straight-quotes" => table.pairs_straight_quotes = part(0)? == "paired",
         "in-address" => pairs(&parts, &mut table.in_address)?,
         "letters" => pairs(&parts, &mut table.letters)?,

@@ -17,6 +17,8 @@ pub struct Table {
     pub(super) address: Option<Vec<u8>>,
     /// The characters of addresses that have cells of their own there.
     pub(super) in_address: BTreeMap<char, Vec<u8>>,
+    /// Says at the end of a line that an address goes on in the next.
+    pub(super) continuation: Option<u8>,
     /// Joins groups of three digits; a blank where a code has none.
     pub(super) group: Option<Vec<u8>>,
     /// Says that a letter after digits is one, where it could be taken for a digit.

@@ -20,6 +20,8 @@ pub struct Braille {
     pub breaks: Vec<usize>,
     /// Behind which cells a word can be divided, with a hyphen at the end of the line, in order.
     pub divisions: Vec<usize>,
+    /// Behind which cells an address can be divided, with the sign at the end of the line that says so, in order.
+    pub continued: Vec<(usize, u8)>,
     /// Blanks at which no line ends, as within an equation, in order.
     pub joined: Vec<usize>,
     /// What the code has no cells for, and is left out.
@@ -138,19 +140,17 @@ impl Table {
             Some(capitals) => capitals::signs(&self.without_signs(&text), capitals),
             None => vec![CapitalContext::default(); text.len()],
         };
-        let (before_address, addresses) = match &self.address {
-            Some(sign) => (sign.as_slice(), address::places(&text)),
-            None => (&[][..], Vec::new()),
-        };
+        let (before_address, addresses) = (self.address.as_deref().unwrap_or_default(), address::places(&text));
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
         let mut joined = joined::spaces(&text).into_iter().peekable();
         let mut out = Writer { table: self, text: &text, out: Braille::default(), number: Number::None };
         let (mut i, mut is_in_address) = (0, false);
         while i < text.len() {
-            while divisions.next_if(|&at| at <= i).is_some_and(|at| at == i) {
-                out.out.divisions.push(out.out.cells.len());
-            }
             is_in_address = is_in_address && text[i] != ' ' || addresses.contains(&i);
+            while divisions.next_if(|&at| at <= i).is_some_and(|at| at == i) {
+                // a hyphen there would be one of the address
+                out.out.divisions.extend((!is_in_address).then_some(out.out.cells.len()));
+            }
             if addresses.contains(&i) {
                 out.out.cells.extend(before_address);
             }
@@ -164,9 +164,15 @@ impl Table {
             while joined.next_if(|&at| at <= i).is_some_and(|at| at == i) {
                 out.out.joined.push(out.out.cells.len());
             }
+            let breaks = out.out.breaks.len();
             let read = out.character(i, places[i], &around[i]);
             let last = (i + read).min(text.len()) - 1;
             out.out.cells.extend(&around[last].after);
+            if let Some(sign) = self.continuation.filter(|_| is_in_address) {
+                out.out.breaks.truncate(breaks);
+                let is_place = !text[last].is_alphanumeric() && text.get(last + 1).is_some_and(|c| c.is_alphanumeric());
+                out.out.continued.extend(is_place.then_some((out.out.cells.len(), sign)));
+            }
             i += read;
         }
         while out.out.cells.last() == Some(&0) {

@@ -25,7 +25,7 @@ const HYPHEN: u8 = 0b10_0100;
 
 /// Braille in lines of at most `width` cells: lines end at a blank, behind a hyphen that the text has, or where a
 /// word is divided, and within an equation or in front of a unit only where these are longer than a line. A word that
-/// is longer than a line and cannot be divided is cut.
+/// is longer than a line and cannot be divided is cut; an address goes on behind the sign that its code has for that.
 pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
     let (cells, width) = (&braille.cells, width.max(1));
     let mut wrapped = Wrapped { lines: Vec::new(), cut: false };
@@ -37,20 +37,26 @@ pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
             |can_end: fn(&Braille, usize) -> bool| (from + 1..=longest).rev().find(|&end| can_end(braille, end));
         let whole = last_end(can_end).or_else(|| last_end(is_blank));
         let is_full = whole.is_some_and(|end| end == cells.len() || 4 * (end - from) >= 3 * width);
-        // with room for the hyphen
-        let last = braille.divisions.partition_point(|&at| at < from + width);
-        let divided = braille.divisions[..last]
-            .last()
-            .copied()
-            .filter(|&at| divide == Divide::Words && !is_full && at > whole.unwrap_or(from));
-        wrapped.cut |= whole.or(divided).is_none();
-        let end = divided.or(whole).unwrap_or(longest);
+        // with room for the sign behind it; an address only where it is longer than a line
+        let has_room = |at: usize| at < from + width && at > whole.unwrap_or(from);
+        let divided = divided(braille, has_room)
+            .filter(|&(_, sign)| !is_full && if sign == HYPHEN { divide == Divide::Words } else { whole.is_none() })
+            .max_by_key(|(at, _)| *at);
+        wrapped.cut |= whole.is_none() && divided.is_none();
+        let end = divided.map(|(at, _)| at).or(whole).unwrap_or(longest);
         let mut line = trimmed(&cells[from..end]).to_vec();
-        line.extend(divided.map(|_| HYPHEN));
+        line.extend(divided.map(|(_, sign)| sign));
         wrapped.lines.push(line);
         from = end;
     }
     wrapped
+}
+
+/// Behind which cells a word or an address can be divided, of those for which there is room, with the sign that stands
+/// there at the end of a line.
+fn divided(braille: &Braille, has_room: impl Fn(usize) -> bool) -> impl Iterator<Item = (usize, u8)> {
+    let words = braille.divisions.iter().map(|&at| (at, HYPHEN));
+    words.chain(braille.continued.iter().copied()).filter(move |(at, _)| has_room(*at))
 }
 
 /// Braille in two lines, as narrow as they can be without cutting a word; none if it has only one that cannot be
@@ -65,20 +71,19 @@ pub fn in_two_at_any_blank(braille: &Braille) -> Option<[Vec<u8>; 2]> {
 }
 
 fn in_two_where(braille: &Braille, divide: Divide, can_end: fn(&Braille, usize) -> bool) -> Option<[Vec<u8>; 2]> {
-    let part = |end: usize, hyphen: Option<u8>| {
+    let part = |end: usize, sign: Option<u8>| {
         let (first, second) = braille.cells.split_at(end);
         let mut first = trimmed(first).to_vec();
-        first.extend(hyphen);
+        first.extend(sign);
         [first, trimmed(second).to_vec()]
     };
     // a blank that the second line would begin with is none of it
     let width =
         |end: usize, hyphen: usize| (end + hyphen).max(braille.cells.len() - end - usize::from(is_blank(braille, end)));
     let whole = (1..braille.cells.len()).filter(|&end| can_end(braille, end)).map(|end| (width(end, 0), end, None));
-    let divided = braille.divisions.iter().filter(|_| divide == Divide::Words);
-    let divided = divided.map(|&end| (width(end, 1), end, Some(HYPHEN)));
-    let (_, end, hyphen) = whole.chain(divided).min_by_key(|(width, ..)| *width)?;
-    Some(part(end, hyphen))
+    let divided = divided(braille, |_| divide == Divide::Words).map(|(end, sign)| (width(end, 1), end, Some(sign)));
+    let (_, end, sign) = whole.chain(divided).min_by_key(|(width, ..)| *width)?;
+    Some(part(end, sign))
 }
 
 /// Whether a line can end in front of this cell.

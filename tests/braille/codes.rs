@@ -348,6 +348,9 @@ fn lines_end_at_blanks_and_hyphens() {
     assert_eq!(lines("one two three", 7), (owned(&["⠕⠝⠑⠀⠞⠺⠕", "⠞⠓⠗⠑⠑"]), false));
     assert_eq!(lines("one two three", 6), (owned(&["⠕⠝⠑", "⠞⠺⠕", "⠞⠓⠗⠑⠑"]), false));
     assert_eq!(lines("blue-green", 7), (owned(&["⠃⠇⠥⠑⠤", "⠛⠗⠑⠑⠝"]), false));
+    // a hyphen of an address is no end of a line, which has dot 5 where that goes on
+    assert_eq!(lines("ab-c@de.fg-hi", 8), (owned(&["⠁⠃⠤⠉⠈⠁⠐", "⠙⠑⠲⠋⠛⠤⠓⠊"]), false));
+    assert_eq!(lines("at ab-c@de.fg", 11), (owned(&["⠁⠞", "⠁⠃⠤⠉⠈⠁⠙⠑⠲⠋⠛"]), false));
     // a letter may have the cell of a hyphen inside
     assert_eq!(lines("m\u{101}m\u{101}", 3), (owned(&["⠍⠈⠤", "⠁⠍⠈", "⠤⠁"]), true));
     assert_eq!(lines("", 3), (Vec::new(), false));
@@ -387,6 +390,8 @@ fn words_are_divided_where_lines_would_be_short() {
             // no single letter stands alone before a hyphen of ours, or after one
             assert!(lines.iter().all(|line| line.chars().count() > 2), "{}: {lines:?}", code.language);
         }
+        let address = table.translate("informationen@information.eu");
+        assert!(address.divisions.is_empty(), "{}: {:?}", code.language, address.divisions);
         let two = in_two(&table.translate("informationen"), Divide::Words).expect("it can be divided");
         assert_eq!(two[0].last(), Some(&0b10_0100), "{}", code.language);
         assert!(two[0].len() <= 10 && two[1].len() <= 10, "{}", code.language);
