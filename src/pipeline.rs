@@ -32,6 +32,7 @@ mod lost_marks;
 mod lost_signs;
 mod margins;
 mod named;
+mod next_cell;
 mod open_rings;
 mod outlines;
 mod overview;

@@ -22,6 +22,7 @@ mod leaders;
 mod limits;
 mod loose_ends;
 mod marks;
+mod next_cells;
 mod overview;
 mod paths;
 mod report;
@@ -200,6 +201,7 @@ fn found<E>(
     found.extend(words::findings(&felt, names, limits));
     go_on()?;
     found.extend(leaders::findings(&felt, names, &paths, &index, limits.least_strength));
+    found.extend(next_cells::findings(&felt, limits));
     found.extend(overview::left_out(page));
     go_on()?;
     Ok(found)

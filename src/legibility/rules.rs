@@ -246,7 +246,8 @@ pub(super) const BRAILLE_CLEAR: Rule = Rule {
 };
 pub(super) const LABEL_LINE: Rule = Rule {
     id: "label-line",
-    asks: "A label's line ends no farther than this from a line or a texture, or within a closed shape.",
+    asks: "A label's line ends no farther than this from a line or a texture, or within a closed shape, and begins \
+           off the cell beside the label where dots are those of letters.",
     severity: Severity::Warning,
     source: "chosen by us: less than half of a fingertip's width; beyond it the finger finds nothing there",
     remedy: "lead it to what the label names, or delete the line and set the label beside that",

@@ -45,6 +45,11 @@ fn span(centres: &[f32], steps: usize) -> Option<f32> {
 
 /// Dots of a cell that are farther apart than this many standard distances are those of jumbo braille. Chosen by us.
 const JUMBO: f32 = 1.15;
+/// Dots that are less far apart are read as no letters, mm: those of braille are 2.3 to 2.6 mm apart, and 1.9 mm at the
+/// least that anybody embosses. Chosen by us.
+pub const LEAST_OF_LETTERS: f32 = 1.9;
+/// Dots of a grid are no nearer to one another than this share of the least step, and their places are rounded.
+const OFF_COLUMN: f32 = 0.25;
 /// Nearest dots of a cell that fingers still tell apart, mm: those of small braille.
 const LEAST_DOT: f32 = 1.5;
 
@@ -98,6 +103,28 @@ impl<'m> CellGrid<'m> {
     pub(super) fn blank_before_cells(&self) -> f32 {
         let is_of_cells = self.on.as_ref().is_some_and(|steps| steps.start[0] == steps.cell);
         if is_of_cells { 1.5 * self.size.cell } else { 0.0 }
+    }
+
+    /// Whether all dots of a grid are as far apart as those of a cell, so that any beside one another are read as a
+    /// letter.
+    pub fn is_of_letters(&self) -> bool {
+        self.on.as_ref().is_some_and(|steps| steps.dot == 1) && self.size.dot >= LEAST_OF_LETTERS
+    }
+
+    /// How many dots at both ends of a row lie in the cells right beside lines of braille in this place, where they are
+    /// read as a letter; none where dots are not those of letters.
+    pub fn ends_beside(&self, row: &[MmPoint], place: MmRect) -> [usize; 2] {
+        if !self.is_of_letters() {
+            return [0, 0];
+        }
+        let reach = self.size.cell - 0.5 * self.diameter + OFF_COLUMN * self.size.dot;
+        let is_beside = |at: &&MmPoint| {
+            let is_level = (place.min.y..=place.max.y).contains(&at.y);
+            let aside = (place.min.x - at.x).max(at.x - place.max.x);
+            is_level && (0.0..=reach).contains(&aside)
+        };
+        let begin = row.iter().take_while(is_beside).count();
+        [begin, row[begin..].iter().rev().take_while(is_beside).count()]
     }
 
     /// Width and height of lines of so many cells, from the edges of the outermost dots.

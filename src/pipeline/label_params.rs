@@ -7,7 +7,7 @@ use crate::devices::DotArea;
 use crate::labels::{FROM_KEPT_LEADER, Params};
 use crate::legibility::{LEADER_FROM_BRAILLE, OWN_LEADER_GAP};
 use crate::page::Medium;
-use crate::page::cells::CellGrid;
+use crate::page::cells::{CellGrid, LEAST_OF_LETTERS};
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::MmRect;
@@ -36,9 +36,6 @@ const SQUARES: f32 = 1.0;
 const THREE_ROWS: f32 = 7.5;
 /// The same where dots are as far apart as those of letters: two lines, 10 mm from one to the next, and a dot more.
 const TWO_LINES: f32 = 17.5;
-/// Dots that are less far apart are read as no letters, mm: those of braille are 2.3 to 2.6 mm apart, and 1.9 mm at the
-/// least that anybody embosses. Chosen by us.
-const LEAST_OF_LETTERS: f32 = 1.9;
 
 /// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.

@@ -3,21 +3,24 @@
 
 use super::texts::Text;
 use super::unwritten::named;
+use crate::braille::CellSize;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::spaced_row::{HOLE, every_second, has_every_second};
 use crate::geom::{ALONG, crossing, nearest_on_segment};
-use crate::legibility::{LEADER_END, LEADER_FREE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER, is_shut_in};
+use crate::legibility::{
+    LEADER_END, LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER, is_shut_in,
+};
 use crate::lines::{self, Line, Pen};
+use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Page};
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note, Reason};
 
-/// A leader line ends so near to its text, mm: print stands up to 4 mm beside it. Of braille it is
-/// [`LEADER_FROM_BRAILLE`](crate::legibility::LEADER_FROM_BRAILLE).
+/// A leader line ends so near to its text, mm: print stands up to 4 mm beside it. Of braille it is [`reach`].
 pub(super) const FROM_PRINT: f32 = 5.0;
 /// A leader line is straight: its chord is at least this share of it. Lines of a page are moved, and may be less so.
 const STRAIGHT: f32 = 0.98;
@@ -203,6 +206,13 @@ pub(super) fn spaced(mut lines: Vec<Line>, leaders: &[[MmPoint; 2]], layout: &La
     lines
 }
 
+/// How far from its label a leader line on a page begins, mm, at most: on a grid of letters beyond the cell beside it.
+pub(super) fn reach(page: &Page, cell: CellSize) -> f32 {
+    let cells = CellGrid::of(&page.medium, cell);
+    let beyond = if cells.is_of_letters() { cells.size().cell + 2.0 * page.medium.pitch() } else { 0.0 };
+    LEADER_FROM_BRAILLE.max(beyond)
+}
+
 /// The nearest of the leader lines along which a line lies: its ends are no farther off than others that stand for one,
 /// or on a coarse grid than a step of `pitch` mm. A piece of an outline beside a leader line is farther off.
 fn along<'a>(line: &Line, leaders: &'a [[MmPoint; 2]], pitch: f32) -> Option<&'a [MmPoint; 2]> {
@@ -310,19 +320,18 @@ fn find(
         if !is_line || (last - first).length() < STRAIGHT * length {
             return None;
         }
-        let text_at = |end: MmPoint| {
-            let far = |text: &usize| distance_to_box(end, texts[*text].place);
-            let nearest = of_words.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))?;
-            (far(&nearest) < beside).then_some(nearest)
-        };
-        let (text, path) = match (text_at(first), text_at(last)) {
-            (Some(text), None) => (text, points.clone()),
-            (None, Some(text)) => (text, points.iter().rev().copied().collect()),
+        // beyond the cell beside a label only where no other is as near as usual
+        let near = beside.min(LEADER_FROM_BRAILLE);
+        let at_ends = |beside: f32| [first, last].map(|end| text_at(end, beside, texts, &of_words));
+        let found = if at_ends(near) == [None, None] { at_ends(beside) } else { at_ends(near) };
+        let (text, path) = match found {
+            [Some(text), None] => (text, points.clone()),
+            [None, Some(text)] => (text, points.iter().rev().copied().collect()),
             _ => return None,
         };
         // from a word to a number is a branch of a tree, as from word to word
         let (tip, is_other) = (path[path.len() - 1], |number: &usize| *number != text && !of_words.contains(number));
-        if (0..texts.len()).filter(is_other).any(|number| distance_to_box(tip, texts[number].place) < beside) {
+        if (0..texts.len()).filter(is_other).any(|number| distance_to_box(tip, texts[number].place) < near) {
             return None;
         }
         let place = texts[text].place;
@@ -335,6 +344,13 @@ fn find(
         leads.then_some(Leader { chain: number, text, path, ends_at_line })
     };
     (0..chains.len()).filter_map(is_leader).collect()
+}
+
+/// The nearest of texts `of_words` to the end of a line, if it is nearer than `beside` mm.
+fn text_at(end: MmPoint, beside: f32, texts: &[Text], of_words: &[usize]) -> Option<usize> {
+    let far = |text: &usize| distance_to_box(end, texts[*text].place);
+    let nearest = of_words.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+    (far(&nearest) < beside).then_some(nearest)
 }
 
 /// Whether a line leads away from a text, and not past it: led on backwards, it comes to the text, or beside it by half

@@ -18,7 +18,6 @@ use super::told_lines::{left_out, told_left_out};
 use super::words::{Words, WrittenWords};
 use crate::classes::Classes;
 use crate::edges::Edges;
-use crate::legibility::LEADER_FROM_BRAILLE;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
 use crate::page::spread;
@@ -89,7 +88,7 @@ pub(super) fn marks(
     let mut edges = hand_lines.contours_by_hand_first(size, blank, params.full_strength)?;
     without_second_rows(&mut edges, plan);
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.contours(size)).transpose()?;
-    let (texts, of_leaders) = labels_led(&mut edges, page, &layout, plan);
+    let (texts, of_leaders) = labels_led(&mut edges, old, &layout, plan);
     request.go_on()?;
     // the lines of a page stay lines of their own
     let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
@@ -112,7 +111,8 @@ pub(super) fn marks(
     let of_drawing = !LeftOut::of(page).of_photograph;
     let (textures, of_areas, coloured_ground) = textures(old, &drawn.lines, of_drawing, &layout, plan, watch);
     notes.extend(of_areas);
-    let mut leaders = leaders::on_page(&edges, (&texts, LEADER_FROM_BRAILLE), &layout);
+    let beside = leaders::reach(page, own.profile().braille.cell);
+    let mut leaders = leaders::on_page(&edges, (&texts, beside), &layout);
     leaders.extend(leaders::of_dots(page).map(|ends| ends.map(moved(page, &layout))));
     let lines = leaders::spaced(drawn.lines, &leaders, &layout);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines };
@@ -267,7 +267,8 @@ fn text_at(label: &BrailleText, page: &Page, layout: &Layout) -> Text {
 
 /// The labels of a page as texts in another layout. Takes the leader lines among the lines of the page out that are not
 /// drawn as a whole: their labels are led to what they name, as those are whose leader line came with them.
-fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (Vec<Text>, Vec<Note>) {
+fn labels_led(edges: &mut Edges, old: OldPage<'_>, layout: &Layout, plan: &Plan) -> (Vec<Text>, Vec<Note>) {
+    let (page, beside) = (old.page, leaders::reach(old.page, old.plan.profile().braille.cell));
     let transform = PageTransform::new(edges.size, layout.figure);
     let before = PageTransform::new(edges.size, page.figure.place);
     let there = moved(page, layout);
@@ -278,7 +279,7 @@ fn labels_led(edges: &mut Edges, page: &Page, layout: &Layout, plan: &Plan) -> (
     let mut led: Vec<Text> = numbers.iter().map(|&text| texts[text].clone()).collect();
     let is_label = |text: &Text| text.place.area() > 0.0;
     let draw = |edges: &Edges| draw_lines(edges, LinesOf::Person, layout, plan, &mut |_| ()).lines.lines;
-    let told = leaders::whole_or_none(edges, &mut led, LEADER_FROM_BRAILLE, is_label, layout, draw);
+    let told = leaders::whole_or_none(edges, &mut led, beside, is_label, layout, draw);
     numbers.into_iter().zip(led).for_each(|(number, text)| texts[number] = text);
     for ((text, label), own) in texts.iter_mut().zip(labels_of(page)).zip(own) {
         text.lost_leader = own.map(|[from, tip]| (there(from), there(tip))).or(text.lost_leader);

@@ -4,6 +4,7 @@ use super::key::{self, Entries, Key, KeySheets};
 use super::label::Label;
 use super::label_params::params;
 use super::legend::{self, LegendEntry};
+use super::next_cell;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
@@ -259,6 +260,15 @@ impl<'a> WrittenWords<'a> {
         let of_placed: Vec<&str> =
             wanted.iter().zip(&results).filter(|(_, result)| result.is_ok()).map(|(of, _)| of.text.as_str()).collect();
         let MadeRoom { lines, without_texture, with_less_texture } = labels::make_room(figure, &placed, &params);
+        // each time that a page is drawn anew they would become shorter
+        if words.before.is_none() {
+            let kept = |(wanted, result): (&Wanted, &Result<Placed, _>)| {
+                Some((wanted.kept_leader?, result.as_ref().ok()?.place))
+            };
+            let kept: Vec<(MmPoint, MmRect)> = wanted.iter().zip(&results).filter_map(kept).collect();
+            let measures = (layout.medium.pitch(), plan.limits().line_length);
+            next_cell::begin_off_labels(&mut figure.lines, &kept, &cells, measures);
+        }
         let texts = |areas: Vec<Vec<usize>>| -> Vec<Vec<&str>> {
             areas.into_iter().map(|labels| labels.into_iter().map(|label| of_placed[label]).collect()).collect()
         };
@@ -388,7 +398,10 @@ impl<'a> WrittenWords<'a> {
             abbreviation: label.abbreviation.clone(),
             lines: label.lines.iter().map(|line| unicode(line)).collect(),
             dots: Dots { diameter: cells.diameter, at: cells.dots(&label.lines, label.place.min) },
-            leader: label.attachment.leader().map(|ends| leader(ends, layout, plan)),
+            leader: label.attachment.leader().map(|ends| {
+                let run = leader(ends, layout, plan);
+                Run { points: next_cell::off_next_cell(&run.points, label.place, cells), ..run }
+            }),
         }
     }
 }

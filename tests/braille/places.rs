@@ -193,7 +193,8 @@ fn leader_lines_side_by_side_are_whole() {
             let named = figure.min + MmPoint::new(named[0], named[1]).to_vector() * (figure.width() / 700.0);
             let leads = |points: &[MmPoint]| {
                 let ends = [points[0], points[points.len() - 1]];
-                let from_to = |a: usize, b: usize| distance(ends[a], place) < 8.0 && (ends[b] - named).length() < 8.0;
+                // on pins it begins beyond the cell beside its label
+                let from_to = |a: usize, b: usize| distance(ends[a], place) < 13.0 && (ends[b] - named).length() < 8.0;
                 from_to(0, 1) || from_to(1, 0)
             };
             let mut runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).chain(&label.leader);
