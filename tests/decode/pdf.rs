@@ -187,6 +187,50 @@ fn a_scanned_page_is_its_picture_and_its_hidden_words_are_data() {
     assert_eq!(picture.drawing.expect("a drawing").pixel_areas.len(), 1);
 }
 
+/// A font whose letters, those of "ijklm", are drawings: all are object 5.
+fn drawn_font(matrix: &str, widths: &str) -> String {
+    format!(
+        "/Font << /F << /Type /Font /Subtype /Type3 /FontBBox [0 0 0 0] /FontMatrix [{matrix}] /FirstChar 105 \
+         /LastChar 109 /Widths [{widths}] /Encoding << /Type /Encoding /Differences [105 /i /j /k /l /m] >> \
+         /CharProcs << /i 5 0 R /j 5 0 R /k 5 0 R /l 5 0 R /m 5 0 R >> >> >>"
+    )
+}
+
+#[test]
+fn letters_that_are_drawings_are_one_text() {
+    let letter = stream("", b"278 0 d0 50 0 150 700 re f");
+    let texts = |font: &str, content: &str| {
+        let entries = format!("/MediaBox [0 0 200 48] /Resources << {font} >>");
+        without_text(&page(&entries, content, std::slice::from_ref(&letter)), None)
+    };
+    let font = drawn_font("0.001 0 0 0.001 0 0", "278 278 579 278 974");
+    let picture = texts(&font, "BT /F 10 Tf 4 20 Td (mil) Tj [-350 (k) 20 (im) -350 (i)] TJ ET");
+    assert_eq!(strings(&picture), ["mil kim i"]);
+    assert!((picture.texts[0].size - 10.0 * 4.0 / 3.0).abs() < 0.01, "{:?}", picture.texts[0]);
+    // as TeX makes them of pixels: upside down in text that is upside down, of a size that is none
+    let font = drawn_font("1 0 0 -1 0 0", "23 23 48 23 81");
+    let picture = texts(&font, "BT /F 0.12 Tf 1 0 0 -1 4 20 Tm [(mil) -28000 (kim)] TJ ET");
+    assert_eq!(strings(&picture), ["mil kim"]);
+    let DrawnText { min, max, .. } = &picture.texts[0];
+    assert!(min.y < 30.0 && max.y > 37.0 && max.y < 42.0, "{min:?} {max:?}");
+}
+
+#[test]
+fn forms_that_are_letters_are_in_their_texts() {
+    let letter = stream("", b"278 0 d0 50 0 150 700 re f");
+    let form = "/Type /XObject /Subtype /Form /BBox [-1021 -463 1794 1233]";
+    let minus = stream(form, b"\n106 355 m\n732 355 l\n732 272 l\n106 272 l\n106 355 l\nh\nf\n");
+    let font = drawn_font("0.001 0 0 0.001 0 0", "278 278 579 278 974");
+    let entries = format!("/MediaBox [0 0 200 48] /Resources << {font} /XObject << /F1-Drawn-minus 6 0 R >> >>");
+    let number = |x: u32| {
+        format!("q 1 0 0 1 {x} 20 cm BT /F 10 Tf 8.38 0 Td (ilk) Tj ET q 0.01 0 0 0.01 0 0 cm /F1-Drawn-minus Do Q Q ")
+    };
+    let picture = without_text(&page(&entries, &(number(10) + &number(110)), &[letter, minus]), None);
+    assert_eq!(strings(&picture), ["\u{2212}ilk"; 2]);
+    assert!(picture.drawing.is_some_and(|drawing| drawing.paths.is_empty()), "no letter is left");
+    assert_eq!(picture.notes, []);
+}
+
 #[test]
 fn letters_that_are_filled_and_stroked_are_one_text() {
     let entries = format!("/MediaBox [0 0 200 48] /Resources << {FONT} >>");

@@ -83,7 +83,7 @@ fn add_group<'t>(group: &'t Group, transform: Transform, last: &mut Option<&'t u
         let area = group.abs_layer_bounding_box().to_rect();
         found.pixel_areas.extend(pixel_area(area, transform));
     }
-    if let Some(clip) = group.clip_path().filter(|clip| cuts_off(clip, group)) {
+    if let Some(clip) = group.clip_path().filter(|clip| paints(group) && cuts_off(clip, group)) {
         // its edge is seen wherever it cuts something off
         let to_pixels = transform.pre_concat(group.abs_transform()).pre_concat(clip.transform());
         add_clip(clip.root(), to_pixels, found);
@@ -107,6 +107,14 @@ fn add_group<'t>(group: &'t Group, transform: Transform, last: &mut Option<&'t u
             Node::Text(text) => add_group(text.flattened(), transform, last, found),
         }
     }
+}
+
+/// Whether there is something in a group; letters that were taken out may leave nothing.
+fn paints(group: &Group) -> bool {
+    group.children().iter().any(|node| match node {
+        Node::Group(group) => paints(group),
+        Node::Path(_) | Node::Image(_) | Node::Text(_) => true,
+    })
 }
 
 fn add_path(path: &usvg::Path, transform: Transform, last: Option<&usvg::Path>, found: &mut VectorDrawing) {
@@ -236,5 +244,18 @@ mod tests {
         };
         assert_eq!(count("M0 0L10 5L0 10Z"), 2, "the line and its head");
         assert_eq!(count("M-9 0L10 5L-9 10Z"), 3, "a part of the head is cut off");
+    }
+
+    #[test]
+    fn the_clip_of_nothing_is_no_contour() {
+        let count = |inside: &str| {
+            let svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><clipPath id='c'>\
+                 <path d='M50 50H60V60H50z'/></clipPath><g clip-path='url(#c)'><g>{inside}</g></g></svg>"
+            );
+            let tree = Tree::from_str(&svg, &usvg::Options::default()).expect("a drawing");
+            of_tree(&tree, Transform::identity()).expect("it has few paths").paths.len()
+        };
+        assert_eq!([count(""), count("<path d='M0 0H99V99z'/>")], [0, 2]);
     }
 }

@@ -6,9 +6,9 @@
 
 use super::words::PX_PER_POINT;
 
-/// The text with its size in CSS pixels, without letters unless they are kept, and with neighbours that are clipped
-/// alike in one group.
-pub(super) fn prepared(svg: &str, (width, height): (f32, f32), keep_letters: bool) -> String {
+/// The text with its size in CSS pixels, and with neighbours that are clipped alike in one group. Unless letters are
+/// kept, it has none, and no element that begins as `letters` do.
+pub(super) fn prepared(svg: &str, (width, height): (f32, f32), letters: Option<&[String]>) -> String {
     let mut out = String::with_capacity(svg.len());
     let mut lines = svg.lines();
     out.push_str(&sized(lines.next().unwrap_or_default(), width, height));
@@ -17,7 +17,8 @@ pub(super) fn prepared(svg: &str, (width, height): (f32, f32), keep_letters: boo
     // What opened a group of which the end is read but not written: it may go on.
     let mut ending: Option<&str> = None;
     for element in lines.map(str::trim_start) {
-        if !keep_letters && is_letter(element) {
+        let is_form = |letters: &[String]| letters.iter().any(|form| element.starts_with(form.as_str()));
+        if letters.is_some_and(|letters| is_letter(element) || is_form(letters)) {
             continue;
         }
         if let Some(group) = ending.take() {

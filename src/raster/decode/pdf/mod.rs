@@ -7,6 +7,7 @@
 //! ```
 
 mod cost;
+mod letters;
 mod markup;
 mod survey;
 mod unpacked;
@@ -48,7 +49,8 @@ fn decode_page(page: &Page<'_>, options: &DecodeOptions<'_>) -> Result<Decoded, 
     let settings = warnings.settings();
     let found = survey::of_page(page, &settings, options.limits)?;
     let svg = hayro_svg::convert(page, &RenderCache::new(), &settings, &SvgRenderSettings::default());
-    let drawing = markup::prepared(&svg, page.render_dimensions(), options.keep_text);
+    let letters = (!options.keep_text).then_some(&found.form_letters[..]);
+    let drawing = markup::prepared(&svg, page.render_dimensions(), letters);
     drop(svg);
     let texts = |Target { transform, size, .. }: Target<'_>| -> Vec<DrawnText> {
         if options.keep_text { Vec::new() } else { words::on_canvas(&found.texts, transform, size) }

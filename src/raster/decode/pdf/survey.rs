@@ -4,8 +4,7 @@
 use std::collections::HashSet;
 
 use hayro_interpret::encode::EncodedShadingType;
-use hayro_interpret::font::{Glyph, GlyphRun, PositionedGlyph};
-use hayro_interpret::hayro_cmap::BfString;
+use hayro_interpret::font::GlyphRun;
 use hayro_interpret::hayro_syntax::page::Page;
 use hayro_interpret::kurbo::{Affine, BezPath, Point, Rect, Shape};
 use hayro_interpret::pattern::Pattern;
@@ -14,6 +13,7 @@ use hayro_interpret::{
     InterpreterSettings, Paint, SoftMask, TransformExt, interpret_page,
 };
 
+use super::letters::{self, FormLetter};
 use super::unpacked::FORMAT;
 use super::words::{Letter, Texts, Written};
 use crate::Error;
@@ -31,6 +31,8 @@ pub(super) struct PageContent {
     pub(super) texts: Vec<Written>,
     /// Letters and other signs of which the document does not tell which they are.
     pub(super) unknown_letters: usize,
+    /// How hayro-svg begins the elements of forms that are letters.
+    pub(super) form_letters: Vec<String>,
 }
 
 /// # Errors
@@ -45,6 +47,8 @@ pub(super) fn of_page(page: &Page<'_>, settings: &InterpreterSettings, limits: L
         limits,
         seen: vec![sheet],
         texts: Texts::default(),
+        forms: FormLetter::all_of(page),
+        line: Vec::new(),
         last_run: None,
         inside: 0,
         known: HashSet::new(),
@@ -52,9 +56,11 @@ pub(super) fn of_page(page: &Page<'_>, settings: &InterpreterSettings, limits: L
         fault: None,
     };
     interpret_page(page, &mut context, &mut survey);
-    let Survey { texts, fault, .. } = survey;
+    survey.end_line();
+    let Survey { texts, forms, fault, .. } = survey;
     let (texts, unknown_letters) = texts.finish();
-    fault.map_or(Ok(PageContent { texts, unknown_letters }), Err)
+    let form_letters = forms.iter().map(FormLetter::element).collect();
+    fault.map_or(Ok(PageContent { texts, unknown_letters, form_letters }), Err)
 }
 
 struct Survey {
@@ -62,6 +68,10 @@ struct Survey {
     /// Boxes of the clips that are in force; of the page first.
     seen: Vec<Rect>,
     texts: Texts,
+    /// Forms that are letters.
+    forms: Vec<FormLetter>,
+    /// Letters of one line and the boxes in which they are seen, until the line is whole.
+    line: Vec<(Letter, Option<Rect>)>,
     /// Where the last run of letters begins, and how many it has.
     last_run: Option<(Point, usize)>,
     /// How many masks and patterns deep: texts in those are not read.
@@ -77,6 +87,31 @@ impl Survey {
     fn clip(&mut self, area: Rect) {
         let seen = self.seen.last().copied().unwrap_or(area).intersect(area);
         self.seen.push(seen);
+    }
+
+    /// Adds a letter. Where a page has forms that are letters, which come behind the others of their line, those wait
+    /// for them.
+    fn add(&mut self, letter: Letter) {
+        let seen = self.seen.last().copied();
+        if self.forms.is_empty() {
+            self.texts.add(letter, seen);
+            return;
+        }
+        if self.line.last().is_some_and(|(last, _)| !letters::is_on_line(last, &letter)) {
+            self.end_line();
+        }
+        self.line.push((letter, seen));
+    }
+
+    /// Adds the letters of a line in the order in which they are read.
+    fn end_line(&mut self) {
+        let mut line = std::mem::take(&mut self.line);
+        if let Some((first, _)) = line.first() {
+            let (start, along) = (first.from, first.along);
+            let place = |letter: &Letter| along.dot(letter.from - start);
+            line.sort_by(|(a, _), (b, _)| place(a).total_cmp(&place(b)));
+        }
+        line.into_iter().for_each(|(letter, seen)| self.texts.add(letter, seen));
     }
 
     /// Notes a picture of this size that has to be held in memory.
@@ -138,6 +173,10 @@ impl<'a> Device<'a> for Survey {
     fn draw_path(&mut self, path: &BezPath, props: DrawProps<'a>, _: &DrawMode) {
         self.mask(props.soft_mask.as_ref());
         self.paint(&props.paint, || (props.transform * path.clone()).bounding_box());
+        let form = self.forms.iter().find(|form| self.inside == 0 && form.is(path));
+        if let Some(letter) = form.map(|form| form.letter(props.transform)) {
+            self.add(letter);
+        }
     }
 
     fn push_clip_path(&mut self, clip: &ClipPath) {
@@ -154,15 +193,14 @@ impl<'a> Device<'a> for Survey {
             return;
         }
         let hidden = matches!(mode, DrawMode::Invisible);
-        let letters: Vec<Letter> = run.glyphs().iter().map(|glyph| letter(glyph, props.transform, hidden)).collect();
+        let letters = letters::of_run(run, props.transform, hidden);
         let Some(first) = letters.first() else { return };
         // Letters that are filled and stroked come twice.
         let is_again = matches!(mode, DrawMode::Stroke(_))
             && self.last_run.is_some_and(|(at, count)| count == letters.len() && at.distance(first.from) < 1e-3);
         self.last_run = Some((first.from, letters.len()));
         if !is_again {
-            let seen = self.seen.last().copied();
-            letters.into_iter().for_each(|letter| self.texts.add(letter, seen));
+            letters.into_iter().for_each(|letter| self.add(letter));
         }
     }
 
@@ -176,31 +214,4 @@ impl<'a> Device<'a> for Survey {
     }
 
     fn pop_transparency_group(&mut self) {}
-}
-
-fn letter(glyph: &PositionedGlyph<'_>, transform: Affine, hidden: bool) -> Letter {
-    // Letters are in thousandths of the font size.
-    const EM: f64 = 1000.0;
-    let to_page = transform * glyph.transform();
-    let (advance, em) = match &**glyph {
-        Glyph::Outline(outline) => (outline.advance_width(), EM),
-        // What counts as the size of such a font may be anything; most letters are half as wide as their size.
-        Glyph::Type3(drawn) => {
-            (drawn.advance_width(), drawn.advance_width().map_or(EM, |width| 2.0 * f64::from(width)))
-        }
-    };
-    let advance = advance.map_or(EM / 2.0, f64::from);
-    let from = to_page * Point::ORIGIN;
-    let string = glyph.as_unicode().map(|text| match text {
-        BfString::Char(char) => char.to_string(),
-        BfString::String(string) => string,
-    });
-    Letter {
-        string,
-        from,
-        to: to_page * Point::new(advance, 0.0),
-        up: to_page * Point::new(0.0, em) - from,
-        along: to_page * Point::new(em, 0.0) - from,
-        hidden,
-    }
 }

@@ -19,11 +19,12 @@ const PAGE: &str = r##"<svg viewBox="0 0 72 36" width="72" height="36" xmlns="ht
     <use xlink:href="#s0"/>
 </g>
 <path d="M4,4"/>
+<path d="M5,5" fill="#000000"/>
 </svg>"##;
 
 #[test]
 fn letters_are_left_out_and_clipped_neighbours_united() {
-    let without = prepared(PAGE, (72.0, 36.0), false);
+    let without = prepared(PAGE, (72.0, 36.0), Some(&["<path d=\"M5,5\"".to_owned()]));
     assert_eq!(
         without,
         r##"<svg viewBox="0 0 72 36" width="96" height="48" xmlns="http://www.w3.org/2000/svg">
@@ -39,7 +40,8 @@ fn letters_are_left_out_and_clipped_neighbours_united() {
 <path d="M4,4"/>
 </svg>"##
     );
-    let with = prepared(PAGE, (72.0, 36.0), true);
+    let with = prepared(PAGE, (72.0, 36.0), None);
     assert_eq!(with.matches("<use").count(), 3, "{with}");
     assert_eq!(with.matches("</g>").count(), 3, "{with}");
+    assert_eq!(with.matches("M5,5").count(), 1, "{with}");
 }

@@ -1,0 +1,253 @@
+//! Where each letter of a page stands, and how large it is.
+
+use std::collections::HashSet;
+
+use hayro_interpret::font::{Glyph, GlyphRun, PositionedGlyph};
+use hayro_interpret::hayro_cmap::BfString;
+use hayro_interpret::hayro_syntax::content::TypedIter;
+use hayro_interpret::hayro_syntax::content::ops::TypedInstruction;
+use hayro_interpret::hayro_syntax::object::{Dict, Name, Stream};
+use hayro_interpret::hayro_syntax::page::Page;
+use hayro_interpret::kurbo::{Affine, BezPath, PathEl, Point, Shape};
+
+use super::words::Letter;
+
+/// Letters are in thousandths of the font size.
+const EM: f64 = 1000.0;
+
+/// How wide the letters of a text are on average, in font sizes.
+const USUAL_WIDTHS: std::ops::RangeInclusive<f64> = 0.15..=1.5;
+
+/// The letters of a run, which are drawn with a transform.
+pub(super) fn of_run(run: &GlyphRun<'_, '_>, transform: Affine, hidden: bool) -> Vec<Letter> {
+    let drawn_widths = run.glyphs().iter().filter_map(|glyph| match &**glyph {
+        Glyph::Outline(_) => None,
+        Glyph::Type3(drawn) => drawn.advance_width().map(|width| f64::from(width).abs()),
+    });
+    let em = em(drawn_widths);
+    run.glyphs().iter().map(|glyph| of_glyph(glyph, em, transform, hidden)).collect()
+}
+
+/// The font size of a run in thousandths of what counts as such, by the widths of those of its letters that are
+/// drawings of their own. The size of a font of such letters may be anything, as where TeX made it of pixels; most
+/// letters are half as wide as their size.
+fn em(drawn_widths: impl Iterator<Item = f64>) -> f64 {
+    let widths: Vec<f64> = drawn_widths.filter(|width| *width > 0.0).collect();
+    let average = widths.iter().sum::<f64>() / widths.len().max(1) as f64;
+    if widths.is_empty() || USUAL_WIDTHS.contains(&(average / EM)) { EM } else { 2.0 * average }
+}
+
+fn of_glyph(glyph: &PositionedGlyph<'_>, em: f64, transform: Affine, hidden: bool) -> Letter {
+    let (advance, is_drawn) = match &**glyph {
+        Glyph::Outline(outline) => (outline.advance_width(), false),
+        Glyph::Type3(drawn) => (drawn.advance_width(), true),
+    };
+    let string = glyph.as_unicode().map(|text| match text {
+        BfString::Char(char) => char.to_string(),
+        BfString::String(string) => string,
+    });
+    let to_page = transform * glyph.transform();
+    let mut letter = placed(string, to_page, advance.map_or(em / 2.0, f64::from), em);
+    // letters that are drawings may be upside down in text that is upside down, as where TeX made them of pixels
+    if is_drawn && letter.along.cross(letter.up) > 0.0 {
+        letter.up = -letter.up;
+    }
+    Letter { hidden, ..letter }
+}
+
+/// A letter that is drawn with a transform, in thousandths of its size.
+fn placed(string: Option<String>, to_page: Affine, advance: f64, em: f64) -> Letter {
+    let from = to_page * Point::ORIGIN;
+    let (up, along) = (to_page * Point::new(0.0, em) - from, to_page * Point::new(em, 0.0) - from);
+    Letter { string, from, to: to_page * Point::new(advance, 0.0), up, along, hidden: false }
+}
+
+/// Whether two letters are on one line, in one size.
+pub(super) fn is_on_line(letter: &Letter, other: &Letter) -> bool {
+    let size = letter.up.hypot();
+    let is_none = |off: f64| off.abs() <= 0.02 * size;
+    is_none((other.up - letter.up).hypot())
+        && is_none((other.along - letter.along).hypot())
+        && is_none(letter.along.normalize().cross(other.from - letter.from))
+}
+
+/// A form that is a letter: matplotlib, before its release 3.11, draws so what has no place among the 256 letters of a
+/// font, such as the minus of a number. The form is named after the font and the letter, as `F1-DejaVuSans-minus`, and
+/// drawn behind the text in which it stands.
+pub(super) struct FormLetter {
+    string: Option<String>,
+    outline: BezPath,
+}
+
+/// Most forms of a page that are looked at; a font has as many letters.
+const MOST_FORMS: usize = 512;
+
+impl FormLetter {
+    /// Those that a page can draw.
+    pub(super) fn all_of(page: &Page<'_>) -> Vec<Self> {
+        let resources = page.raw().get::<Dict<'_>>("Resources");
+        let Some(forms) = resources.and_then(|own| own.get::<Dict<'_>>("XObject")) else { return Vec::new() };
+        let mut names: Vec<Name<'_>> = forms.keys().filter(|name| glyph_name(name.as_str()).is_some()).collect();
+        names.sort();
+        let mut known = HashSet::new();
+        let letter = |name: Name<'_>| {
+            let glyph = glyph_name(name.as_str())?;
+            // one that has several names would be unpacked many times
+            let form = forms.get::<Stream<'_>>(name.as_ref()).filter(|form| known.insert(form.obj_id()))?;
+            let outline = outline(&form.decoded_data().ok()?)?;
+            Some(Self { string: letter_named(glyph).map(String::from), outline })
+        };
+        names.into_iter().take(MOST_FORMS).filter_map(letter).collect()
+    }
+
+    /// Whether a path is its outline.
+    pub(super) fn is(&self, path: &BezPath) -> bool {
+        self.outline == *path
+    }
+
+    /// The letter where its outline is drawn with a transform. Its sides are as wide as each other.
+    pub(super) fn letter(&self, to_page: Affine) -> Letter {
+        let extent = self.outline.bounding_box();
+        placed(self.string.clone(), to_page, extent.x0 + extent.x1, EM)
+    }
+
+    /// How hayro-svg begins the element of its outline.
+    pub(super) fn element(&self) -> String {
+        let of_element = |element: &PathEl| {
+            let (sign, points) = match *element {
+                PathEl::MoveTo(to) => ('M', vec![to]),
+                PathEl::LineTo(to) => ('L', vec![to]),
+                PathEl::QuadTo(a, to) => ('Q', vec![a, to]),
+                PathEl::CurveTo(a, b, to) => ('C', vec![a, b, to]),
+                PathEl::ClosePath => ('Z', Vec::new()),
+            };
+            let points: Vec<String> = points.iter().map(|at| format!("{},{}", at.x as f32, at.y as f32)).collect();
+            format!("{sign}{}", points.join(" "))
+        };
+        let elements: Vec<String> = self.outline.elements().iter().map(of_element).collect();
+        format!("<path d=\"{}\"", elements.join(" "))
+    }
+}
+
+/// What a form is named after, behind the names of a font in the document and of its file.
+fn glyph_name(form: &str) -> Option<&str> {
+    let (number, rest) = form.strip_prefix('F')?.split_once('-')?;
+    let (_, glyph) = rest.rsplit_once('-')?;
+    (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())).then_some(glyph)
+}
+
+/// The path that a form fills, if it does nothing else.
+fn outline(content: &[u8]) -> Option<BezPath> {
+    let mut path = BezPath::new();
+    let mut fills = 0;
+    let mut steps = TypedIter::new(content);
+    while let Some(step) = steps.next() {
+        match step {
+            TypedInstruction::MoveTo(to) => path.move_to((to.0.as_f64(), to.1.as_f64())),
+            _ if path.elements().is_empty() => return None,
+            TypedInstruction::LineTo(to) => path.line_to((to.0.as_f64(), to.1.as_f64())),
+            TypedInstruction::CubicTo(to) => {
+                let [a, b] = [(to.0.as_f64(), to.1.as_f64()), (to.2.as_f64(), to.3.as_f64())];
+                path.curve_to(a, b, (to.4.as_f64(), to.5.as_f64()));
+            }
+            TypedInstruction::ClosePath(_) => path.close_path(),
+            TypedInstruction::FillPathNonZero(_) => fills += 1,
+            _ => return None,
+        }
+    }
+    (fills == 1).then_some(path)
+}
+
+/// The letter of a name, as fonts name those beyond Latin-1: `minus`, `ccaron`, `alpha`, `uni0416`.
+fn letter_named(name: &str) -> Option<char> {
+    let is_hex = |hex: &&str| hex.len() == 4 && hex.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if let Some(hex) = name.strip_prefix("uni").filter(is_hex) {
+        return u32::from_str_radix(hex, 16).ok().and_then(char::from_u32);
+    }
+    if let Some((_, sign)) = SIGNS.iter().find(|(own, _)| *own == name) {
+        return Some(*sign);
+    }
+    let first = name.chars().next()?;
+    let capital = format!("{}{}", first.to_ascii_uppercase(), &name[first.len_utf8()..]);
+    let is_small = u32::from(first.is_ascii_lowercase());
+    let latin = LATIN.iter().find(|(own, _)| *own == capital).map(|(_, code)| code + is_small);
+    let greek = || (0x391..).zip(GREEK).find(|(_, own)| *own == capital).map(|(code, _)| code + 0x20 * is_small);
+    latin.or_else(greek).and_then(char::from_u32)
+}
+
+const SIGNS: [(&str, char); 27] = [
+    ("minus", '\u{2212}'),
+    ("endash", '\u{2013}'),
+    ("emdash", '\u{2014}'),
+    ("quoteleft", '\u{2018}'),
+    ("quoteright", '\u{2019}'),
+    ("quotesinglbase", '\u{201a}'),
+    ("quotedblleft", '\u{201c}'),
+    ("quotedblright", '\u{201d}'),
+    ("quotedblbase", '\u{201e}'),
+    ("bullet", '\u{2022}'),
+    ("ellipsis", '\u{2026}'),
+    ("perthousand", '\u{2030}'),
+    ("Euro", '\u{20ac}'),
+    ("arrowleft", '\u{2190}'),
+    ("arrowup", '\u{2191}'),
+    ("arrowright", '\u{2192}'),
+    ("arrowdown", '\u{2193}'),
+    ("summation", '\u{2211}'),
+    ("radical", '\u{221a}'),
+    ("infinity", '\u{221e}'),
+    ("approxequal", '\u{2248}'),
+    ("notequal", '\u{2260}'),
+    ("lessequal", '\u{2264}'),
+    ("greaterequal", '\u{2265}'),
+    ("dotlessi", '\u{131}'),
+    ("OE", '\u{152}'),
+    ("oe", '\u{153}'),
+];
+
+/// Capitals; each small letter comes next.
+const LATIN: [(&str, u32); 33] = [
+    ("Amacron", 0x100),
+    ("Abreve", 0x102),
+    ("Aogonek", 0x104),
+    ("Cacute", 0x106),
+    ("Ccaron", 0x10c),
+    ("Dcaron", 0x10e),
+    ("Dcroat", 0x110),
+    ("Emacron", 0x112),
+    ("Edotaccent", 0x116),
+    ("Eogonek", 0x118),
+    ("Ecaron", 0x11a),
+    ("Gbreve", 0x11e),
+    ("Imacron", 0x12a),
+    ("Iogonek", 0x12e),
+    ("Lacute", 0x139),
+    ("Lcaron", 0x13d),
+    ("Lslash", 0x141),
+    ("Nacute", 0x143),
+    ("Ncaron", 0x147),
+    ("Ohungarumlaut", 0x150),
+    ("Racute", 0x154),
+    ("Rcaron", 0x158),
+    ("Sacute", 0x15a),
+    ("Scedilla", 0x15e),
+    ("Scaron", 0x160),
+    ("Tcaron", 0x164),
+    ("Umacron", 0x16a),
+    ("Uring", 0x16e),
+    ("Uhungarumlaut", 0x170),
+    ("Uogonek", 0x172),
+    ("Zacute", 0x179),
+    ("Zdotaccent", 0x17b),
+    ("Zcaron", 0x17d),
+];
+
+/// In their order; each small letter is as far behind its capital. One place is empty: there are two forms of the small
+/// sigma.
+const GREEK: [&str; 25] = [
+    "Alpha", "Beta", "Gamma", "Delta", "Epsilon", "Zeta", "Eta", "Theta", "Iota", "Kappa", "Lambda", "Mu", "Nu", "Xi",
+    "Omicron", "Pi", "Rho", "Sigma1", "Sigma", "Tau", "Upsilon", "Phi", "Chi", "Psi", "Omega",
+];
+
+#[cfg(test)]
+mod tests;
