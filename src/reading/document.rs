@@ -11,7 +11,7 @@ use super::{cuts, entities, sized, texts};
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::page::Class;
-use crate::raster::decode::{checked_document, no_longer_than};
+use crate::raster::decode::{checked_document, edited, no_longer_than};
 
 /// Namespace of Inkscape's attributes.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
@@ -192,20 +192,6 @@ pub(super) fn with_ids(text: &str) -> Result<(String, usize), Error> {
         edits.extend(cuts.into_iter().map(|range| (range, cuts::NONE.to_owned())));
     }
     Ok((edited(text, edits), cut))
-}
-
-/// A text with parts of it replaced.
-pub(super) fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
-    edits.sort_by_key(|(range, _)| range.start);
-    let mut out = String::with_capacity(text.len() + text.len() / 8);
-    let mut done = 0;
-    for (range, with) in edits {
-        out.push_str(&text[done..range.start]);
-        out.push_str(&with);
-        done = range.end;
-    }
-    out.push_str(&text[done..]);
-    out
 }
 
 /// The first element of each id.

@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Tree};
 
-use super::document::{Elements, edited};
+use super::document::Elements;
 use super::style::{is_definition, is_shown};
 use super::texts::{escaped, looks};
+use crate::raster::decode::edited;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// Begins the id of the rectangle that stands for an object.

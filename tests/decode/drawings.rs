@@ -162,6 +162,23 @@ fn what_is_raised_or_lowered_within_a_text_is_a_power_or_an_index() {
 }
 
 #[test]
+fn letters_that_are_paths_are_texts_where_a_comment_says_which() {
+    let text = "<svg xmlns='http://www.w3.org/2000/svg' width='60' height='30'><g id='text_1'><!-- A -->\
+                <g transform='translate(10 20) scale(0.1 -0.1)'><defs><path id='F-41' d='M0 0H60V70H0z'/></defs>\
+                <use href='#F-41'/></g></g><path d='M30 5V25' stroke='#000'/></svg>";
+    let working_size = |source: Header| Ok(source.size);
+    let of = |keep_text: bool| {
+        let options = DecodeOptions { keep_text, ..DecodeOptions::whole(&working_size) };
+        let picture = decode(text.as_bytes(), &options).unwrap();
+        let light = picture.raster.planes().as_slice()[0][15 * 60 + 12];
+        let strings: Vec<String> = picture.texts.into_iter().map(|text| text.string).collect();
+        (strings, picture.drawing.unwrap().paths.len(), light > 0.5)
+    };
+    assert_eq!(of(false), (vec!["A".to_owned()], 1, true));
+    assert_eq!(of(true), (Vec::new(), 2, false), "kept in the drawing");
+}
+
+#[test]
 fn a_text_without_a_font_is_a_remark() {
     let picture = open("text.svg");
     assert!(

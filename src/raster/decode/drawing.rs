@@ -18,6 +18,7 @@ use super::job::{
     self, DecodeOptions, Decoded, FontLoader, Header, Limits, OVER_LIMIT, check_memory, guarded, unpacks_too_far,
     working_bytes,
 };
+use super::outlined::{self, Outlined};
 use super::texts::short;
 use super::{filters, paths, texts};
 use crate::raster::crop::PixelPart;
@@ -59,34 +60,67 @@ pub(crate) fn start_of_packed(bytes: &[u8], most: u64) -> Option<Vec<u8>> {
 pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     let text = std::str::from_utf8(bytes).map_err(|_| Error::undecodable(FORMAT, "it is not in UTF-8"))?;
     let left_out = DrawingLosses::default();
-    let fonts = OnceLock::new();
-    let document = document(text, complexity::MOST_LEVELS)?;
-    let parse = |font_resolver| {
-        let image_href_resolver = links(&left_out, options.limits);
-        tree_of(&document, &usvg::Options { image_href_resolver, font_resolver, ..usvg::Options::default() })
-    };
-    let with_fonts = || parse(font_resolver(&left_out, options.fonts, &fonts));
-    // Without a font a text is not drawn.
-    let (tree, with_texts) = match (options.keep_text, options.pixels_only) {
-        (true, _) => (with_fonts()?, None),
-        (false, true) => (parse(no_fonts())?, None),
-        (false, false) => {
-            let with_texts = with_fonts()?;
-            match texts::has_any(with_texts.root()) {
-                true => (parse(no_fonts())?, Some(with_texts)),
-                false => (with_texts, None),
-            }
-        }
-    };
-    drop(document);
+    let Trees { tree, with_texts, outlined } = trees(text, options, &left_out)?;
     let texts = |target: Target<'_>| {
         let Some(with_texts) = with_texts else { return Vec::new() };
-        let found = texts::of_tree(&with_texts, target.transform, target.size);
+        let mut found = texts::of_tree(&with_texts, target.transform, target.size);
+        let letters = outlined.map(|outlined| outlined.of_tree(&with_texts, target.transform, target.size));
+        found.extend(letters.unwrap_or_default());
         let (seen, unseen) = seen_of(found, &with_texts, &tree, target);
         texts::told_unseen(&unseen).into_iter().for_each(|told| left_out.add(Reason::NotSeen, told));
         texts::sentences(seen)
     };
     drawn(&tree, options, texts).map(|decoded| with_notes(decoded, left_out))
+}
+
+/// What is drawn of a drawing.
+struct Trees {
+    tree: Tree,
+    /// The same with its texts, if these are left out and it has some.
+    with_texts: Option<Tree>,
+    /// Those of its texts whose letters are paths.
+    outlined: Option<Outlined>,
+}
+
+fn trees(text: &str, options: &DecodeOptions<'_>, left_out: &DrawingLosses) -> Result<Trees, Error> {
+    let document = document(text, complexity::MOST_LEVELS)?;
+    let outlined = if options.keep_text { None } else { outlined::of_document(text, &document) };
+    let (tree, with_texts) = match &outlined {
+        Some(found) => {
+            let documents = [&checked_document(&found.marked)?, &checked_document(&found.bare)?];
+            parsed(documents, true, options, left_out)?
+        }
+        None => parsed([&document, &document], false, options, left_out)?,
+    };
+    Ok(Trees { tree, with_texts, outlined })
+}
+
+/// What is drawn of a document, and the same with its texts, if these are left out and it has some. `has_more`: the
+/// first document has texts that are no elements of their own, and the second has not.
+fn parsed(
+    [marked, bare]: [&Document<'_>; 2],
+    has_more: bool,
+    options: &DecodeOptions<'_>,
+    left_out: &DrawingLosses,
+) -> Result<(Tree, Option<Tree>), Error> {
+    let fonts = OnceLock::new();
+    let parse = |document: &Document<'_>, font_resolver| {
+        let image_href_resolver = links(left_out, options.limits);
+        tree_of(document, &usvg::Options { image_href_resolver, font_resolver, ..usvg::Options::default() })
+    };
+    let with_fonts = || parse(marked, font_resolver(left_out, options.fonts, &fonts));
+    // Without a font a text is not drawn.
+    Ok(match (options.keep_text, options.pixels_only) {
+        (true, _) => (with_fonts()?, None),
+        (false, true) => (parse(bare, no_fonts())?, None),
+        (false, false) => {
+            let with_texts = with_fonts()?;
+            match has_more || texts::has_any(with_texts.root()) {
+                true => (parse(bare, no_fonts())?, Some(with_texts)),
+                false => (with_texts, None),
+            }
+        }
+    })
 }
 
 /// The pixels of a drawing.

@@ -10,12 +10,14 @@ mod canvas;
 mod colour;
 mod complexity;
 mod drawing;
+mod edited;
 mod filters;
 mod job;
 mod jpeg;
 mod light;
 mod orient;
 mod other;
+mod outlined;
 mod paths;
 #[cfg(feature = "pdf")]
 mod pdf;
@@ -33,6 +35,7 @@ use crate::{Error, picture};
 pub(crate) use self::canvas::check_canvases;
 pub(crate) use self::complexity::no_longer_than;
 pub(crate) use self::drawing::{checked_document, start_of_packed, tree_of};
+pub(crate) use self::edited::edited;
 pub use self::job::{DecodeOptions, Decoded, FontLoader, Header, Limits};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
