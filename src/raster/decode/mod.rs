@@ -15,6 +15,8 @@ mod filters;
 mod job;
 mod jpeg;
 mod light;
+mod mathtext;
+mod names;
 mod orient;
 mod other;
 mod outlined;

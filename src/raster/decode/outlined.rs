@@ -17,6 +17,7 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Tree};
 
 use super::edited::edited;
+use super::mathtext;
 use crate::raster::vector::{DrawnText, PixelArea};
 use crate::units::{PxPoint, Size};
 
@@ -112,7 +113,8 @@ fn copies<'a>(group: Node<'a, '_>, outlines: &HashMap<&str, bool>) -> Option<Vec
     Some(found)
 }
 
-/// What a comment says, if it has as many letters as are drawn behind it, and no outline is that of two letters.
+/// What a comment says, if it has as many letters as are drawn behind it, and no outline is that of two letters; signs
+/// of a formula may be drawn in another order.
 fn said(comment: &str, drawn: &[&str]) -> Option<String> {
     let string = comment.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
     let string = string.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -122,8 +124,14 @@ fn said(comment: &str, drawn: &[&str]) -> Option<String> {
         letters.len() == drawn.len()
             && letters.iter().zip(drawn).all(|(letter, glyph)| *known.entry(*glyph).or_insert(*letter) == *letter)
     };
-    let is_formula = string.contains('\\') || string.contains('$') && string.matches('$').count() % 2 == 0;
-    (!drawn.is_empty() && !is_formula && (agrees(false) || agrees(true))).then_some(string)
+    if drawn.is_empty() {
+        return None;
+    }
+    if mathtext::is_formula(&string) {
+        let formula = mathtext::read(&string)?;
+        return (formula.signs == drawn.len()).then_some(formula.string);
+    }
+    (agrees(false) || agrees(true)).then_some(string)
 }
 
 /// Letters that fonts draw as one.

@@ -358,7 +358,7 @@ fn joined(pieces: &[Piece]) -> String {
 
 /// A text in which raised and lowered signs without a number stand on the line, as in Na+, which says the same: no
 /// table of braille has cells for them.
-fn with_signs_on_line(text: &str) -> String {
+pub(super) fn with_signs_on_line(text: &str) -> String {
     let all: Vec<char> = text.chars().collect();
     let is_number = |at: Option<usize>| {
         let sign = at.and_then(|at| all.get(at));

@@ -34,13 +34,16 @@ fn a_comment_says_which_letters_the_paths_behind_it_are() {
     assert_eq!(read("a &amp; b", b"a@b").as_deref(), Some("a & b"));
     assert_eq!(read("office", b"oAce").as_deref(), Some("office"), "three letters that are drawn as one");
     assert_eq!(read("5 $", b"A B").as_deref(), Some("5 $"));
+    let power = read("$\\mathdefault{10^{-1}}$ m", b"ABCA m");
+    assert_eq!(power.as_deref(), Some("10\u{207b}\u{b9} m"));
 }
 
 #[test]
 fn what_is_not_sure_to_be_a_text_is_none() {
     assert_eq!(read("Apple", b"Appl", FLIPPED), None, "a letter less");
     assert_eq!(read("three", b"aaaaa", FLIPPED), None, "five copies of one shape");
-    assert_eq!(read("x^2 $y$", b"xyABC", FLIPPED), None, "a formula");
+    assert_eq!(read("$10^3$ m", b"103", FLIPPED), None, "a formula");
+    assert_eq!(read("$\\frac{1}{2}$", b"ABC", FLIPPED), None, "a formula that is not known");
     assert_eq!(read("Apple", b"Apple", "scale(0.1)"), None, "not upside down");
     assert_eq!(read("Apple", b"Apple", "scale(0.1 -0.2)"), None);
     assert_eq!(read("", b"", FLIPPED), None);
