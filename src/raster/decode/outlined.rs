@@ -150,8 +150,11 @@ fn letters(text: &str, with_ligatures: bool) -> Vec<&str> {
     found
 }
 
+/// What is put in the place of a part of a file.
+type Replacement = (Range<usize>, String);
+
 /// The id of a group, and what gives it the one of this number, at its place in the file, if it has none.
-fn identified(group: Node<'_, '_>, number: usize, text: &str) -> Option<(String, Option<(Range<usize>, String)>)> {
+fn identified(group: Node<'_, '_>, number: usize, text: &str) -> Option<(String, Option<Replacement>)> {
     if let Some(own) = group.attribute("id") {
         return (!own.is_empty()).then(|| (own.to_owned(), None));
     }
