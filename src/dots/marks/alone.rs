@@ -75,7 +75,7 @@ impl Places<'_> {
         let lattice = self.field.lattice;
         for (&(number, point), sign) in group.iter().zip(best) {
             let Some(DotSign { place, runs }) = sign else { continue };
-            self.interrupt_weak(&runs[0], None);
+            self.interrupt_weak(&runs[0], &[]);
             let runs = runs.into_iter().map(|row| row.into_iter().map(|dot| lattice.to_mm(dot)).collect()).collect();
             self.placed.alone.push(PointAlone { runs, strength: point.strength });
             self.placed.shown.points[number] = true;

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::lattice::Owner;
-use super::{Places, Row};
+use super::lattice::{Lattice, Owner};
+use super::{Places, Row, row_of};
 use crate::dots::grid_dot::GridPoint;
 use crate::dots::params::LEAST_DOTS;
 use crate::units::MmPoint;
@@ -13,6 +13,10 @@ use crate::units::MmPoint;
 const SCRAP: f32 = 0.5;
 /// A dot of another row so near to the end of one, in steps, is where both meet.
 const NEXT: f32 = 1.5;
+/// A row leads to a point if it has a dot no farther than this from the outermost of the point, in steps. On a grid it
+/// is one of these; elsewhere dots are seldom quite in their places.
+const LEADS_ON_GRID: f32 = 0.25;
+const LEADS: f32 = 0.8;
 
 /// A row that ends beside a point on another, as the arc of a jump along a number line does, is shortened by so many
 /// dots at most: as much as the gap of two dots and the side of a small point. Chosen by us.
@@ -69,12 +73,39 @@ impl Places<'_> {
         all.filter(move |(_, other, _)| lattice.are_near(dot, *other, gap)).map(|(_, other, owner)| (other, owner))
     }
 
-    /// Takes the dots of weak rows out that are too near to these, but for a row whose point they are.
-    pub(super) fn interrupt_weak(&mut self, dots: &[GridPoint], own: Option<usize>) {
+    /// The rows that lead to a point.
+    pub(super) fn leads_to(&self, middle: GridPoint, radius: i32) -> Vec<usize> {
+        let dots = self.field.around(middle, self.leading(radius));
+        dots.filter_map(|(.., owner)| row_of(owner)).collect()
+    }
+
+    /// How far from the middle of a point of this radius the dots of rows that lead to it are, in steps.
+    fn leading(&self, radius: i32) -> f32 {
+        let beyond = match self.field.lattice {
+            Lattice::Grid { .. } => LEADS_ON_GRID,
+            Lattice::Free { .. } => LEADS,
+        };
+        radius as f32 + beyond
+    }
+
+    /// The one weak row that ends at a point, beside its `own`, among those that lead to it: the thin line from the
+    /// point to its name, or from an axis up to it. Where two end there one may be what is left of the other beyond the
+    /// point, as of a gridline.
+    pub(super) fn stem(&self, leads: &[usize], own: usize, (middle, radius): (GridPoint, i32)) -> Option<usize> {
+        let mut weak = leads.iter().copied().filter(|&row| row != own && self.may_give_way(row));
+        let row = weak.next()?;
+        let (Row { dots, closed, .. }, lattice) = (&self.rows[row], self.field.lattice);
+        let is_at = |dot: &MmPoint| lattice.steps(lattice.to_steps(*dot), middle) <= self.leading(radius);
+        let mut ends = [dots.first(), dots.last()].into_iter().flatten();
+        (weak.all(|other| other == row) && !closed && ends.any(is_at)).then_some(row)
+    }
+
+    /// Takes the dots of weak rows out that are too near to these of a point, but for those rows that stay.
+    pub(super) fn interrupt_weak(&mut self, dots: &[GridPoint], stays: &[usize]) {
         let near: Vec<(GridPoint, Owner)> = dots.iter().flat_map(|dot| self.near(*dot)).collect();
         for (_, owner) in near {
             if let Owner::Row(row, number) = owner
-                && own != Some(row)
+                && !stays.contains(&row)
                 && self.gives_way(row, number)
             {
                 self.hide(row, number);

@@ -11,7 +11,8 @@
 //!
 //! Points come first, then heads, then ticks. A line that ends beside a point on another ends before it. A line with
 //! any has one row of dots, so that they stand out from it. Points beside all lines, such as those of a scatter plot,
-//! come last, where they have room; gridlines, and other weak lines that go on on both sides, are interrupted there.
+//! come last, where they have room; gridlines, and other weak lines that go on on both sides, are interrupted there. A
+//! weak line that ends at a point on another, as the one that leads to its name, begins at its dots.
 
 mod alone;
 mod head;
@@ -249,7 +250,8 @@ impl Places<'_> {
             }
         }
         self.shorten(&around, &leads);
-        self.interrupt_weak(&around, Some(row));
+        let stays: Vec<usize> = std::iter::once(row).chain(self.stem(&leads, row, (middle, radius))).collect();
+        self.interrupt_weak(&around, &stays);
         let wanted = around.into_iter().chain(inside.into_iter().filter(|_| point.is_filled));
         let mut run = Vec::new();
         for dot in wanted {
@@ -302,12 +304,6 @@ impl Places<'_> {
         let lattice = self.field.lattice;
         let apart = (lattice.to_mm(dot) - lattice.to_mm(point.middle)).length();
         apart < point.radius * self.params.pitch + BETWEEN + self.params.diameter
-    }
-
-    /// The rows that lead to a point.
-    fn leads_to(&self, middle: GridPoint, radius: i32) -> Vec<usize> {
-        let reach = radius as f32 + if matches!(self.field.lattice, Lattice::Free { .. }) { 0.8 } else { 0.0 };
-        self.field.around(middle, reach).filter_map(|(.., owner)| row_of(owner)).collect()
     }
 
     /// Whether a disc is apart from other points, and from the rows that do not lead to it, give way or end before it.

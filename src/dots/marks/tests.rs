@@ -319,6 +319,25 @@ fn gridlines_are_interrupted_at_points_beside_them() {
     assert_eq!(placed(&[own, beside], &[], &rows(Some(gridline(56.0)))).shown.points, [true, false]);
 }
 
+/// As the thin grey lines of a timeline, from the points to the names of what happened then.
+#[test]
+fn a_weak_row_that_ends_at_a_point_stays_and_a_gridline_beyond_it_does_not() {
+    let upright = |at: std::ops::RangeInclusive<i32>| {
+        let dots = at.map(|y| MmPoint::new(40.0, 2.0 * y as f32)).collect();
+        Row { dots, closed: false, is_heavy: false, is_weak: true }
+    };
+    let hidden = |more: &[Row]| -> Vec<usize> {
+        let all: Vec<Row> = rows(None).into_iter().chain(more.iter().cloned()).collect();
+        let drawn = placed(&[point(40.0, 1.5, true)], &[], &all);
+        assert_eq!(drawn.shown.points, [true]);
+        drawn.hidden[1..].iter().map(Vec::len).collect()
+    };
+    assert_eq!(hidden(&[upright(10..=19)]), [0]);
+    assert_eq!(hidden(&[upright(21..=30)]), [0], "below the axis");
+    assert_eq!(hidden(&[upright(10..=19), upright(21..=30)]), [3, 3], "both sides of a gridline");
+    assert_eq!(hidden(&[upright(10..=17)]), [1], "it ends beside the point, and not at it");
+}
+
 #[test]
 fn points_of_one_size_are_blocks_where_not_all_have_room_for_rings() {
     let hollow = PointMark { at: MmPoint::new(80.0, 66.0), ..alone(66.0, false) };
