@@ -12,7 +12,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
-use crate::lines::{LineMarks, Lines, Lost, LostLine, LostMarks, LostScale};
+use crate::lines::{Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale};
 use crate::listing::list;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::profile::Plan;
@@ -51,8 +51,12 @@ const ACROSS: f32 = 0.87;
 /// A tick stands on a line if its ends are at distances from it that differ by this share of its length.
 const STANDS: f32 = 0.5;
 
-/// Fewer strokes than this that stand on lines are no ticks: one may be a plate of a battery or a switch.
+/// Fewer strokes than this that stand on lines are no ticks, as one may be a plate of a battery or a switch, unless
+/// each has so many fellows, drawn or not, in a row across all of them. Two batteries side by side have four plates.
 const SCALE: usize = 3;
+const FELLOWS: usize = 4;
+/// Fellows differ in their direction by at most 3 degrees: the sine.
+const PARALLEL: f32 = 0.05;
 
 /// What a mark is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,7 +79,7 @@ pub(super) fn find(
     transform: &PageTransform,
     least: f32,
 ) -> (LostMarks, Vec<MmRect>) {
-    let (mut marks, mut boxes) = (LostMarks::default(), Vec::new());
+    let (mut marks, mut ticks, mut boxes) = (LostMarks::default(), Vec::new(), Vec::new());
     if !edges.of_drawing() {
         return (marks, boxes);
     }
@@ -85,10 +89,7 @@ pub(super) fn find(
         let (distance, _, Segment { a, b, .. }) = index.nearest(at, reach, |_| true)?;
         Some((distance, (b - a).try_normalize().unwrap_or_default()))
     };
-    // what a point on a line covers, as the tick behind it, is no mark
-    let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent).filter(|ring| ring.width() <= HIDES);
-    let beads = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN));
-    let covered: Vec<MmRect> = beads.chain(rings).collect();
+    let cover = PointCover::of(lines);
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
@@ -99,7 +100,11 @@ pub(super) fn find(
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let middle = first.lerp(last, 0.5);
-        if covered.iter().any(|point| point.contains(middle)) || is_handed_on(middle, handed_on) {
+        if is_handed_on(middle, handed_on) {
+            continue;
+        }
+        if cover.hides(&points, chain.kind) {
+            boxes.push(MmRect::from_points(&points));
             continue;
         }
         let looked = (0..PLACES).map(|i| i * (points.len() - 1) / (PLACES - 1));
@@ -113,7 +118,7 @@ pub(super) fn find(
         let Some(kind) = kind(&points, length, (ends, crossed)).or_else(other) else { continue };
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
-            MarkKind::Tick => marks.ticks += 1,
+            MarkKind::Tick => ticks.push([first, last]),
             MarkKind::Arc | MarkKind::Corner if has_rest(&points, &pieces) => marks.pieces += 1,
             MarkKind::Arc => marks.arcs += 1,
             MarkKind::Corner => marks.corners += 1,
@@ -123,15 +128,69 @@ pub(super) fn find(
         marks.first.get_or_insert(middle);
         boxes.push(MmRect::from_points(&points));
     }
-    (of_scales(marks), boxes)
+    (with_ticks(marks, &ticks, || short_strokes(edges, transform, LONGEST * least)), boxes)
 }
 
-/// Marks of which those that stand on lines are ticks only if they are enough for a scale.
-fn of_scales(mut marks: LostMarks) -> LostMarks {
-    if marks.ticks < SCALE {
-        marks.strokes += std::mem::take(&mut marks.ticks);
+/// Marks, and those found that stand on lines: they are ticks only if they are enough for a scale, or each is of one
+/// among all short strokes.
+fn with_ticks(marks: LostMarks, found: &[[MmPoint; 2]], strokes: impl FnOnce() -> Vec<[MmPoint; 2]>) -> LostMarks {
+    let ticks = if found.is_empty() || found.len() >= SCALE {
+        found.len()
+    } else {
+        let strokes = strokes();
+        found.iter().filter(|tick| is_of_scale(**tick, &strokes)).count()
+    };
+    LostMarks { ticks, strokes: marks.strokes + found.len() - ticks, ..marks }
+}
+
+/// Strokes of a scale are shorter than so many least lengths of a line, as in `lines::ticks`.
+const LONGEST: f32 = 2.0;
+
+/// The ends of the straight strokes of a drawing that are shorter than this, mm.
+fn short_strokes(edges: &Edges, transform: &PageTransform, longest: f32) -> Vec<[MmPoint; 2]> {
+    let ends = |chain: &ChainRange| Some(straight_ends(edges.chain(chain))?.map(|end| transform.to_mm(end)));
+    let all = edges.chains.iter().filter_map(ends);
+    all.filter(|[from, to]| (SHORTEST..longest).contains(&(*to - *from).length())).collect()
+}
+
+/// What is shorter is a crumb, mm, as in `lines::ticks`.
+const SHORTEST: f32 = 0.5;
+
+/// Whether a tick has enough fellows for a scale among these strokes.
+fn is_of_scale([from, to]: [MmPoint; 2], strokes: &[[MmPoint; 2]]) -> bool {
+    let (along, middle) = (to - from, from.lerp(to, 0.5));
+    let is_fellow = |[a, b]: &&[MmPoint; 2]| {
+        let (way, apart) = (*b - *a, a.lerp(*b, 0.5) - middle);
+        let is_parallel = way.cross(along).abs() <= PARALLEL * way.length() * along.length();
+        let is_in_row = apart.dot(along).abs() <= 0.5 * along.length() * along.length().max(way.length());
+        is_parallel && is_in_row && apart.length() > DRAWN
+    };
+    strokes.iter().filter(is_fellow).count() >= FELLOWS
+}
+
+/// What points on lines cover, as the ticks behind them: nobody misses that.
+struct PointCover {
+    rings: Vec<MmRect>,
+    beads: Vec<MmRect>,
+}
+
+impl PointCover {
+    fn of(lines: &[Line]) -> Self {
+        let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent).filter(|ring| ring.width() <= HIDES);
+        Self { rings: rings.collect(), beads: lines.iter().flat_map(beads).collect() }
     }
-    marks
+
+    /// Whether they hide a mark. In a vector drawing, whose strokes are whole, a tick beside a point is one by itself.
+    fn hides(&self, points: &[MmPoint], of: ChainKind) -> bool {
+        let [Some(first), Some(last)] = [points.first().copied(), points.last().copied()] else { return false };
+        let middle = first.lerp(last, 0.5);
+        let line = PolylineRef { vertices: points, closed: false };
+        let is_straight = || simplify(line, STRAIGHT * line.length()).len() == 2;
+        let is_past = |at: MmPoint| (last - first).cross(at - first).abs() > DRAWN * (last - first).length();
+        let is_behind = |bead: &MmRect| !(of.exact && is_past(bead.center()) && is_straight());
+        self.rings.iter().any(|ring| ring.contains(middle))
+            || self.beads.iter().any(|bead| bead.inflate(DRAWN, DRAWN).contains(middle) && is_behind(bead))
+    }
 }
 
 /// Whether at a place is one of the marks that are drawn otherwise than as lines.

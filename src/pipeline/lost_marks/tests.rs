@@ -119,6 +119,31 @@ fn short_strokes_beside_all_lines_are_marks_too() {
 
 #[test]
 fn one_stroke_on_a_line_is_no_tick() {
-    let told = |ticks: usize| listed(&of_scales(LostMarks { ticks, ..LostMarks::default() })).expect("there are some");
-    assert_eq!([1, 2, 3].map(told), ["1 short line", "2 short lines", "3 short ticks"]);
+    let stroke = |x: f32, y: f32| [MmPoint::new(x, y - 1.5), MmPoint::new(x, y + 1.5)];
+    let scale = [10.0, 20.0, 30.0, 40.0, 50.0].map(|x| stroke(x, 40.0));
+    let told = |lost: &[[MmPoint; 2]], all: &[[MmPoint; 2]]| {
+        listed(&with_ticks(LostMarks::default(), lost, || all.to_vec())).expect("there are some")
+    };
+    let alone = [1, 2, 3].map(|count| told(&scale[..count], &scale[..count]));
+    assert_eq!(alone, ["1 short line", "2 short lines", "3 short ticks"]);
+    assert_eq!(told(&scale[..2], &scale), "2 short ticks", "others of the scale are drawn");
+    assert_eq!(told(&scale[..2], &scale[..4]), "2 short lines", "two batteries have four plates");
+    let beside = [scale[0], stroke(20.0, 44.0)];
+    assert_eq!(told(&beside, &scale), "1 short tick and 1 other short line", "it is not in the row");
+    let along = [MmPoint::new(18.0, 40.0), MmPoint::new(22.0, 40.0)];
+    assert_eq!(told(&[along], &scale), "1 short line");
+}
+
+#[test]
+fn a_point_hides_the_tick_behind_it_and_not_the_one_beside_it() {
+    let bead = MmRect::new(MmPoint::new(47.75, 37.75), MmPoint::new(52.25, 42.25));
+    let cover = PointCover { rings: Vec::new(), beads: vec![bead] };
+    let exact = ChainKind { of_drawing: true, exact: true, stroke: Some(3.0), ..ChainKind::default() };
+    let tick = |x: f32| [38.5, 40.0, 41.5].map(|y| MmPoint::new(x, y));
+    assert!(cover.hides(&tick(50.0), exact) && cover.hides(&tick(50.8), exact), "behind it");
+    assert!(!cover.hides(&tick(52.7), exact), "beside it");
+    assert!(cover.hides(&tick(52.7), ChainKind { exact: false, ..exact }), "a crumb in a bitmap");
+    assert!(!cover.hides(&tick(54.0), exact), "apart from it");
+    let arc = [MmPoint::new(52.0, 38.0), MmPoint::new(53.2, 40.0), MmPoint::new(52.0, 42.0)];
+    assert!(cover.hides(&arc, exact), "no stroke but a piece of an outline");
 }
