@@ -7,7 +7,7 @@ use super::proposal::Proposal;
 use crate::geom::polygon::{area, roundness};
 use crate::geom::polyline::Polyline;
 use crate::raster::vector::{PaintedPath, VectorDrawing};
-use crate::units::{PxPoint, Size};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// Distance of the points of a contour, px: the pixels are asked at the middle between two of them.
 const SPACING: f32 = 1.0;
@@ -15,6 +15,9 @@ const SPACING: f32 = 1.0;
 const TOLERANCE: f32 = 0.02;
 /// A path shorter than this is not seen, px.
 const SHORTEST: f32 = 1.0;
+/// What is filled and nowhere wider than this, px, is not seen: documents fill lines too, as those of a grid, which
+/// have no inside. What is seen there is the stroke.
+const FLAT: f32 = 0.01;
 /// A line longer than this, in widths and heights of the picture together, has points only where it is in sight.
 /// Outlines of whole coasts are shorter.
 const FAR: f32 = 8.0;
@@ -67,13 +70,23 @@ fn of_path(path: &Path, stroke: Option<f32>, size: Size) -> Vec<Proposal> {
     if !seen {
         return Vec::new();
     }
-    let lines = polylines(path, stroke.is_none()).into_iter().filter(|line| line.length() >= SHORTEST);
+    let is_seen = |line: &Polyline<PxPoint>| line.length() >= SHORTEST && (stroke.is_some() || !is_flat(line));
+    let lines = polylines(path, stroke.is_none()).into_iter().filter(is_seen);
     lines
         .map(|mut line| {
             subdivide(&mut line, margin, size);
             Proposal { line, stroke, dashed: false }
         })
         .collect()
+}
+
+/// Whether all points lie on one straight line.
+fn is_flat(line: &Polyline<PxPoint>) -> bool {
+    let Some(&first) = line.vertices.first() else { return true };
+    let offsets = || line.vertices.iter().map(|at| *at - first);
+    let farthest = offsets().max_by(|a, b| a.square_length().total_cmp(&b.square_length()));
+    let along = farthest.and_then(PxVector::try_normalize).unwrap_or_default();
+    offsets().all(|offset| along.cross(offset).abs() <= FLAT)
 }
 
 /// Puts points along a line. Of one that is far longer than the picture is large only what is in sight gets any: a side

@@ -74,3 +74,18 @@ fn of_a_disc_in_the_colour_of_its_outline_the_sides_are_contours_and_of_a_square
         PathBuilder::from_rect(resvg::tiny_skia::Rect::from_xywh(20.0, 20.0, 30.0, 30.0).expect("it has sides"));
     assert_eq!(strokes(square, true), (1, 1));
 }
+
+/// As documents paint the lines of a grid that are filled and drawn: the outline would go before the thin stroke.
+#[test]
+fn lines_that_are_filled_have_no_outline() {
+    let filled = |corners: &[(f32, f32)]| {
+        let mut path = PathBuilder::new();
+        for (number, &(x, y)) in corners.iter().enumerate() {
+            if number == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+        }
+        proposals(&drawing(path.finish().expect("a path"), None), 8.0, SIZE).len()
+    };
+    assert_eq!(filled(&[(10.0, 50.0), (90.0, 50.0)]), 0);
+    assert_eq!(filled(&[(10.0, 20.0), (50.0, 40.0), (90.0, 60.0), (30.0, 30.0)]), 0, "there and back");
+    assert_eq!(filled(&[(10.0, 50.0), (90.0, 50.0), (50.0, 50.5)]), 1, "a thin wedge");
+}
