@@ -185,14 +185,46 @@ fn cuts_off(clip: &usvg::ClipPath, group: &Group) -> bool {
         return true;
     }
     let Some(sides) = path.data().bounds().transform(clip.transform()) else { return true };
+    if holds(sides, group.stroke_bounding_box()) && holds(sides, group.layer_bounding_box().to_rect()) {
+        return false;
+    }
+    let to_drawing = group.abs_transform();
+    let of_ends = |sides: Rect| cuts_only_ends(group, sides);
+    to_drawing.has_skew() || !sides.transform(to_drawing).is_some_and(of_ends)
+}
+
+/// Whether a box lies within these sides.
+fn holds(sides: Rect, of: Rect) -> bool {
     let spare = ROUNDING * sides.width().max(sides.height());
-    let holds = |of: Rect| {
-        of.left() >= sides.left() - spare
-            && of.top() >= sides.top() - spare
-            && of.right() <= sides.right() + spare
-            && of.bottom() <= sides.bottom() + spare
-    };
-    !holds(group.stroke_bounding_box()) || !holds(group.layer_bounding_box().to_rect())
+    of.left() >= sides.left() - spare
+        && of.top() >= sides.top() - spare
+        && of.right() <= sides.right() + spare
+        && of.bottom() <= sides.bottom() + spare
+}
+
+/// Whether a group is nothing but strokes, each level or upright, that reach beyond these sides only with the caps of
+/// their ends, as gridlines beyond their plot. Where those are cut off nothing shows; and where each line has a clip
+/// path of its own, as in documents that Cairo writes, the long sides of that lie beside a stroke, whose step would
+/// confirm them.
+fn cuts_only_ends(group: &Group, sides: Rect) -> bool {
+    group.children().iter().all(|node| match node {
+        Node::Group(inner) => {
+            let is_plain = inner.clip_path().is_none() && inner.mask().is_none() && inner.filters().is_empty();
+            is_plain && cuts_only_ends(inner, sides)
+        }
+        Node::Path(path) => {
+            let (line, stroke) = (path.abs_bounding_box(), path.abs_stroke_bounding_box());
+            let without_caps = if line.height() <= ROUNDING * line.width() {
+                Rect::from_ltrb(line.left(), stroke.top(), line.right(), stroke.bottom())
+            } else if line.width() <= ROUNDING * line.height() {
+                Rect::from_ltrb(stroke.left(), line.top(), stroke.right(), line.bottom())
+            } else {
+                None
+            };
+            path.fill().is_none() && without_caps.is_some_and(|of| holds(sides, of))
+        }
+        Node::Image(_) | Node::Text(_) => false,
+    })
 }
 
 /// Whether a path is one rectangle with level and upright sides.
@@ -257,5 +289,22 @@ mod tests {
             of_tree(&tree, Transform::identity()).expect("it has few paths").paths.len()
         };
         assert_eq!([count(""), count("<path d='M0 0H99V99z'/>")], [0, 2]);
+    }
+
+    #[test]
+    fn the_clip_of_a_gridline_that_cuts_off_its_caps_is_no_contour() {
+        let count = |line: &str| {
+            let svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><clipPath id='c'><rect x='49' y='10' \
+                 width='3' height='80'/></clipPath><g clip-path='url(#c)'><path transform='translate(50 0)' d='{line}' \
+                 fill='none' stroke='#aaa' stroke-width='0.8' stroke-linecap='square'/></g></svg>"
+            );
+            let tree = Tree::from_str(&svg, &usvg::Options::default()).expect("a drawing");
+            of_tree(&tree, Transform::identity()).expect("it has few paths").paths.len()
+        };
+        assert_eq!(count("M0 10V90"), 1);
+        assert_eq!(count("M0 10V99"), 2, "a piece of the line is cut off");
+        assert_eq!(count("M-0.9 10V90"), 2, "a side of it is");
+        assert_eq!(count("M0 10L1 90"), 2, "it is neither level nor upright");
     }
 }
