@@ -136,11 +136,13 @@ fn add_path(path: &usvg::Path, transform: Transform, last: Option<&usvg::Path>, 
     });
     let dashed = path.stroke().is_some_and(|stroke| has_dashes(stroke, path.data().bounds()));
     let is_last = |painted: &PaintedPath| painted.stroke.is_none() && painted.path == outline;
-    let is_filled_before = last.is_some_and(|fill| is_stroke_of(path, fill)) && found.paths.last().is_some_and(is_last);
-    if is_filled_before {
+    let is_seen = stroke.as_ref().is_some_and(|stroke| stroke.width >= HAIRLINE);
+    let is_filled_before = |fill: &&usvg::Path| is_stroke_of(path, fill) && found.paths.last().is_some_and(is_last);
+    let fill = last.filter(|_| is_seen).filter(is_filled_before);
+    if fill.is_some() {
         found.paths.pop();
     }
-    let filled_alike = is_filled_before || is_filled_alike(path);
+    let filled_alike = are_alike(fill.unwrap_or(path).fill(), path.stroke());
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
         found.paths.push(PaintedPath::filled(outline));
     } else {
@@ -148,21 +150,18 @@ fn add_path(path: &usvg::Path, transform: Transform, last: Option<&usvg::Path>, 
     }
 }
 
-/// Whether a path is filled with the colour of its stroke.
-fn is_filled_alike(path: &usvg::Path) -> bool {
-    let Some((fill, stroke)) = path.fill().zip(path.stroke()) else { return false };
+/// Whether an area and the stroke around it are of one colour, and nothing shows through either.
+fn are_alike(fill: Option<&usvg::Fill>, stroke: Option<&usvg::Stroke>) -> bool {
+    let Some((fill, stroke)) = fill.zip(stroke) else { return false };
     let is_one_colour = matches!((fill.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
     is_one_colour && [fill.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0)
 }
 
-/// Whether a path is the stroke of one that was filled with its colour before, as documents paint the two.
+/// Whether a path is the stroke of one that was filled before, as documents paint the two. They count as one path, of
+/// which the stroke is the contour: beside a thin, pale one the area would have an outline of its own.
 fn is_stroke_of(path: &usvg::Path, fill: &usvg::Path) -> bool {
-    let is_alone = path.fill().is_none() && fill.stroke().is_none() && fill.is_visible();
-    let Some((fill_of, stroke)) = fill.fill().zip(path.stroke()) else { return false };
-    let is_one_colour = matches!((fill_of.paint(), stroke.paint()), (Paint::Color(a), Paint::Color(b)) if a == b);
-    let is_opaque = [fill_of.opacity(), stroke.opacity()].iter().all(|opacity| opacity.get() >= 1.0);
-    let is_one_path = path.data() == fill.data() && path.abs_transform() == fill.abs_transform();
-    is_alone && is_one_colour && is_opaque && is_one_path
+    let are_two = path.fill().is_none() && fill.fill().is_some() && fill.stroke().is_none() && fill.is_visible();
+    are_two && path.data() == fill.data() && path.abs_transform() == fill.abs_transform()
 }
 
 /// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw
@@ -289,6 +288,23 @@ mod tests {
             of_tree(&tree, Transform::identity()).expect("it has few paths").paths.len()
         };
         assert_eq!([count(""), count("<path d='M0 0H99V99z'/>")], [0, 2]);
+    }
+
+    #[test]
+    fn an_area_that_is_filled_and_then_drawn_around_is_one_path() {
+        let paths = |stroke: &str| {
+            let svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><path d='M20 20H80V60H20Z' \
+                 fill='#eee'/><path d='M20 20H80V60H20Z' fill='none' {stroke}/></svg>"
+            );
+            let tree = Tree::from_str(&svg, &usvg::Options::default()).expect("a drawing");
+            let found = of_tree(&tree, Transform::identity()).expect("it has few paths").paths;
+            found.iter().map(|path| (path.stroke.is_some(), path.filled_alike)).collect::<Vec<_>>()
+        };
+        assert_eq!(paths("stroke='#333' stroke-width='1.5'"), [(true, false)]);
+        assert_eq!(paths("stroke='#eee' stroke-width='1.5'"), [(true, true)]);
+        assert_eq!(paths("stroke='#333' transform='translate(1 0)'"), [(false, false), (true, false)]);
+        assert_eq!(paths("stroke='#333' stroke-width='0.01'"), [(false, false), (true, false)], "it is not seen");
     }
 
     #[test]
