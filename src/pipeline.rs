@@ -113,9 +113,17 @@ pub struct Drawing {
     /// Whether the figure would be larger on the same sheet without the overview, which is what helps most where
     /// something has no room in it.
     pub is_larger_without_overview: bool,
+    /// Whether the figure would be larger on the same sheet lying across, which the device takes.
+    pub is_larger_turned: bool,
 }
 
 impl Drawing {
+    /// A page whose words alone were written anew, with its key.
+    pub(crate) fn of_key(page: Page, key: Vec<Page>, notes: Vec<Note>) -> Self {
+        let (overview, texts) = (None, Vec::new());
+        Self { page, overview, key, texts, notes, is_larger_without_overview: false, is_larger_turned: false }
+    }
+
     /// All sheets in the order in which they are numbered: the page, the overview if it has a sheet of its own, the
     /// key.
     pub fn all(&self) -> impl Iterator<Item = &Page> {
@@ -237,8 +245,7 @@ pub fn redraw(
     if let Some(Key { sheets, notes, .. }) = read_key::redrawn(page, &written, &layout, request)? {
         let mut sheets = sheets.into_iter();
         if let Some(page) = sheets.next() {
-            let (key, texts) = (sheets.collect(), Vec::new());
-            return Ok(Drawing { page, overview: None, key, texts, notes, is_larger_without_overview: false });
+            return Ok(Drawing::of_key(page, sheets.collect(), notes));
         }
     }
     let layout_of = |size: Size| written.layout(size, OverviewSize::Own, request);
@@ -299,7 +306,8 @@ fn compose(
     notes.extend(told_of_pages(std::iter::once(&page), &layout.medium, plan));
     Note::sort(&mut notes);
     let is_larger_without_overview = page.overview.is_some() && request.fit.is_larger_without_overview(&layout, plan);
-    Ok(Drawing { page, overview, key, texts, notes, is_larger_without_overview })
+    let is_larger_turned = told_lines::is_larger_turned(&layout);
+    Ok(Drawing { page, overview, key, texts, notes, is_larger_without_overview, is_larger_turned })
 }
 
 /// Puts all marks on the sheet.

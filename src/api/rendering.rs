@@ -183,8 +183,7 @@ impl AdaptedPage<'_> {
         let page = if key.sheets.is_empty() { page.clone() } else { page.clone().with_key(&key.told) };
         let page = if *turned_over { page.mirrored() } else { page };
         let key = in_language(key.sheets, &page);
-        let texts = Vec::new();
-        Ok(Drawing { page, overview: None, key, texts, notes, is_larger_without_overview: false })
+        Ok(Drawing::of_key(page, key, notes))
     }
 
     /// For another paper or device.

@@ -174,7 +174,7 @@ impl PagesOfPicture {
             drawn.map(|mut drawn| (std::mem::take(&mut drawn.notes), drawn.into_pages()))
         } else {
             convert(bytes, options).map(|drawing| {
-                making = making.beside_overview(drawing.is_larger_without_overview);
+                making = making.beside_overview(drawing.is_larger_without_overview).turned(drawing.is_larger_turned);
                 notes_and_pages(drawing)
             })
         };

@@ -7,6 +7,8 @@ use tactograph::{About, Error, Note, Profile, Reason};
 pub(super) struct Larger {
     /// Whether it is larger without the overview, which is on the same sheet.
     without_overview: bool,
+    /// Whether it is larger on the same sheet lying across.
+    turned: bool,
     /// Whether it is on one sheet.
     is_on_one_sheet: bool,
     /// Whether it is as wide as was asked for, on whatever paper and however many sheets.
@@ -23,20 +25,23 @@ impl Larger {
     fn than(profile: &Profile, is_spread: bool) -> Self {
         let next = NEXT_LARGER.into_iter().find(|(name, _)| profile.name == *name);
         let profile = next.map(|(_, larger)| larger);
-        Self { without_overview: false, is_on_one_sheet: !is_spread, is_of_width_asked: false, profile }
+        let is_on_one_sheet = !is_spread;
+        Self { without_overview: false, turned: false, is_on_one_sheet, is_of_width_asked: false, profile }
     }
 
     /// The options for it, in parentheses, first what helps most; none where there are none.
     fn options(self) -> Option<String> {
         let overview = self.without_overview.then(|| "--no-overview".to_owned());
+        let turned = self.turned.then(|| TURNED.to_owned());
         let sheets = self.is_on_one_sheet.then(|| SHEETS.to_owned());
         let profile = self.profile.map(|name| format!("--profile {name}"));
-        let all: Vec<String> = [overview, sheets, profile].into_iter().flatten().collect();
+        let all: Vec<String> = [overview, turned, sheets, profile].into_iter().flatten().collect();
         (!all.is_empty() && !self.is_of_width_asked).then(|| format!("({})", all.join(", ")))
     }
 }
 
 const SHEETS: &str = "--sheets 2x2";
+const TURNED: &str = "--set page.orientation=landscape";
 
 /// What is made, which says what options there are that help.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -70,6 +75,15 @@ impl Making {
         match self {
             Self::Print(larger) => Self::Print(Larger { without_overview: is_larger_without, ..larger }),
             // there it has a sheet of its own
+            other => other,
+        }
+    }
+
+    /// The same where the figure would be larger on a sheet that lies across, or would not.
+    pub(super) fn turned(self, is_larger_turned: bool) -> Self {
+        match self {
+            Self::Print(larger) => Self::Print(Larger { turned: is_larger_turned, ..larger }),
+            Self::Embossing(larger) => Self::Embossing(Larger { turned: is_larger_turned, ..larger }),
             other => other,
         }
     }
@@ -158,7 +172,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
         Note::LinesLeftOut { is_larger_turned: true, .. } if making != Making::Other => {
-            format!("{note} (--set page.orientation=landscape)")
+            format!("{note} ({TURNED})")
         }
         Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making.larger() {
             Some(options) => format!("{note}; a larger figure has more {options}"),

@@ -61,7 +61,7 @@ fn least_told(medium: &Medium, wanted: f32) -> f32 {
 }
 
 /// Whether a figure would be larger if the sheet of a device lay across, as the device can take it.
-fn is_larger_turned(layout: &Layout) -> bool {
+pub(super) fn is_larger_turned(layout: &Layout) -> bool {
     let Medium::Dots(medium) = &layout.medium else { return false };
     let ([width, height], is_sheet) = (layout.sheet, medium.device.takes_paper());
     let is_wide = layout.figure.width() >= WIDE * layout.figure.height();

@@ -100,6 +100,14 @@ fn only_what_makes_this_figure_larger_is_named() {
     assert_eq!(told("index-basic-d", true, false), more("--sheets 2x2"));
     assert_eq!(told("index-basic-d", true, true), "");
     assert_eq!(told("monarch", true, false), "");
+    // as the cells of a table, which are higher than a line of braille there
+    let across = |name: &str| {
+        let making = Making::of_picture(&Profile::named(name).expect("it is built in"), false).turned(true);
+        let note = Note::LabelsLeftOut { texts: Vec::new(), reason: Reason::NoRoomForLabel, why: "no room" };
+        of_note(&note, making)
+    };
+    assert!(across("index-basic-d").ends_with("(--set page.orientation=landscape, --sheets 2x2)"));
+    assert!(!across("monarch").contains("landscape"), "a display has one sheet");
     for name in ["swell-a4", "index-basic-d"] {
         assert_eq!(told_of(name, false, false, true), "", "as wide as asked on larger paper, too");
     }
