@@ -181,7 +181,7 @@ pub(super) fn draw(
     let (drawn, (overview, mut areas_of_colours)) = {
         let (edges, layout) = (&edges, &layout);
         let lines_of = lines_of(given, regions.as_ref(), &decisions);
-        let lines = |watch: &mut Watch<'_>| draw_lines(edges, lines_of, layout, plan, watch);
+        let lines = |watch: &mut Watch<'_>| draw_lines(edges, lines_of, layout, plan, watch).with_legend(&legend);
         let overview = |edges: &Edges, watch: &mut Watch<'_>| draw_overview(edges, lines_of, size, layout, plan, watch);
         let (drawn, (own, areas)) = in_parallel(has_lines, watch, lines, |watch| {
             let own = (!follows_figure).then(|| overview(of_overview.as_ref().unwrap_or(edges), watch));
@@ -395,6 +395,13 @@ pub(super) struct FigureLines {
     pub(super) areas: Option<OutlineAreas>,
     /// How the bars of a chart are drawn that have no room as they are.
     pub(super) instead: Option<BarStyle>,
+}
+
+impl FigureLines {
+    /// The same with all patches of a legend or none.
+    fn with_legend(self, entries: &[LegendEntry]) -> Self {
+        Self { lines: legend::with_all_patches_or_none(self.lines, entries), ..self }
+    }
 }
 
 /// The lines of the figure.

@@ -6,6 +6,7 @@ use super::unwritten::named;
 use crate::classes::{Class, class_at};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polygon::holds_box;
+use crate::lines::{Line, Lines, LostSign, SignKind};
 use crate::listing::list;
 use crate::page::layout::Layout;
 use crate::page::{Figure, Page, ToldInKey};
@@ -217,6 +218,30 @@ pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmR
     entries.iter().filter(is_in_key).filter_map(|entry| entry.place).collect()
 }
 
+/// Lines without the patches of a legend where not all of them have room: one of five says nothing, and a reader looks
+/// for what it is. Those that are taken out are lost as the others are.
+pub(super) fn with_all_patches_or_none(mut drawn: Lines, entries: &[LegendEntry]) -> Lines {
+    let near = |entry: &LegendEntry| entry.place.map(|place| place.inflate(MOVED, MOVED));
+    let patches: Vec<MmRect> = entries.iter().filter_map(near).collect();
+    let signs = drawn.lost.signs.clone();
+    let is_lost = |patch: &MmRect| signs.iter().any(|sign| sign.kind == SignKind::Ring && patch.contains(sign.at));
+    if !patches.iter().any(is_lost) {
+        return drawn;
+    }
+    let is_in = |patch: &MmRect, line: &Line| {
+        let points = line.runs.iter().flat_map(|run| &run.points);
+        holds_box(*patch, MmRect::from_points(points))
+    };
+    let is_whole = |&patch: &&MmRect| !is_lost(patch) && drawn.lines.iter().any(|line| is_in(patch, line));
+    let whole = patches.iter().filter(is_whole).map(|patch| LostSign { at: patch.center(), kind: SignKind::Ring });
+    drawn.lost.signs.extend(whole.collect::<Vec<_>>());
+    drawn.lines.retain(|line| !patches.iter().any(|patch| is_in(patch, line)));
+    drawn
+}
+
+/// A patch is drawn no farther from its place, mm.
+const MOVED: f32 = 2.5;
+
 /// Strokes around a patch reach no further beyond it, mm.
 pub(super) const OF_PATCH: f32 = 1.0;
 
@@ -394,3 +419,6 @@ pub(super) fn places_along(
     };
     if edgels.len() < 2 { Vec::new() } else { (0..PLACES).filter_map(at).collect() }
 }
+
+#[cfg(test)]
+mod tests;
