@@ -139,12 +139,14 @@ fn part(
     let gap = b.at - a.at;
     let shift = 0.5 * (spacing - gap.length());
     let Some(ahead) = gap.try_normalize() else { return };
+    // a circuit drawn in one go has both ends of one wire at its battery
+    let shortened_by = if a.line == b.line { 2.0 * shift } else { shift };
     let leads = |of: &Standing, sign: f32| {
         let wire = &polylines[of.line];
         heading(wire, of.which, HEADING).is_some_and(|way| sign * way.dot(ahead) >= TOWARDS)
-            && wire.length() - shift >= params.min_length
+            && wire.length() - shortened_by >= params.min_length
     };
-    if a.line == b.line || !(0.0..=FARTHEST).contains(&shift) || !leads(&a, 1.0) || !leads(&b, -1.0) {
+    if !(0.0..=FARTHEST).contains(&shift) || !leads(&a, 1.0) || !leads(&b, -1.0) {
         return;
     }
     for (of, step) in [(first, ahead * -shift), (second, ahead * shift)] {

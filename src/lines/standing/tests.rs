@@ -49,3 +49,20 @@ fn plates_are_moved_apart_with_their_wires_until_there_is_room() {
     assert!((parted(12.0, spacing + 1.0) - spacing - 1.0).abs() < 1e-3, "there is room");
     assert!((parted(60.0, 0.6 * spacing) - 0.6 * spacing).abs() < 1e-3, "lines by themselves");
 }
+
+#[test]
+fn plates_at_both_ends_of_one_wire_are_moved_apart_too() {
+    let [first, low, high, second] = &capacitor(12.0, 0.6 * PARAMS.max_clearance())[..] else { panic!("four lines") };
+    // up from the first plate, round on the right, and back to the second: each side 20 pieces
+    let way = [(50.0, 10.0), (90.0, 10.0), (90.0, 90.0), (50.0, 90.0)];
+    let round = way.windows(2).flat_map(|side| line(side[0], side[1]).vertices);
+    let [up, back] = [first, second].map(|wire| wire.clone().reversed().vertices);
+    let vertices = up.into_iter().chain(round).chain(back).collect();
+    let mut lines = vec![Polyline::open(vertices), low.clone(), high.clone()];
+    StandingEnds::of(&mut lines, area(), &PARAMS);
+    let ends = [Tip::First, Tip::Last].map(|which| which.of(&lines[0]).map(|end| end.at.y));
+    let plates = [1, 2].map(|plate| lines[plate].vertices[0].at.y);
+    assert!(plates[1] - plates[0] >= PARAMS.max_clearance(), "{plates:?}");
+    let stand = ends.iter().zip(plates).all(|(end, plate)| end.is_some_and(|end| (end - plate).abs() < 1e-3));
+    assert!(stand, "both ends of the wire are on their plates: {ends:?}, {plates:?}");
+}
