@@ -59,7 +59,7 @@ pub(super) type MayLead<'a> = dyn Fn(usize, usize, [PxPoint; 2]) -> bool + Sync 
 
 /// Extends open ends to the contours at which they point, in a picture of `size`, where they may be.
 pub(super) fn extend(contours: &mut [Contour], size: Size, may_lead: &MayLead<'_>) {
-    let index = index_of(contours, size);
+    let index = index_of(contours.iter(), size);
     let is_open = |&number: &usize| !contours[number].closed && contours[number].vertices.len() > 3;
     let both_ends = |number| [true, false].into_iter().map(move |at_start| (number, at_start));
     let ends = (0..contours.len()).into_par_iter().filter(is_open).flat_map_iter(both_ends);
@@ -73,7 +73,7 @@ pub(super) fn extend(contours: &mut [Contour], size: Size, may_lead: &MayLead<'_
 /// Straightens contours beside the ends of others. Where a stroke meets a straight one at a small angle, the two are
 /// one thick spot, and the middle of that, through which both were found, lies between them.
 pub(super) fn straighten(contours: &mut [Contour], size: Size) {
-    let index = index_of(contours, size);
+    let index = index_of(contours.iter(), size);
     let ends = contours.iter().enumerate().filter(|(_, contour)| !contour.closed).flat_map(|(number, contour)| {
         contour.vertices.first().into_iter().chain(contour.vertices.last()).map(move |end| (number, end.at))
     });
@@ -128,7 +128,7 @@ fn kink(contours: &[Contour], index: &PointIndex, number: usize, end: PxPoint) -
 /// Cuts off ends that run along another contour, up to the place where they come onto it: a stroke that was found
 /// together with a piece of what it meets has a hook there, and what turns back is no junction.
 pub(super) fn trim(contours: &mut [Contour], size: Size) {
-    let index = index_of(contours, size);
+    let index = index_of(contours.iter(), size);
     let mut kept: Vec<[usize; 2]> = contours.iter().map(|contour| [0, contour.vertices.len()]).collect();
     for number in 0..contours.len() {
         for at_start in [true, false] {
@@ -247,12 +247,13 @@ fn apply(contour: &mut Contour, extension: &EndExtension) {
 }
 
 /// The points of all contours by place, each as its contour and its number there.
-type PointIndex = Index<(u32, u32), Px>;
+pub(super) type PointIndex = Index<(u32, u32), Px>;
 
-fn index_of(contours: &[Contour], size: Size) -> PointIndex {
+/// The index of the points of contours in a picture of `size`.
+pub(super) fn index_of<'a>(contours: impl Iterator<Item = &'a Contour>, size: Size) -> PointIndex {
     let picture = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
     let mut index = PointIndex::new(picture, CELL);
-    for (number, contour) in contours.iter().enumerate() {
+    for (number, contour) in contours.enumerate() {
         for (k, point) in contour.vertices.iter().enumerate() {
             index.put_at(point.at, (number as u32, k as u32));
         }

@@ -4,10 +4,11 @@
 //! of a curve.
 
 use super::contour::{Contour, ContourPoint, crossing};
+use super::junction::{PointIndex, index_of};
 use super::stroke::{Stroke, Tint};
 use crate::geom::link::{End, Part, link};
 use crate::geom::walk::runs;
-use crate::units::{Px, PxPoint, Size};
+use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// A contour, and the width of the stroke along whose middle it runs, px; an edge has none.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,6 +56,13 @@ const SEEN: f32 = 0.3;
 /// The contrast need not be seen over the last of the way to the tip, px, where the tip is too thin.
 const POINTED: f32 = 4.0;
 
+/// An end stands on another contour if it is no farther from its side than this, px, and that leads away from there on
+/// both sides, across the end: the cosine between their directions is at most this (45 degrees).
+const STANDS: f32 = 2.0;
+const ACROSS: f32 = 0.707;
+/// Of a gap between two contours on which ends stand, this share beside each is not looked at: it may be blurred.
+const BESIDE: f32 = 0.25;
+
 /// Places nearer than this, px, are one: two ends that were led to one tip.
 const SAME: f32 = 1e-3;
 
@@ -62,8 +70,9 @@ const SAME: f32 = 1e-3;
 pub(super) type IsSeen<'a> = dyn Fn(PxPoint, PxPoint, f32, f32) -> bool + 'a;
 
 /// Contours whose ends make a sharp corner end at its tip, if one of them is a stroke; two strokes become one, as they
-/// do where one goes on in the other. A tip beyond the border of the picture is none. `sigma` is the scale of the edge
-/// detector, px, and `size` that of the picture.
+/// do where one goes on in the other, unless each stands on a contour of its own: those are the plates of a battery. A
+/// tip beyond the border of the picture is none. `sigma` is the scale of the edge detector, px, and `size` that of the
+/// picture.
 ///
 /// `is_seen` tells whether the picture shows something along the segment between two points that has at least a
 /// contrast, given with the width of the stroke.
@@ -80,7 +89,11 @@ pub(super) fn join_corners(
     let reach = found.iter().map(|found| found.reach(sigma)).fold(0.0, f32::max);
     let (right, bottom) = (size.width as f32, size.height as f32);
     let is_inside = |at: PxPoint| (0.0..=right).contains(&at.x) && (0.0..=bottom).contains(&at.y);
-    let may_meet = |a: &End<Px>, b: &End<Px>| goes_on(a, b) || is_inside(tip_of(a, b));
+    let bases = Bases { found: &found, index: index_of(found.iter().map(|found| &found.contour), size), sigma };
+    let may_meet = |a: &End<Px>, b: &End<Px>| match goes_on(a, b) {
+        true => !bases.are_parted(a, b, is_seen),
+        false => is_inside(tip_of(a, b)),
+    };
     let threads = link(found.len(), &ends, reach, |a, b| cost(a, b, &found, sigma, is_seen).filter(|_| may_meet(a, b)));
     let of = |part: &Part, at_start: bool| {
         let at_start = at_start != part.reversed;
@@ -177,6 +190,12 @@ impl FoundContour {
         self.contour.vertices.extend(next.contour.vertices.into_iter().skip(tips));
     }
 
+    /// The least contrast that is seen where it goes on beyond one of its ends.
+    fn least_seen(&self, at_start: bool) -> f32 {
+        let last = if at_start { self.contour.vertices.first() } else { self.contour.vertices.last() };
+        last.map_or(0.0, |last| SEEN * last.strength)
+    }
+
     /// How far from one of its ends another may be that makes a corner with it, px.
     fn reach(&self, sigma: f32) -> f32 {
         self.stroke.map_or(APART_SCALES * sigma, |width| APART_WIDTHS * width + APART)
@@ -204,6 +223,52 @@ impl FoundContour {
             self.contour.reverse();
         }
     }
+}
+
+/// Contours by place, to find those on which ends of others stand.
+struct Bases<'a> {
+    found: &'a [FoundContour],
+    index: PointIndex,
+    /// The scale of the edge detector, px.
+    sigma: f32,
+}
+
+impl Bases<'_> {
+    /// Whether two ends stand on contours of their own, with nothing between these: the gap of a battery or of a
+    /// capacitor says what it is. Both on one contour are those of a line across it.
+    fn are_parted(&self, a: &End<Px>, b: &End<Px>, is_seen: &IsSeen<'_>) -> bool {
+        let (Some(base), Some(other)) = (self.base(a), self.base(b)) else { return false };
+        let [from, to] = [BESIDE, 1.0 - BESIDE].map(|share| a.at.lerp(b.at, share));
+        let found = &self.found[a.polyline];
+        base != other && !is_seen(from, to, found.stroke.unwrap_or(0.0), found.least_seen(a.at_start))
+    }
+
+    /// The number of the nearest contour on which an end stands.
+    fn base(&self, end: &End<Px>) -> Option<usize> {
+        let half = |found: &FoundContour| 0.5 * found.stroke.unwrap_or(0.0);
+        // an edge ends before the sides of a stroke, and a stroke before an edge
+        let own = half(&self.found[end.polyline]) + STANDS;
+        let reach = |found: &FoundContour| own + found.stroke.map_or(APART_SCALES * self.sigma, |_| half(found));
+        let farthest = self.found.iter().map(reach).fold(0.0, f32::max);
+        let mut nearest: Option<(f32, usize, usize)> = None;
+        self.index.around(end.at, end.at, farthest, |&(number, k)| {
+            let (number, k) = (number as usize, k as usize);
+            let found = &self.found[number];
+            let distance = (found.contour.vertices[k].at - end.at).length();
+            let is_other = number != end.polyline && distance <= reach(found);
+            let is_nearer = nearest.is_none_or(|nearest| (distance, number, k) < nearest);
+            if is_other && is_nearer && leads_across(found, k, end.direction) {
+                nearest = Some((distance, number, k));
+            }
+        });
+        nearest.map(|(_, number, _)| number)
+    }
+}
+
+/// Whether a contour leads away from one of its vertices on both sides, across a direction.
+fn leads_across(found: &FoundContour, vertex: usize, direction: PxVector) -> bool {
+    let along = |forwards: bool| found.contour.heading(vertex, forwards, [0.0, HEADING]);
+    [true, false].into_iter().all(|forwards| along(forwards).is_some_and(|along| along.dot(direction).abs() <= ACROSS))
 }
 
 fn end(number: usize, at_start: bool, found: &FoundContour, sigma: f32) -> End<Px> {
@@ -234,10 +299,8 @@ fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &
     }
     let leads_to = |end: &End<Px>, ahead: f32| {
         let found = &found[end.polyline];
-        let last = if end.at_start { found.contour.vertices.first() } else { found.contour.vertices.last() };
-        let least = last.map_or(0.0, |last| SEEN * last.strength);
-        ahead <= POINTED
-            || is_seen(end.at, end.at + end.direction * (ahead - POINTED), found.stroke.unwrap_or(0.0), least)
+        let tip = end.at + end.direction * (ahead - POINTED);
+        ahead <= POINTED || is_seen(end.at, tip, found.stroke.unwrap_or(0.0), found.least_seen(end.at_start))
     };
     let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
     let cost = sharp_corner(a, b, found, sigma).or_else(|| wide_corner(a, b, found, sigma))?;

@@ -118,6 +118,28 @@ fn strokes_of_two_tints_make_a_corner_only_where_they_touch_and_go_on_in_their_o
 }
 
 #[test]
+fn wires_that_end_on_plates_are_not_joined_over_a_gap_in_which_nothing_is_seen() {
+    let wires = [stroke(&[(100.0, 20.0), (100.0, 120.0)]), stroke(&[(100.0, 135.0), (100.0, 250.0)])];
+    let plates = [stroke(&[(80.0, 120.0), (120.0, 120.0)]), stroke(&[(85.0, 135.0), (115.0, 135.0)])];
+    let count = |found: Vec<FoundContour>, is_seen: bool| join_corners(found, SIGMA, &|_, _, _, _| is_seen).len();
+    let battery = || [wires.clone(), plates.clone()].concat();
+    assert_eq!(count(battery(), false), 4);
+    assert_eq!(count(battery(), true), 3, "a line that was found in pieces");
+    assert_eq!(count(wires.to_vec(), false), 1, "a line with a gap");
+    // a wire round the battery, whose ends are those of one line
+    let round = stroke(&[(100.0, 120.0), (100.0, 20.0), (200.0, 20.0), (200.0, 250.0), (100.0, 250.0), (100.0, 135.0)]);
+    let circuit = join_corners([vec![round], plates.to_vec()].concat(), SIGMA, &|_, _, _, _| false);
+    assert!(circuit.len() == 3 && circuit.iter().all(|found| !found.contour.closed));
+    // both on one line, which they cross
+    let crossed = [
+        stroke(&[(100.0, 20.0), (100.0, 119.0)]),
+        stroke(&[(60.0, 120.0), (140.0, 120.0)]),
+        stroke(&[(100.0, 121.0), (100.0, 250.0)]),
+    ];
+    assert_eq!(count(crossed.to_vec(), false), 2);
+}
+
+#[test]
 fn an_edge_and_a_stroke_meet_and_stay_two() {
     let edge = FoundContour { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
     let both = join_corners(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA, &|_, _, _, _| true);
