@@ -1,6 +1,7 @@
 //! The clearance between lines of dots: a weaker line gives way to a stronger one.
 
 mod anywhere;
+mod junctions;
 mod on_grid;
 mod order;
 mod second_rows;

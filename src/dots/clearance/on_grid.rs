@@ -132,12 +132,6 @@ pub const fn longest_approach(gap: u32) -> u32 {
     2 * gap
 }
 
-/// Where a line touches another that it ends on still with its dot of this number, counted from 0, it runs along it and
-/// does not end there.
-const fn longest_touch(gap: u32) -> u32 {
-    longest_approach(gap) + 2
-}
-
 /// Most dots of a line that are left out where it crosses another one with a gap of so many dots: at no smaller angle
 /// than makes the gap on both sides twice as long as at a right one.
 pub const fn longest_cut(gap: u32) -> u32 {
@@ -174,7 +168,7 @@ fn is_crossing(cut: &[Option<i32>], gap: i32) -> bool {
 
 /// Which of the dots of a line that crosses another, of these distances, lie on the other; if none does, an empty range
 /// in the middle of those that touch it.
-fn met(cut: &[Option<i32>]) -> Range<usize> {
+pub(super) fn met(cut: &[Option<i32>]) -> Range<usize> {
     let all_at = |steps: i32| (0..cut.len()).filter(move |&i| cut[i] == Some(steps));
     let range = |steps: i32| all_at(steps).next().zip(all_at(steps).next_back());
     let middle = |(first, last): (usize, usize)| (first + last).div_ceil(2)..(first + last).div_ceil(2);
@@ -343,7 +337,7 @@ impl OccupiedDots {
     }
 
     /// The pieces of an open line between the dots that are too near to others, with these distances from them: where
-    /// it only crosses another, or another ends on it, up to that.
+    /// it only crosses another, another ends on it, or it has a corner there, up to that.
     fn stretches(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Vec<RowPiece> {
         let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
             let from = *at;
@@ -368,17 +362,19 @@ impl OccupiedDots {
                 || before.is_some_and(|before| crosses(before, stretch)) && self.is_on_both_sides(dots, steps);
             let (meets_end, mut range) = (self.meets_end(dots), stretch.clone());
             let is_soon_left = || self.is_steep(dots) || !meets_end && self.has_short_arms(dots, steps);
-            match pieces.last_mut().filter(|_| is_soon_left() && (meets_end || is_crossed())) {
-                // the other line ends beside it and shares no dot with it: it is not interrupted
-                Some((last, _)) if meets_end && !steps.contains(&Some(0)) => {
+            let turns = before.is_some_and(|before| !goes_on(&cells[before.clone()], &cells[stretch.clone()]));
+            if let Some((last, _)) = pieces.last_mut() {
+                let is_met = is_soon_left() && (meets_end || is_crossed());
+                if is_met && meets_end && !steps.contains(&Some(0)) {
+                    // the other line ends beside it and shares no dot with it: it is not interrupted
                     last.end = range.end;
                     continue;
                 }
-                Some((last, _)) => {
-                    let met = met(steps);
+                let corner = || if turns { self.corner(dots, steps) } else { None };
+                let left_out = if is_met { Some(met(steps)) } else { corner() };
+                if let Some(met) = left_out {
                     (last.end, range.start) = (cut.start + met.start, cut.start + met.end);
                 }
-                None => {}
             }
             pieces.push((range, through[number]));
         }
@@ -438,13 +434,13 @@ impl OccupiedDots {
         cut.len() <= longest_steep_cut(self.gap as u32) as usize && self.is_near_one(cut)
     }
 
-    fn is_near_one(&self, cut: &[GridDot]) -> bool {
+    pub(super) fn is_near_one(&self, cut: &[GridDot]) -> bool {
         let near = cut.iter().flat_map(|&cell| self.around(cell)).filter_map(|near| self.piece_of.get(&near));
         near.copied().collect::<BTreeSet<usize>>().len() == 1
     }
 
     /// Whether of dots that are near to a single piece no more lie on either side of it than beside an end that joins.
-    fn has_short_arms(&self, cut: &[GridDot], steps: &[Option<i32>]) -> bool {
+    pub(super) fn has_short_arms(&self, cut: &[GridDot], steps: &[Option<i32>]) -> bool {
         let (met, longest) = (met(steps), longest_approach(self.gap as u32) as usize);
         met.start.max(cut.len() - met.end) <= longest && self.is_near_one(cut)
     }
@@ -463,36 +459,6 @@ impl OccupiedDots {
         let is_met =
             |cell: &GridDot| self.around(*cell).any(|near| distance(near, *cell) <= 1 && self.tips.contains(&near));
         cut.iter().any(is_met)
-    }
-
-    /// The junction of the first end of a line: if its first dots touch another line, dots on the other line are
-    /// removed, and the dots from the one beside it until the gap is reached are allowed, at most [`longest_approach`].
-    /// Where it runs along the other there is none. Says whether there is one.
-    fn allow_junction(&self, cells: &mut Vec<GridDot>, distances: &mut Vec<Option<i32>>) -> bool {
-        let near = distances.iter().take_while(|distance| distance.is_some()).count();
-        let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
-        let Some(last) = touches else { return false };
-        let longest = longest_approach(self.gap as u32) as usize;
-        if near - last > longest || last > longest_touch(self.gap as u32) as usize {
-            return false;
-        }
-        let skipped = if distances[last] == Some(0) { last + 1 } else { last };
-        // beside the lines that meet where it does it may lie, as a radius beside others, not beside a third one
-        let within = |cell: GridDot, steps: i32| {
-            let near = self.around(cell).filter(move |near| distance(*near, cell) <= steps);
-            near.filter_map(|near| self.piece_of.get(&near)).copied()
-        };
-        let touched: Vec<usize> = within(cells[last], self.gap).collect();
-        if cells[skipped.min(near)..near]
-            .iter()
-            .any(|&cell| within(cell, self.gap).any(|other| !touched.contains(&other)))
-        {
-            return false;
-        }
-        distances[..near].iter_mut().for_each(|distance| *distance = None);
-        cells.drain(..skipped);
-        distances.drain(..skipped);
-        true
     }
 }
 

@@ -207,3 +207,36 @@ fn a_corner_on_the_end_of_a_line_keeps_its_dots() {
     ending.tips.insert([2, 0]);
     assert_eq!(pieces(&ending, &upright, false), [(upright, false)]);
 }
+
+#[test]
+fn a_sharp_corner_on_another_line_keeps_its_sides() {
+    // 53 degrees between the sides, and its tip at (0, tip)
+    let corner = |tip: i32| -> Vec<GridDot> { (-8..=8_i32).map(|k| [(k + k.signum()) / 2, tip - k.abs()]).collect() };
+    let pieces = |tip: i32| pieces(&taken(&[row(0, -20..20)], 2), &corner(tip), false);
+    let on = pieces(0);
+    assert_eq!(on, [(corner(0)[..8].to_vec(), false), (corner(0)[9..].to_vec(), false)], "without the dot of both");
+    let beside: Vec<GridDot> = pieces(-1).into_iter().flat_map(|(cells, _)| cells).collect();
+    assert_eq!(beside, corner(-1));
+    // one that only comes near is cut
+    let near = pieces(-2);
+    assert_eq!(near, [(corner(-2)[..8].to_vec(), false), (corner(-2)[9..].to_vec(), false)]);
+}
+
+#[test]
+fn a_triangle_in_a_ring_is_whole_at_all_its_corners() {
+    // the ring is level and upright around (0, 0), and the corners lie on it
+    let line = |from: GridDot, to: GridDot| {
+        let n = (to[0] - from[0]).abs().max((to[1] - from[1]).abs());
+        (0..n).map(move |k| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * k / n)).collect::<Vec<GridDot>>()
+    };
+    let closed = |corners: &[GridDot]| -> Vec<GridDot> {
+        (0..corners.len()).flat_map(|i| line(corners[i], corners[(i + 1) % corners.len()])).collect()
+    };
+    let ring = closed(&[[-20, -20], [20, -20], [20, 20], [-20, 20]]);
+    let corners = [[-20, 10], [20, 10], [0, -20]];
+    let triangle = closed(&corners);
+    let pieces = pieces(&taken(std::slice::from_ref(&ring), 2), &triangle, true);
+    let left: Vec<GridDot> = pieces.into_iter().flat_map(|(cells, _)| cells).collect();
+    let missing: Vec<GridDot> = triangle.into_iter().filter(|cell| !left.contains(cell)).collect();
+    assert!(missing.iter().all(|cell| ring.contains(cell)), "only what both share: {missing:?}");
+}
