@@ -1,5 +1,6 @@
 //! Strokes of a vector drawing that are much thinner and paler than its others, such as the grid behind a curve. How a
 //! stroke is painted says how much it matters. The outline of an area is none of them, however thin: the area is seen.
+//! Nor is a dark closed one: it is a thing, as furniture beside the thick walls of a floor plan.
 
 use super::edgel::Edgel;
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};
@@ -22,6 +23,8 @@ const ONE_WIDTH: f32 = 0.01;
 const PALEST: f32 = 0.25;
 /// A stroke that is on the border of an area at this share of its places is an outline. Chosen by us.
 const OUTLINE: f32 = 0.5;
+/// A closed stroke of at least this contrast is a thing: the rings of a polar grid are paler. Chosen by us.
+const DARK: f32 = 0.5 * BLACK;
 /// What the place of a line among pixels makes of its contrast: on the border of two it is seen in both. Chosen by us.
 const SEEN: f32 = 1.5;
 
@@ -34,6 +37,8 @@ pub(super) struct WeighedStroke {
     palest: f32,
     /// At which share of its places it is on the border of an area.
     on_borders: f32,
+    /// Whether it is closed and dark.
+    is_thing: bool,
     length: f32,
     /// Where a straight one begins and ends.
     ends: Option<[PxPoint; 2]>,
@@ -42,7 +47,8 @@ pub(super) struct WeighedStroke {
 impl WeighedStroke {
     pub(super) fn of(width: f32, on_borders: f32, line: PolylineRef<'_, Edgel>) -> Self {
         let [weight, palest] = [0.5, PALEST].map(|share| width * contrast(line, share).min(BLACK));
-        Self { width, weight, palest, on_borders, length: line.length(), ends: straight_ends(line) }
+        let is_thing = line.closed && weight >= DARK * width;
+        Self { width, weight, palest, on_borders, is_thing, length: line.length(), ends: straight_ends(line) }
     }
 }
 
@@ -94,7 +100,7 @@ impl FaintStrokes {
         };
         let weight = match self.grid.filter(is_of) {
             Some(grid) => grid.weight,
-            None if stroke.on_borders < OUTLINE => stroke.weight,
+            None if stroke.on_borders < OUTLINE && !stroke.is_thing => stroke.weight,
             None => return false,
         };
         weight <= FAINT * self.strong
