@@ -1,5 +1,7 @@
-//! Where a line on a grid joins another, with an end or with a corner: dots of it may be nearer than the gap there.
+//! Where a line on a grid joins another, with an end or with a corner, or crosses several in a row: dots of it may be
+//! nearer than the gap there.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::on_grid::{OccupiedDots, longest_approach, met};
@@ -58,5 +60,29 @@ impl OccupiedDots {
         let on = met.end - 1;
         let (_, after) = self.junction(&cut[on..], &steps[on..])?;
         Some(met.start + 1 - before..on + after)
+    }
+
+    /// The dots of a line between two of its pieces that are left out where it crosses several others one after the
+    /// other, as an axis the other axis and then a line of the chart, with no dot between that is far enough from all.
+    /// `cut` are all the dots that are too near to those, by so many `steps`. None where one of them is near to two at
+    /// once, or where the line runs along one of them.
+    pub(super) fn crossings(&self, cut: &[GridDot], steps: &[Option<i32>]) -> Option<Vec<Range<usize>>> {
+        let near = |cell: &GridDot| -> BTreeSet<usize> {
+            self.around(*cell).filter_map(|near| self.piece_of.get(&near)).copied().collect()
+        };
+        let others: Vec<BTreeSet<usize>> = cut.iter().map(near).collect();
+        let (mut from, mut all_met) = (0, Vec::new());
+        for run in others.chunk_by(|one, next| one == next) {
+            let of_run = from..from + run.len();
+            let (dots, steps) = (&cut[of_run.clone()], &steps[of_run]);
+            let touches = steps.iter().flatten().any(|steps| *steps <= 1);
+            if !touches || !self.has_short_arms(dots, steps) || !self.is_on_both_sides(dots, steps) {
+                return None;
+            }
+            let met = met(steps);
+            all_met.push(from + met.start..from + met.end);
+            from += run.len();
+        }
+        (all_met.len() > 1).then_some(all_met)
     }
 }

@@ -337,7 +337,7 @@ impl OccupiedDots {
     }
 
     /// The pieces of an open line between the dots that are too near to others, with these distances from them: where
-    /// it only crosses another, another ends on it, or it has a corner there, up to that.
+    /// it only crosses others, another ends on it, or it has a corner there, up to that.
     fn stretches(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Vec<RowPiece> {
         let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
             let from = *at;
@@ -370,11 +370,17 @@ impl OccupiedDots {
                     last.end = range.end;
                     continue;
                 }
-                let corner = || if turns { self.corner(dots, steps) } else { None };
-                let left_out = if is_met { Some(met(steps)) } else { corner() };
-                if let Some(met) = left_out {
-                    (last.end, range.start) = (cut.start + met.start, cut.start + met.end);
+                let left_out = match (is_met, turns) {
+                    (true, _) => vec![met(steps)],
+                    (false, true) => self.corner(dots, steps).into_iter().collect(),
+                    (false, false) => self.crossings(dots, steps).unwrap_or_default(),
+                };
+                if let Some((first, end)) = left_out.first().zip(left_out.last()) {
+                    (last.end, range.start) = (cut.start + first.start, cut.start + end.end);
                 }
+                let whole = before.map_or(0, |before| stretch.end - before.start);
+                let between = left_out.windows(2).map(|pair| cut.start + pair[0].end..cut.start + pair[1].start);
+                pieces.extend(between.filter(|range| !range.is_empty()).map(|range| (range, whole)));
             }
             pieces.push((range, through[number]));
         }
@@ -446,7 +452,7 @@ impl OccupiedDots {
     }
 
     /// Whether the line that these dots are near to, by so many steps, is on both sides of them, or shares one.
-    fn is_on_both_sides(&self, cut: &[GridDot], steps: &[Option<i32>]) -> bool {
+    pub(super) fn is_on_both_sides(&self, cut: &[GridDot], steps: &[Option<i32>]) -> bool {
         let ([first, .., last], false) = (cut, steps.contains(&Some(0))) else { return true };
         let side =
             |dot: GridDot| (last[0] - first[0]) * (dot[1] - first[1]) - (last[1] - first[1]) * (dot[0] - first[0]);

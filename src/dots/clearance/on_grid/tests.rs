@@ -240,3 +240,16 @@ fn a_triangle_in_a_ring_is_whole_at_all_its_corners() {
     let missing: Vec<GridDot> = triangle.into_iter().filter(|cell| !left.contains(cell)).collect();
     assert!(missing.iter().all(|cell| ring.contains(cell)), "only what both share: {missing:?}");
 }
+
+#[test]
+fn a_line_that_crosses_two_others_in_a_row_keeps_its_dots() {
+    let upright = |rows: std::ops::Range<i32>| rows.map(|y| [3, y]).collect::<Vec<GridDot>>();
+    let across = |apart: i32| {
+        let pieces = pieces(&taken(&[row(0, -20..20), row(apart, -20..20)], 2), &upright(-9..20), false);
+        pieces.into_iter().map(|(cells, _)| cells).collect::<Vec<_>>()
+    };
+    // no dot between them is more than two steps from both
+    assert_eq!(across(5), [upright(-9..0), upright(1..5), upright(6..20)]);
+    // the dot in the middle is near to both
+    assert_eq!(across(4), [upright(-9..-2), upright(7..20)]);
+}
