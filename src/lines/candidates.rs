@@ -62,6 +62,7 @@ impl LineCandidates {
         if !params.on_dots() {
             points::make_room(&points, &mut polylines, params);
         }
+        let spurs = if is_overview { ticks::spurs::take(&mut polylines, area, params) } else { Vec::new() };
         let standing = StandingEnds::of(&mut polylines, area, params);
         let mut polylines = join::join(polylines, params.bridged_gap(), &standing);
         let lengthens = params.of_drawing && !is_overview;
@@ -70,7 +71,8 @@ impl LineCandidates {
             if lengthens { lengthened(&mut polylines, &at_points, area, params) } else { (Vec::new(), Vec::new()) };
         let lost_scales = thinned.iter().map(|scale| scale.lost).collect();
         let left_out = thinned.into_iter().flat_map(|scale| scale.left_out).collect();
-        let (mut polylines, short) = long_enough(polylines, &standing, area, params);
+        let (mut polylines, mut short) = long_enough(polylines, &standing, area, params);
+        spurs.iter().for_each(|spur| short.add(spur));
         polylines.iter_mut().for_each(Polyline::fill);
         let contours = polylines.len();
         let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();

@@ -6,6 +6,7 @@ pub(super) mod alone;
 mod bases;
 pub(super) mod crossbars;
 pub(super) mod selections;
+pub(super) mod spurs;
 
 use std::collections::BTreeSet;
 

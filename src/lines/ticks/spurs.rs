@@ -1,0 +1,52 @@
+//! Ticks that would be spurs in an overview, which has no room for ticks: where the line of a drawing begins at an axis
+//! just across from one, as the top of a bar that is drawn as standing at it, the two would be joined to one line over
+//! the axis, and of all its ticks this one would stay.
+
+use super::{Tick, scale, ticks, without};
+use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
+use crate::lines::vertex::{Tip, Vertex};
+use crate::units::{MmPoint, MmRect};
+
+/// Takes the ticks of scales that are too short for lines out of the contours of an overview, if another line ends
+/// where they stand. Gives them.
+pub(in crate::lines) fn take(
+    polylines: &mut Vec<Polyline<Vertex>>,
+    area: MmRect,
+    params: &Params,
+) -> Vec<Polyline<Vertex>> {
+    let lines: &[Polyline<Vertex>] = polylines;
+    let mut ticks = ticks(lines, area, params);
+    ticks.sort_by_key(|tick| tick.base);
+    let mut is_of_scale = vec![false; lines.len()];
+    let scales = ticks.chunk_by(|a, b| a.base == b.base).filter_map(|on_line| scale(on_line, lines, params));
+    let of_scales: Vec<&Tick> = scales.flatten().collect();
+    of_scales.iter().for_each(|tick| is_of_scale[tick.number] = true);
+    let is_spur = |tick: &&Tick| {
+        let Some(foot) = foot(tick, lines) else { return false };
+        let ends_here = |line: &Polyline<Vertex>| {
+            let mut ends = Tip::BOTH.into_iter().filter_map(|which| which.of(line));
+            !line.closed && ends.any(|end| (end.at - foot).length() <= params.bridged_gap())
+        };
+        let others = lines.iter().enumerate().filter(|(number, _)| !is_of_scale[*number] && *number != tick.base);
+        lines[tick.number].length() < params.min_length && others.map(|(_, line)| line).any(ends_here)
+    };
+    let mut taken = vec![false; lines.len()];
+    of_scales.iter().copied().filter(is_spur).for_each(|tick| taken[tick.number] = true);
+    let spurs = lines.iter().zip(&taken).filter(|(_, taken)| **taken).map(|(line, _)| line.clone()).collect();
+    without(polylines, &taken);
+    spurs
+}
+
+/// Where a tick stands that ends on its line.
+fn foot(tick: &Tick, polylines: &[Polyline<Vertex>]) -> Option<MmPoint> {
+    let which = match tick.stands {
+        [Some(_), None] => Tip::First,
+        [None, Some(_)] => Tip::Last,
+        _ => return None,
+    };
+    which.of(&polylines[tick.number]).map(|end| end.at)
+}
+
+#[cfg(test)]
+mod tests;
