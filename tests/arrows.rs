@@ -4,6 +4,7 @@
 use std::fmt::Write;
 
 use tactograph::{Drawing, Options, Profile, RenderOptions};
+use tactograph_tools::bitmap;
 
 fn svg(drawn: &str) -> String {
     format!(
@@ -140,5 +141,46 @@ fn arrows_that_meet_a_box_at_an_angle_keep_their_heads() {
         let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
         assert!(!told.iter().any(|note| note.contains("tick") || note.contains("arrowhead")), "{name}: {told:?}");
         assert_eq!(ways(&drawing.page.to_svg()).len(), 2, "{name}");
+    }
+}
+
+#[test]
+fn filled_heads_of_a_bitmap_are_those_of_the_drawing() {
+    let picture = bitmap::png(&svg(&cycle(filled)), 1200).expect("a PNG");
+    for name in ["swell-a4", "index-basic-d"] {
+        let drawing = tactograph::convert(&picture, &Options::new(profile(name))).expect("a page");
+        let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+        assert_eq!(ways(&drawing.page.to_svg()), ALL_WAYS, "{name}: {told:?}");
+    }
+}
+
+#[test]
+fn heads_with_barbs_are_found_in_a_bitmap() {
+    let barbed = |[x, y]: [f32; 2], way: [f32; 2]| {
+        let [[a, b], [c, d]] = wings([x, y], way);
+        let [e, f] = [x - 12.0 * way[0], y - 12.0 * way[1]];
+        format!("<polygon points='{a},{b} {x},{y} {c},{d} {e},{f}' fill='#000' stroke='none'/>")
+    };
+    let picture = bitmap::png(&svg(&cycle(barbed)), 1000).expect("a PNG");
+    for name in ["swell-a4", "index-basic-d"] {
+        let drawing = tactograph::convert(&picture, &Options::new(profile(name))).expect("a page");
+        assert_eq!(ways(&drawing.page.to_svg()), ALL_WAYS, "{name}");
+    }
+}
+
+#[test]
+fn triangles_on_a_curve_in_a_bitmap_are_no_heads() {
+    let places = [[100.0, 480.0], [230.0, 380.0], [360.0, 410.0], [490.0, 250.0], [620.0, 270.0], [750.0, 270.0]];
+    let mut drawn = "<path d='M60 540H860M60 540V60'/><path d='M".to_owned();
+    places.iter().for_each(|[x, y]| write!(drawn, " {x} {y}").expect("it is a string"));
+    drawn.push_str("'/>");
+    for &[x, y] in &places[1..] {
+        drawn.push_str(&filled([x + 8.0, y], [1.0, 0.0]));
+    }
+    let picture = bitmap::png(&svg(&drawn), 1000).expect("a PNG");
+    for name in ["swell-a4", "index-basic-d"] {
+        let drawing = tactograph::convert(&picture, &Options::new(profile(name))).expect("a page");
+        let none: [String; 0] = [];
+        assert_eq!(ways(&drawing.page.to_svg()), none, "{name}");
     }
 }

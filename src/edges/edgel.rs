@@ -41,6 +41,8 @@ pub struct ChainKind {
     pub faint: bool,
     /// Whether a person added it to those that were found.
     pub added: bool,
+    /// Whether it is the filled head of an arrow in a bitmap: its tip and two other corners.
+    pub head: bool,
 }
 
 /// The edgels of one chain.

@@ -15,10 +15,12 @@
 //! order, as each step needs what the one before has made:
 //!
 //! ```text
+//! [bitmaps: filled heads of arrows (taken out, and the strokes found once more)]
 //! strokes, edges -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
 //!                -> tips (ends that make a corner or go on in one another meet)
 //!                -> straight (what goes straight on through a corner gets the side behind it, with its final ends)
 //!                -> rings (those that touch are parted) -> discs (small ones, and the lines that end at them)
+//!                -> heads (what leads through one into a box is parted at its tip)
 //!                -> junction (ends reach the contours before them)
 //! ```
 //!
@@ -40,6 +42,7 @@ mod edgel;
 mod faint;
 mod gradient;
 mod grouping;
+mod heads;
 mod hysteresis;
 mod junction;
 mod maxima;
@@ -69,7 +72,7 @@ pub use params::Params;
 use ridge::RidgePoint;
 use side_statistics::SideStatistics;
 use strength::Evidence;
-use stroke::{Stroke, Tint};
+use stroke::{FilledHead, Stroke, Tint};
 use tips::FoundContour;
 
 use crate::raster::Raster;
@@ -178,6 +181,7 @@ pub struct Ridges<'a> {
     params: Params,
     /// Of a drawing.
     planes: Vec<Plane>,
+    heads: Vec<FilledHead>,
     strokes: Vec<Stroke>,
     points: Vec<RidgePoint>,
     chains: Vec<Chain>,
@@ -198,12 +202,18 @@ impl<'a> Ridges<'a> {
         let size = raster.size();
         let (noise, drawn) = (&kind.noise, kind.is_drawing);
         let params = noise.adapted(&if drawn { params.of_drawing() } else { *params });
-        let planes = if drawn { kind.planes_of_drawing(raster) } else { Vec::new() };
-        let strokes = if drawn { stroke::find(&planes, kind.noise_of_pixel(), &params) } else { Vec::new() };
+        let mut planes = if drawn { kind.planes_of_drawing(raster) } else { Vec::new() };
+        let mut strokes = if drawn { stroke::find(&planes, kind.noise_of_pixel(), &params) } else { Vec::new() };
+        let heads = stroke::filled_heads(&strokes, &planes, params.high);
+        if !heads.is_empty() {
+            heads::take_out(&heads, &mut planes);
+            strokes = stroke::find(&planes, kind.noise_of_pixel(), &params);
+        }
         let strokes = dashes::without_loose(strokes, params.min_length);
         let (mut points, sides) = bands::scan(raster, &kind.weights(), &params);
         if drawn {
             points.retain(|point| !is_border(point, size));
+            points.retain(|point| !heads.iter().any(|head| head.has_edge(point.at, params.sigma)));
         }
         let discs = if drawn { discs::find(&points, size, &params) } else { Vec::new() };
         if !strokes.is_empty() {
@@ -217,7 +227,7 @@ impl<'a> Ridges<'a> {
         let chains = chain::link(&points, size, params.min_length);
         step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
         let sides = sides.finish(&points, &chains, noise.height_sigma(params.sigma));
-        Some(Self { raster, kind, params, planes, strokes, points, chains, sides, discs })
+        Some(Self { raster, kind, params, planes, heads, strokes, points, chains, sides, discs })
     }
 
     /// The regions between all chains; none of a drawing, whose lines say enough.
@@ -232,7 +242,7 @@ impl<'a> Ridges<'a> {
 
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
-        let Self { raster, kind, params, planes, strokes, points, chains, sides, discs } = self;
+        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, discs } = self;
         let (size, params, of_drawing) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
@@ -254,6 +264,8 @@ impl<'a> Ridges<'a> {
             let met = tips::join_corners(found, params.sigma, size, &is_seen);
             let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
             found = discs::split_at_discs(rings::split_at_contact(reassigned, params.min_length), &discs, params);
+            found = heads::parted(found, &heads);
+            heads.retain(|head| found.iter().any(|found| head.has_end(&found.contour)));
         }
         let strokes: Vec<Option<(f32, Tint)>> = found.iter().map(|found| found.stroke.zip(found.tint)).collect();
         let (mut contours, widths): (Vec<_>, Vec<_>) =
@@ -266,15 +278,17 @@ impl<'a> Ridges<'a> {
             let pair = strokes[number].zip(strokes[other]);
             pair.is_none_or(|(own, other)| stroke::may_lead([own, other], way, 0.5 * params.low, &planes))
         });
+        heads::shorten(&mut contours, &heads);
+        let mut edges = Edges::none(size);
+        heads::add(&heads, &mut edges);
         let weighed = match of_drawing {
             true => pale_grid::parted(contours, &widths, size),
             false => contours.into_iter().zip(widths).map(|(contour, width)| (contour, width, false)).collect(),
         };
-        let mut edges = Edges::none(size);
         for (contour, stroke, faint) in weighed {
             let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
             edges.push_as(
-                ChainKind { exact: false, of_drawing, stroke, faint, added: false },
+                ChainKind { exact: false, of_drawing, stroke, faint, ..ChainKind::default() },
                 contour.vertices.iter().map(edgel),
                 contour.closed,
             );

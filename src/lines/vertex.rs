@@ -50,12 +50,14 @@ pub(super) enum FoundIn {
     FaintStroke,
     /// In what a person drew into a picture, and exactly there.
     Person,
+    /// In the pixels of a drawing, a filled head of an arrow: its tip is the first of three corners.
+    Head,
 }
 
 impl FoundIn {
     /// Whether it is exactly where it is in a vector drawing.
     pub(super) fn is_exact(self) -> bool {
-        matches!(self, Self::Vector | Self::FaintStroke | Self::Person)
+        matches!(self, Self::Vector | Self::FaintStroke | Self::Person | Self::Head)
     }
 }
 
@@ -110,7 +112,7 @@ impl Vertex {
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
         match self.source {
             FoundIn::Stroke | FoundIn::FaintStroke => self.strength.max(full_strength),
-            FoundIn::Pixels | FoundIn::Vector | FoundIn::Person => self.strength,
+            FoundIn::Pixels | FoundIn::Vector | FoundIn::Person | FoundIn::Head => self.strength,
         }
     }
 }
@@ -197,6 +199,7 @@ impl Polyline<Vertex> {
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
         let source = match kind {
             ChainKind { exact: true, added: true, .. } => FoundIn::Person,
+            ChainKind { head: true, .. } => FoundIn::Head,
             ChainKind { exact: true, .. } => FoundIn::Vector,
             ChainKind { of_drawing: true, stroke: Some(_), .. } => FoundIn::Stroke,
             _ => FoundIn::Pixels,

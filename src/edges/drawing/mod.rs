@@ -38,7 +38,7 @@ pub fn find_in_vector(raster: &Raster, drawing: &VectorDrawing, params: &Params)
     edges.overlaid = overlaid;
     for Confirmed { line, stroke, faint, .. } in contours {
         edges.push_as(
-            ChainKind { exact: true, of_drawing: true, stroke, faint, added: false },
+            ChainKind { exact: true, of_drawing: true, stroke, faint, ..ChainKind::default() },
             line.vertices.into_iter(),
             line.closed,
         );

@@ -3,7 +3,7 @@
 use crate::geom::polygon::area;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::simplify::simplify;
-use crate::lines::vertex::{Tip, Vertex};
+use crate::lines::vertex::{FoundIn, Tip, Vertex};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The longest side of a head in the drawing, mm: a larger triangle is a shape by itself.
@@ -73,6 +73,11 @@ impl HeadTip {
 
 /// The corners of a contour that may be tips of a head.
 pub(super) fn tips(contour: &Polyline<Vertex>) -> Vec<HeadTip> {
+    if let [tip, one, other] = contour.vertices[..]
+        && tip.source == FoundIn::Head
+    {
+        return HeadTip::of(tip.at, [one.at, other.at]).into_iter().collect();
+    }
     let points: Vec<MmPoint> = contour.vertices.iter().map(|vertex| vertex.at).collect();
     let extent = MmRect::from_points(&points);
     let size = extent.width().max(extent.height());

@@ -333,3 +333,16 @@ fn a_head_an_end_of_which_was_moved_onto_a_box_is_found() {
     assert!(matches!(heads[..], [head] if head.toward.x < -0.7 && head.toward.y < -0.6), "{heads:?}");
     assert_eq!(left.len(), 2);
 }
+
+#[test]
+fn a_head_that_was_found_in_pixels_has_one_tip() {
+    // an even triangle that points to the right, with a line that leads to its lower corner
+    let triangle = |source: FoundIn| {
+        let corner = |(x, y)| Vertex { at: MmPoint::new(x, y), strength: 60.0, source, ..Vertex::TEST };
+        Polyline { vertices: [(63.0, 50.0), (59.0, 52.3), (59.0, 47.7)].map(corner).to_vec(), closed: true }
+    };
+    let to_lower_corner = contour(&[(76.0, 22.9), (61.0, 48.85)], false);
+    assert_eq!(taken(vec![to_lower_corner.clone(), triangle(FoundIn::Vector)]).0.len(), 1);
+    assert_eq!(taken(vec![to_lower_corner, triangle(FoundIn::Head)]).0.len(), 0);
+    assert_eq!(taken(vec![shaft(), triangle(FoundIn::Head)]).0.len(), 1);
+}

@@ -13,7 +13,7 @@ fn drawn(strokes: &[TestStroke<'_>]) -> Lines {
     let size = Size::new(300, 200);
     let mut edges = Edges::none(size);
     for &(faint, strength, corners) in strokes {
-        let kind = ChainKind { exact: true, of_drawing: true, stroke: Some(2.0), faint, added: false };
+        let kind = ChainKind { exact: true, of_drawing: true, stroke: Some(2.0), faint, ..ChainKind::default() };
         let edgel = |&(x, y): &(f32, f32)| Edgel { at: PxPoint::new(x, y), strength, contrast: [0.0; 3] };
         edges.push_as(kind, corners.iter().map(edgel), false);
     }
