@@ -62,7 +62,7 @@ fn edges_around_a_head_are_its_own_and_those_of_what_it_points_at_are_not() {
 #[test]
 fn a_contour_that_leads_through_a_head_is_parted_at_its_tip() {
     let lengths = |points: &[(f32, f32)]| -> Vec<f32> {
-        let found = FoundContour { contour: polyline(points), stroke: Some(2.0), whole: 65.0 };
+        let found = FoundContour { contour: polyline(points), stroke: Some(2.0), whole: 65.0, tint: None };
         parted(vec![found], &[HEAD]).iter().map(|found| found.contour.length().round()).collect()
     };
     assert_eq!(lengths(&[(10.0, 30.0), (50.0, 30.0), (50.0, 5.0)]), [40.0, 25.0]);

@@ -34,7 +34,7 @@ fn picture(turn: f32, is_ink: IsInk<'_>) -> Plane {
 fn found(turn: f32, to: f32, is_ink: IsInk<'_>) -> Vec<FilledHead> {
     let ends = [[-25.0, 0.0], [to, 0.0]].map(|at| place(turn, at)).map(|at| (at.x, at.y));
     let contour = polyline(&ends);
-    let stroke = Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false };
+    let stroke = Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false, tint: None };
     filled_heads(&[stroke], &[picture(turn, is_ink)], LEAST)
 }
 
