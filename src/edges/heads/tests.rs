@@ -31,13 +31,16 @@ fn picture(with_head: bool, is_pointed_at: &dyn Fn(f32, f32) -> bool) -> Plane {
     Plane { size, values: (0..size.len()).map(value).collect() }
 }
 
+/// Whether a place is dark.
+type Shape<'a> = &'a dyn Fn(f32, f32) -> bool;
+
 #[test]
 fn without_its_head_a_shaft_leads_up_to_what_the_arrow_points_at() {
     let upright = |x: f32, y: f32| (x - 50.0).abs() <= 1.0 && (8.0..=52.0).contains(&y);
     // at 25.8 degrees, along one side of the head
     let from = |x: f32| 30.0 + 0.483 * (x - 50.0);
     let aslant = |x: f32, y: f32| (y - from(x)).abs() <= 1.1 && (28.0..=60.0).contains(&x);
-    let cases: [(FilledHead, &dyn Fn(f32, f32) -> bool, usize); 2] =
+    let cases: [(FilledHead, Shape<'_>, usize); 2] =
         [(HEAD, &upright, 2), (FilledHead { line: Some(-7.0), ..HEAD }, &aslant, 12)];
     for (head, pointed_at, most) in cases {
         let (mut planes, without) = ([picture(true, pointed_at)], picture(false, pointed_at));
@@ -88,7 +91,7 @@ fn a_shaft_that_was_led_on_over_a_gap_ends_at_its_tip() {
     let length = |to: f32| {
         let mut contours = [polyline(&[(10.0, 30.0), (50.0, 30.0), (to, 30.0)])];
         shorten(&mut contours, &[HEAD]);
-        contours[0].length().round()
+        contours[0].length().round() as i32
     };
-    assert_eq!([54.0, 52.0, 70.0].map(length), [40.0, 42.0, 60.0]);
+    assert_eq!([54.0, 52.0, 70.0].map(length), [40, 42, 60]);
 }
