@@ -120,17 +120,20 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     }
     alone.extend(take_leaves(pointed_at, &mut points, &mut taken, polylines, params));
     name_series(&mut points.all);
-    let mut beside = beside_lines(&mut points.all, alone, &by_itself, polylines, params);
-    beside.retain(|(number, _)| !taken[*number]);
-    for (number, point) in beside {
-        taken[number] = true;
-        if !points.has(&point) {
-            points.push(number, point);
-        }
-    }
+    let beside = beside_lines(&mut points.all, alone, &by_itself, polylines, params);
+    take_others(beside, &mut points, &mut taken);
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
     points.all
+}
+
+/// Takes those points that have not been taken, each place once.
+fn take_others(found: Vec<(usize, Point)>, points: &mut TakenPoints, taken: &mut [bool]) {
+    for (number, point) in found {
+        if !std::mem::replace(&mut taken[number], true) && !points.has(&point) {
+            points.push(number, point);
+        }
+    }
 }
 
 /// Whether a shape has room as it is: where one line leads to it, it is what the line points at.

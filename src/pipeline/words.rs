@@ -262,12 +262,8 @@ impl<'a> WrittenWords<'a> {
         let MadeRoom { lines, without_texture, with_less_texture } = labels::make_room(figure, &placed, &params);
         // each time that a page is drawn anew they would become shorter
         if words.before.is_none() {
-            let kept = |(wanted, result): (&Wanted, &Result<Placed, _>)| {
-                Some((wanted.kept_leader?, result.as_ref().ok()?.place))
-            };
-            let kept: Vec<(MmPoint, MmRect)> = wanted.iter().zip(&results).filter_map(kept).collect();
             let measures = (layout.medium.pitch(), plan.limits().line_length);
-            next_cell::begin_off_labels(&mut figure.lines, &kept, &cells, measures);
+            next_cell::begin_off_labels(&mut figure.lines, &kept_leaders(&wanted, &results), &cells, measures);
         }
         let texts = |areas: Vec<Vec<usize>>| -> Vec<Vec<&str>> {
             areas.into_iter().map(|labels| labels.into_iter().map(|label| of_placed[label]).collect()).collect()
@@ -474,4 +470,11 @@ fn leader(ends: [MmPoint; 2], layout: &Layout, plan: &Plan) -> Run {
         Medium::Print(_) => Run::stroke(plan.lines().width_min, ends.to_vec()),
         Medium::Dots(medium) => dots::leader_line(&ends, &medium.area, &plan.dots(medium)),
     }
+}
+
+/// Where the leader lines that a drawing has and the page keeps begin, and the places of their labels.
+fn kept_leaders(wanted: &[Wanted], results: &[Result<Placed, labels::Unplaced>]) -> Vec<(MmPoint, MmRect)> {
+    let kept =
+        |(wanted, result): (&Wanted, &Result<Placed, _>)| Some((wanted.kept_leader?, result.as_ref().ok()?.place));
+    wanted.iter().zip(results).filter_map(kept).collect()
 }
