@@ -197,6 +197,8 @@ fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
         return None;
     }
     let params = plan.lines();
+    // no profile has a swelling that leaves nothing of a line, whatever a page says
+    let swell = if (0.0..params.width_min).contains(&swell) { swell } else { plan.profile().print.swell };
     let range = [params.width_min - swell, params.width_max - swell];
     let overview = parts.overview.iter_mut().flat_map(|overview| &mut overview.lines);
     let ends = parts.figure.lines.iter_mut().chain(overview).map(|line| snap(line, range));

@@ -79,16 +79,37 @@ pub(super) fn quoted_path(names: &[&str]) -> String {
     parts.collect::<Vec<_>>().join(".")
 }
 
-/// A text in quotes, on one line and not too long.
+/// A text in quotes, on one line and not too long, as it is written there.
 pub(crate) fn quoted(text: &str) -> String {
-    let mut short: String = text.chars().take(LONGEST).collect();
-    if short.len() < text.len() {
-        short.push_str("...");
+    let (mut short, mut count) = (String::new(), 0);
+    for letter in text.chars() {
+        let written = if letter == '\'' { letter.to_string() } else { letter.escape_debug().to_string() };
+        count += written.chars().count();
+        if count > LONGEST {
+            short.push_str("...");
+            break;
+        }
+        short.push_str(&written);
     }
-    format!("{short:?}")
+    format!("\"{short}\"")
 }
 
 /// Whether a value is a number with a comma where TOML wants a point, such as `1,5`.
 pub(super) fn has_decimal_comma(value: &str) -> bool {
     value.as_bytes().windows(3).any(|w| w[0].is_ascii_digit() && w[1] == b',' && w[2].is_ascii_digit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_quoted_is_short_as_it_is_written() {
+        assert_eq!(quoted("a 'b' \"c\""), r#""a 'b' \"c\"""#);
+        assert_eq!(quoted("\u{18}"), r#""\u{18}""#);
+        for text in ["\u{18}".repeat(30), "x".repeat(50)] {
+            let short = quoted(&text);
+            assert!(short.ends_with("...\"") && short.len() <= LONGEST + 5, "{short}");
+        }
+    }
 }
