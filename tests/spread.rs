@@ -191,8 +191,8 @@ fn remarks_with_a_place_name_its_sheet_and_count_from_the_edges_of_that() {
     let line = told(&made, "1 line as a whole");
     assert!(line.contains("mm from the left and the top of sheet "), "{line}");
     let map = sheets("map.svg", "2x2", &Options::new(profile("index-basic-d", &[])));
-    let shape = told(&map, "1 small closed shape");
-    assert!(shape.contains(" mm on sheet "), "{shape}");
+    let area = told(&map, "areas that are closed in the figure");
+    assert!(area.contains(" mm on sheet "), "{area}");
     let numbers = line.split_once("around ").and_then(|(_, place)| place.split_once(" mm")).expect("a place").0;
     let numbers: Vec<f32> = numbers.split(", ").map(|number| number.parse().expect("a number")).collect();
     let [width, height] = made.pages[0].sheet;

@@ -206,13 +206,14 @@ fn letters_that_are_drawings_are_one_text() {
     let font = drawn_font("0.001 0 0 0.001 0 0", "278 278 579 278 974");
     let picture = texts(&font, "BT /F 10 Tf 4 20 Td (mil) Tj [-350 (k) 20 (im) -350 (i)] TJ ET");
     assert_eq!(strings(&picture), ["mil kim i"]);
-    assert!((picture.texts[0].size - 10.0 * 4.0 / 3.0).abs() < 0.01, "{:?}", picture.texts[0]);
+    let px = picture.source.size.height as f32 / 48.0;
+    assert!((picture.texts[0].size - 10.0 * px).abs() < 0.1, "{:?}", picture.texts[0]);
     // as TeX makes them of pixels: upside down in text that is upside down, of a size that is none
     let font = drawn_font("1 0 0 -1 0 0", "23 23 48 23 81");
     let picture = texts(&font, "BT /F 0.12 Tf 1 0 0 -1 4 20 Tm [(mil) -28000 (kim)] TJ ET");
     assert_eq!(strings(&picture), ["mil kim"]);
     let DrawnText { min, max, .. } = &picture.texts[0];
-    assert!(min.y < 30.0 && max.y > 37.0 && max.y < 42.0, "{min:?} {max:?}");
+    assert!(min.y < 22.0 * px && max.y > 27.5 * px && max.y < 31.5 * px, "{min:?} {max:?}");
 }
 
 #[test]
