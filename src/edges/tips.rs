@@ -89,7 +89,7 @@ pub(super) fn join_corners(
     let reach = found.iter().map(|found| found.reach(sigma)).fold(0.0, f32::max);
     let (right, bottom) = (size.width as f32, size.height as f32);
     let is_inside = |at: PxPoint| (0.0..=right).contains(&at.x) && (0.0..=bottom).contains(&at.y);
-    let bases = Bases { found: &found, index: index_of(found.iter().map(|found| &found.contour), size), sigma };
+    let bases = Bases::of(&found, size, sigma);
     let may_meet = |a: &End<Px>, b: &End<Px>| match goes_on(a, b) {
         true => !bases.are_parted(a, b, is_seen),
         false => is_inside(tip_of(a, b)),
@@ -231,9 +231,23 @@ struct Bases<'a> {
     index: PointIndex,
     /// The scale of the edge detector, px.
     sigma: f32,
+    /// The greatest [`Bases::beside`] of all.
+    farthest: f32,
 }
 
-impl Bases<'_> {
+impl<'a> Bases<'a> {
+    fn of(found: &'a [FoundContour], size: Size, sigma: f32) -> Self {
+        let index = index_of(found.iter().map(|found| &found.contour), size);
+        let farthest = found.iter().map(|found| Self::beside(found, sigma)).fold(0.0, f32::max);
+        Self { found, index, sigma, farthest }
+    }
+
+    /// How far from a contour what stands on it may end, px: an edge ends before the sides of a stroke, and a stroke
+    /// before an edge.
+    fn beside(found: &FoundContour, sigma: f32) -> f32 {
+        found.stroke.map_or(APART_SCALES * sigma, |width| 0.5 * width)
+    }
+
     /// Whether two ends stand on contours of their own, with nothing between these: the gap of a battery or of a
     /// capacitor says what it is. Both on one contour are those of a line across it.
     fn are_parted(&self, a: &End<Px>, b: &End<Px>, is_seen: &IsSeen<'_>) -> bool {
@@ -245,13 +259,10 @@ impl Bases<'_> {
 
     /// The number of the nearest contour on which an end stands.
     fn base(&self, end: &End<Px>) -> Option<usize> {
-        let half = |found: &FoundContour| 0.5 * found.stroke.unwrap_or(0.0);
-        // an edge ends before the sides of a stroke, and a stroke before an edge
-        let own = half(&self.found[end.polyline]) + STANDS;
-        let reach = |found: &FoundContour| own + found.stroke.map_or(APART_SCALES * self.sigma, |_| half(found));
-        let farthest = self.found.iter().map(reach).fold(0.0, f32::max);
+        let own = 0.5 * self.found[end.polyline].stroke.unwrap_or(0.0) + STANDS;
+        let reach = |found: &FoundContour| own + Self::beside(found, self.sigma);
         let mut nearest: Option<(f32, usize, usize)> = None;
-        self.index.around(end.at, end.at, farthest, |&(number, k)| {
+        self.index.around(end.at, end.at, own + self.farthest, |&(number, k)| {
             let (number, k) = (number as usize, k as usize);
             let found = &self.found[number];
             let distance = (found.contour.vertices[k].at - end.at).length();
