@@ -4,6 +4,8 @@
 //! A stroke that is thinner than a pixel is mixed with its ground, more here and less there: that changes its contrast,
 //! and hardly its tint. Black and all greys are one tint on white.
 
+use std::cmp::Ordering;
+
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
 use crate::units::PxPoint;
@@ -28,15 +30,23 @@ impl Tint {
         (length > 0.0).then(|| Self(excess.map(|value| value / length)))
     }
 
-    /// The one that most of some tints are alike to.
+    /// The one that most of some tints are alike to. Of several to which as many are, it is the same in whichever
+    /// direction a line is followed.
     pub(super) fn most_common(tints: &[Self]) -> Option<Self> {
         let sum = tints.iter().fold([0.0_f32; 3], |sum, tint| [0, 1, 2].map(|axis| sum[axis] + tint.0[axis]));
         let mean = Self::of(sum)?;
         if !tints.iter().any(|tint| tint.differs_from(mean)) {
             return Some(mean);
         }
-        let alike = |tint: &Self| tints.iter().filter(|other| !other.differs_from(*tint)).count();
-        tints.iter().copied().step_by(tints.len().div_ceil(TRIED)).max_by_key(alike)
+        let alike = |tint: Self| tints.iter().filter(|other| !other.differs_from(tint)).count();
+        let tried = tints.iter().copied().step_by(tints.len().div_ceil(TRIED)).map(|tint| (alike(tint), tint));
+        tried.max_by(|a, b| a.0.cmp(&b.0).then_with(|| a.1.by_value(b.1))).map(|(_, tint)| tint)
+    }
+
+    /// An order that hangs on nothing but the two.
+    fn by_value(self, other: Self) -> Ordering {
+        let axes = self.0.iter().zip(&other.0).map(|(a, b)| a.total_cmp(b));
+        axes.fold(Ordering::Equal, Ordering::then)
     }
 
     /// Whether the two are not one.
@@ -111,6 +121,7 @@ fn divided(
             (Some(_), Some(_)) => (length(first, last) >= apart, [first, last]),
             (Some(before), None) => (length(before, end) >= HOOKED && length(before, first) <= apart, [first, end]),
             (None, Some(after)) => (length(0, after) >= HOOKED && length(last, after) <= apart, [0, last]),
+            // the main tint is that of some
             (None, None) => continue,
         };
         if is_change {

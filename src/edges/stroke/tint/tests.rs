@@ -52,6 +52,22 @@ fn what_crosses_a_line_parts_it_not_and_a_hook_at_its_end_is_cut_off() {
 }
 
 #[test]
+fn parts_of_a_line_do_not_depend_on_its_direction() {
+    // each hue is one tint with those beside it alone, so that the two in the middle have as many alike to them
+    let hue = |degrees: f32| {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        ([0.0, cosine, sine], 20)
+    };
+    let mut hues = [0.0, 15.0, 30.0, 45.0].map(hue);
+    let forwards = ends(&hues);
+    hues.reverse();
+    let mut backwards: Vec<[usize; 2]> = ends(&hues).iter().map(|[first, last]| [79 - last, 79 - first]).collect();
+    backwards.sort_unstable();
+    assert_eq!(forwards, backwards);
+    assert_eq!(forwards.len(), 2, "{forwards:?}");
+}
+
+#[test]
 fn parts_of_a_ring_do_not_depend_on_where_it_begins() {
     let (_, tints) = straight(&[(GREY, 50), (BLUE, 30)]);
     let at = |k: usize| {
