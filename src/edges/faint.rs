@@ -17,7 +17,7 @@ pub(super) const BLACK: f32 = 100.0;
 /// short beside its grid.
 pub(super) const STRONG: f32 = 0.1;
 /// Strokes are of one width if they differ by less than this, px: drawings give it exactly.
-const ONE_WIDTH: f32 = 0.01;
+pub(super) const ONE_WIDTH: f32 = 0.01;
 /// A line of a grid that lies under another stroke for most of its length is as pale as the grid at this share of its
 /// places at least; less is where another line hides a black one. Chosen by us.
 const PALEST: f32 = 0.25;

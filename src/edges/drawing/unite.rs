@@ -7,7 +7,7 @@ use lyon::geom::euclid::Box2D;
 use super::confirm::most_hidden;
 use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
-use crate::edges::faint::{FaintStrokes, WeighedStroke};
+use crate::edges::faint::{FaintStrokes, ONE_WIDTH, WeighedStroke};
 use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -56,7 +56,8 @@ pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> (
         kept.extend(parts);
     }
     let middle = |of: &Confirmed| of.line.vertices.get(of.line.vertices.len() / 2).map(|vertex| vertex.at);
-    let overlaid = overlaid.iter().filter(|of| !is_of_grid(of, &kept)).filter_map(middle).collect();
+    let extents: Vec<(f32, PxVector)> = kept.iter().filter_map(extent).collect();
+    let overlaid = overlaid.iter().filter(|of| !is_of_grid(of, &extents)).filter_map(middle).collect();
     (kept, overlaid)
 }
 
@@ -75,15 +76,19 @@ fn is_seen_on_others(contour: &Confirmed, painted: usize, covered: &Covered) -> 
     2 * later <= cover.len() && of_cover > 0.0 && (strength(line) - of_cover).abs() > OTHER_CONTRAST * of_cover
 }
 
-/// Whether a stroke is one of a grid, as that at 0 on an axis: so many others of its width that are `kept` lead as far
-/// in the same direction.
-fn is_of_grid(contour: &Confirmed, kept: &[Confirmed]) -> bool {
-    let extent = |of: &Confirmed| Some(of.line.vertices.last()?.at - of.line.vertices.first()?.at);
-    let Some(own) = extent(contour) else { return false };
-    let is_alike = |other: &&Confirmed| {
-        other.stroke == contour.stroke && extent(other).is_some_and(|other| (other - own).length() <= SAME)
+/// The width of a stroke, and the way from one of its ends to the other.
+fn extent(of: &Confirmed) -> Option<(f32, PxVector)> {
+    Some((of.stroke?, of.line.vertices.last()?.at - of.line.vertices.first()?.at))
+}
+
+/// Whether a stroke is one of a grid, as that at 0 on an axis: so many others of its width, of those that are kept with
+/// these extents, lead as far in the same direction, from whichever end they are drawn.
+fn is_of_grid(contour: &Confirmed, extents: &[(f32, PxVector)]) -> bool {
+    let Some((own_width, own)) = extent(contour) else { return false };
+    let is_alike = |(width, way): &&(f32, PxVector)| {
+        (width - own_width).abs() < ONE_WIDTH && (*way - own).length().min((*way + own).length()) <= SAME
     };
-    kept.iter().filter(is_alike).count() >= OF_GRID
+    extents.iter().filter(is_alike).count() >= OF_GRID
 }
 
 /// The strength of most of a contour.

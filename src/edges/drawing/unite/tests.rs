@@ -56,9 +56,20 @@ fn the_line_of_a_grid_on_an_axis_is_no_window() {
         vec![Confirmed { line: drawn, stroke: Some(width), on_borders: 0, faint: false }]
     };
     let overlaid = |grid: &[f32]| {
-        let lines = grid.iter().map(|y| level(*y, 99.0, 2.0));
-        let all = std::iter::once(level(50.0, 126.0, 3.0)).chain(lines).collect();
-        merged_coincident(all, Size::new(100, 100)).1.len()
+        let lines = || grid.iter().map(|y| level(*y, 99.0, 2.0));
+        let axis = || std::iter::once(level(50.0, 126.0, 3.0));
+        let count = |all: Vec<Vec<Confirmed>>| merged_coincident(all, Size::new(100, 100)).1.len();
+        // every second one drawn from the right, and of a width that rounding makes another
+        let other_way = lines().enumerate().map(|(number, mut of)| {
+            if number % 2 == 1 {
+                of[0].line.vertices.reverse();
+                of[0].stroke = Some(2.000_001);
+            }
+            of
+        });
+        let counts = [count(axis().chain(lines()).collect()), count(axis().chain(other_way).collect())];
+        assert_eq!(counts[0], counts[1], "{grid:?}");
+        counts[0]
     };
     assert_eq!([overlaid(&[50.0]), overlaid(&[30.0, 50.0]), overlaid(&[30.0, 50.0, 70.0])], [1, 1, 0]);
 }
