@@ -180,7 +180,8 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
     None
 }
 
-/// Where an end meets another contour if it continues straight on.
+/// Where an end meets another contour if it continues straight on. The first that it would meet is in the way of those
+/// behind: if it may not be led to that, it stays as it is.
 fn extension(
     contours: &[Contour],
     index: &PointIndex,

@@ -1,5 +1,7 @@
 //! Junctions of contours, in all their forms.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use super::super::contour::testing::{circle, polyline};
 use super::*;
 
@@ -95,13 +97,16 @@ fn an_end_before_another_contour_is_extended_to_it() {
 
 #[test]
 fn an_end_that_may_not_be_led_to_another_contour_stays() {
-    let contours = [polyline(&[(50.0, 20.0), (50.0, 80.0)]), polyline(&[(20.0, 50.3), (47.0, 50.3)])];
-    let mut left = contours.clone();
+    let wall = |x: f32| polyline(&[(x, 20.0), (x, 80.0)]);
+    // through the first of two it is not led to the other
+    let contours = [wall(50.0), polyline(&[(20.0, 50.3), (47.0, 50.3)]), wall(50.5)];
+    let (mut left, asked) = (contours.clone(), AtomicUsize::new(0));
     extend(&mut left, SIZE, &|number, other, [from, to]| {
         assert!((number, other) == (1, 0) && (to - from).length() < 3.1, "{number} to {other}: {from:?} to {to:?}");
+        asked.fetch_add(1, Ordering::Relaxed);
         false
     });
-    assert_eq!(left, contours);
+    assert_eq!((left, asked.into_inner()), (contours, 1));
 }
 
 #[test]
