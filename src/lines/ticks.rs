@@ -82,11 +82,7 @@ pub(super) fn lengthen(
     params: &Params,
 ) -> Vec<ThinnedScale> {
     let mut ticks = ticks(polylines, area, params);
-    let half = |tick: &Tick| match tick.stands {
-        [Some(gap), None] => Some(Half { line: tick.number, foot: Tip::First, gap }),
-        [None, Some(gap)] => Some(Half { line: tick.number, foot: Tip::Last, gap }),
-        _ => None,
-    };
+    let half = |tick: &Tick| tick.foot().map(|(foot, gap)| Half { line: tick.number, foot, gap });
     if bases::join_halves(&ticks.iter().filter_map(half).collect::<Vec<_>>(), polylines, area) {
         polylines.retain(|line| !line.vertices.is_empty());
         ticks = self::ticks(polylines, area, params);
@@ -414,6 +410,15 @@ fn is_straight(line: &Polyline<Vertex>) -> bool {
 }
 
 impl Tick {
+    /// The end with which it stands on its line, and how far that is from the line, mm; none of one that goes across.
+    fn foot(&self) -> Option<(Tip, f32)> {
+        match self.stands {
+            [Some(gap), None] => Some((Tip::First, gap)),
+            [None, Some(gap)] => Some((Tip::Last, gap)),
+            _ => None,
+        }
+    }
+
     /// Its line, longer by so much, mm, and standing on the line that it belongs to: at its free ends, or where both
     /// are free at that on one side of its line, if one is given.
     fn longer(&self, line: &Polyline<Vertex>, more: f32, side: Option<MmVector>) -> Polyline<Vertex> {

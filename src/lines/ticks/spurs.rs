@@ -6,7 +6,7 @@ use super::{Tick, scale, ticks, without};
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Tip, Vertex};
-use crate::units::{MmPoint, MmRect};
+use crate::units::MmRect;
 
 /// Takes the ticks of scales that are too short for lines out of the contours of an overview, if another line ends
 /// where they stand. Gives them.
@@ -23,7 +23,8 @@ pub(in crate::lines) fn take(
     let of_scales: Vec<&Tick> = scales.flatten().collect();
     of_scales.iter().for_each(|tick| is_of_scale[tick.number] = true);
     let is_spur = |tick: &&Tick| {
-        let Some(foot) = foot(tick, lines) else { return false };
+        let foot = tick.foot().and_then(|(which, _)| which.of(&lines[tick.number]));
+        let Some(foot) = foot.map(|end| end.at) else { return false };
         let ends_here = |line: &Polyline<Vertex>| {
             let mut ends = Tip::BOTH.into_iter().filter_map(|which| which.of(line));
             !line.closed && ends.any(|end| (end.at - foot).length() <= params.bridged_gap())
@@ -36,16 +37,6 @@ pub(in crate::lines) fn take(
     let spurs = lines.iter().zip(&taken).filter(|(_, taken)| **taken).map(|(line, _)| line.clone()).collect();
     without(polylines, &taken);
     spurs
-}
-
-/// Where a tick stands that ends on its line.
-fn foot(tick: &Tick, polylines: &[Polyline<Vertex>]) -> Option<MmPoint> {
-    let which = match tick.stands {
-        [Some(_), None] => Tip::First,
-        [None, Some(_)] => Tip::Last,
-        _ => return None,
-    };
-    which.of(&polylines[tick.number]).map(|end| end.at)
 }
 
 #[cfg(test)]

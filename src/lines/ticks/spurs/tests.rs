@@ -2,6 +2,7 @@
 
 use super::super::tests::{PARAMS, line};
 use super::*;
+use crate::units::MmPoint;
 
 #[test]
 fn a_tick_across_from_the_end_of_another_line_is_taken_and_the_others_stay() {
