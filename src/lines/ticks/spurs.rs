@@ -3,6 +3,7 @@
 //! the axis, and of all its ticks this one would stay.
 
 use super::{Tick, scale, ticks, without};
+use crate::geom::nearby::Index;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Tip, Vertex};
@@ -22,15 +23,22 @@ pub(in crate::lines) fn take(
     let scales = ticks.chunk_by(|a, b| a.base == b.base).filter_map(|on_line| scale(on_line, lines, params));
     let of_scales: Vec<&Tick> = scales.flatten().collect();
     of_scales.iter().for_each(|tick| is_of_scale[tick.number] = true);
+    if of_scales.is_empty() {
+        return Vec::new();
+    }
+    let reach = params.bridged_gap();
+    let mut ends = Index::new(area, params.max_spacing());
+    for (number, line) in lines.iter().enumerate().filter(|(number, line)| !line.closed && !is_of_scale[*number]) {
+        Tip::BOTH.iter().filter_map(|which| which.of(line)).for_each(|end| ends.put_at(end.at, (number, end.at)));
+    }
     let is_spur = |tick: &&Tick| {
         let foot = tick.foot().and_then(|(which, _)| which.of(&lines[tick.number]));
         let Some(foot) = foot.map(|end| end.at) else { return false };
-        let ends_here = |line: &Polyline<Vertex>| {
-            let mut ends = Tip::BOTH.into_iter().filter_map(|which| which.of(line));
-            !line.closed && ends.any(|end| (end.at - foot).length() <= params.bridged_gap())
-        };
-        let others = lines.iter().enumerate().filter(|(number, _)| !is_of_scale[*number] && *number != tick.base);
-        lines[tick.number].length() < params.min_length && others.map(|(_, line)| line).any(ends_here)
+        let mut meets_end = false;
+        ends.around(foot, foot, reach, |&(number, at)| {
+            meets_end |= number != tick.base && (at - foot).length() <= reach;
+        });
+        lines[tick.number].length() < params.min_length && meets_end
     };
     let mut taken = vec![false; lines.len()];
     of_scales.iter().copied().filter(is_spur).for_each(|tick| taken[tick.number] = true);
