@@ -39,7 +39,7 @@ impl OccupiedDots {
         let within = |cell: GridDot| self.around(cell).filter_map(|near| self.piece_of.get(&near)).copied();
         let touched: Vec<usize> = within(cells[last]).collect();
         let is_beside_third = |cell: &GridDot| within(*cell).any(|other| !touched.contains(&other));
-        let is_joined = !cells[skipped.min(near)..near].iter().any(is_beside_third);
+        let is_joined = !cells[skipped..near].iter().any(is_beside_third);
         is_joined.then_some((near, skipped))
     }
 
