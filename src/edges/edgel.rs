@@ -30,8 +30,9 @@ impl Located for Edgel {
 /// What is known of a chain as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ChainKind {
-    /// Whether it is a path of a vector drawing or a line that a person gave, as exact as that; otherwise it was found
-    /// in the pixels, and has the wobble of noise.
+    /// Whether it is a path of a vector drawing, or as exact as that: a line that a person gave, or the head of an
+    /// arrow, whose corners were fitted to the pixels as a triangle. Otherwise it was found in the pixels, and has the
+    /// wobble of noise.
     pub exact: bool,
     /// Whether the picture is a drawing, in which every line is meant.
     pub of_drawing: bool,

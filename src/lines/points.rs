@@ -88,13 +88,13 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         }
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
-        match arms[..] {
-            _ if is_too_large(&point, params) && !(is_on_line && is_without_hollow(&point, params)) => {
-                if params.on_dots() {
-                    arms.iter().for_each(|arm| arm.end_at_side(&point, polylines));
-                }
-                continue;
+        if is_too_large(&point, params) && !(is_on_line && is_without_hollow(&point, params)) {
+            if params.on_dots() {
+                arms.iter().for_each(|arm| arm.end_at_side(&point, polylines));
             }
+            continue;
+        }
+        match arms[..] {
             // where one line leads to a shape that has room as it is, the shape is what it points at
             [arm @ PointArm { kind: Approach::End { .. }, .. }] if is_on_line && has_room(&point, params) => {
                 pointed_at.push((number, point, arm));

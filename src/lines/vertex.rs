@@ -55,7 +55,8 @@ pub(super) enum FoundIn {
 }
 
 impl FoundIn {
-    /// Whether it is exactly where it is in a vector drawing.
+    /// Whether it has no wobble of noise: it is where a path or a person has it, or is a corner of a head of an arrow,
+    /// which was fitted to the pixels as a whole.
     pub(super) fn is_exact(self) -> bool {
         matches!(self, Self::Vector | Self::FaintStroke | Self::Person | Self::Head)
     }
