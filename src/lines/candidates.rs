@@ -64,7 +64,7 @@ impl LineCandidates {
         }
         let spurs = if is_overview { ticks::spurs::take(&mut polylines, area, params) } else { Vec::new() };
         let standing = StandingEnds::of(&mut polylines, area, params);
-        let mut polylines = join::join(polylines, params.bridged_gap(), &standing);
+        let mut polylines = join::join(polylines, params.bridged_gap(), &standing, params.of_drawing);
         let lengthens = params.of_drawing && !is_overview;
         let at_points: Vec<MmPoint> = points.iter().map(|point| point.at).collect();
         let (scales, thinned) =
@@ -147,7 +147,7 @@ fn long_enough(
     let whole = if params.of_drawing { links::short_ones(&polylines, area, params) } else { None };
     let polylines = centreline::merge(polylines, area, params);
     // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-    let polylines = join::join(polylines, params.bridged_gap(), standing);
+    let polylines = join::join(polylines, params.bridged_gap(), standing, params.of_drawing);
     let is_long = |polyline: &Polyline<Vertex>| polyline.length() >= params.min_length;
     let (mut long, mut rest): (Vec<_>, Vec<_>) = polylines.into_iter().partition(is_long);
     if params.of_drawing {

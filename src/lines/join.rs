@@ -12,6 +12,9 @@ const JOINED_HEADING: f32 = 1.5;
 /// Where a corner lies within that, as at the top of a bar right above a gridline, which parts it from its sides, the
 /// direction is that over this much, mm.
 const HOOK: f32 = 0.4;
+/// Then they are farther from being one line by so many of the widest gaps: others are at most two from that, where
+/// they meet at a corner.
+const OF_HOOKS: f32 = 3.0;
 /// Least cosine between an end's heading and the direction of the other end (45 degrees).
 const AHEAD_COSINE: f32 = 0.7;
 /// Least cosine between the headings of two ends, one of them turned round (60 degrees).
@@ -28,15 +31,21 @@ const MEETING: f32 = 0.05;
 const BEND: f32 = 4.0;
 
 /// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet. Of ends that are
-/// `standing` on lines only those on one line are joined over it.
-pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32, standing: &StandingEnds) -> Vec<Polyline<Vertex>> {
+/// `standing` on lines only those on one line are joined over it. Of drawings the last bit of an end may tell its
+/// direction.
+pub(super) fn join(
+    polylines: Vec<Polyline<Vertex>>,
+    gap: f32,
+    standing: &StandingEnds,
+    of_drawing: bool,
+) -> Vec<Polyline<Vertex>> {
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
     // a gridline is no part of the axis at whose end it begins
     let faint: Vec<bool> = polylines.iter().map(is_faint).collect();
     let base = |end: &End<Mm>| standing.base(end.at, TOUCHING);
     let is_parted = |a: &End<Mm>, b: &End<Mm>| (b.at - a.at).length() > TOUCHING && base(a) != base(b);
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
-        let of_hooks = || cost_of_hooks(a, b, &polylines, &lengths, gap).filter(|_| standing.of_drawing);
+        let of_hooks = || cost_of_hooks(a, b, &polylines, &lengths, gap).filter(|_| of_drawing);
         let cost = cost(a, b, &lengths, gap).or_else(of_hooks).filter(|_| faint[a.polyline] == faint[b.polyline])?;
         (!is_parted(a, b)).then_some(cost)
     });
@@ -74,14 +83,14 @@ fn direction(polyline: &Polyline<Vertex>, at_start: bool, span: f32) -> MmVector
 }
 
 /// How far two ends of steps between colours that are near to one another are from being one line by the last bit of
-/// each; farther than any that point at one another as a whole.
+/// each; farther than any that point at one another as a whole, see [`OF_HOOKS`].
 fn cost_of_hooks(a: &End<Mm>, b: &End<Mm>, polylines: &[Polyline<Vertex>], lengths: &[f32], gap: f32) -> Option<f32> {
     // of steps the same colours lie on the same side
     if (b.at - a.at).length() > JOINED_HEADING || dot(a.contrast, b.contrast) >= 0.0 {
         return None;
     }
     let hook = |of: &End<Mm>| End { direction: direction(&polylines[of.polyline], of.at_start, HOOK), ..*of };
-    Some(cost(&hook(a), &hook(b), lengths, gap)? + 3.0 * gap)
+    Some(cost(&hook(a), &hook(b), lengths, gap)? + OF_HOOKS * gap)
 }
 
 /// How far two ends are from being one line, if they can be joined at all.

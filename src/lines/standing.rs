@@ -39,8 +39,6 @@ struct Standing {
 pub(super) struct StandingEnds {
     ends: Vec<Standing>,
     by_place: Option<Index<usize, Mm>>,
-    /// Whether the lines are those of a drawing.
-    pub(super) of_drawing: bool,
 }
 
 impl StandingEnds {
@@ -52,7 +50,7 @@ impl StandingEnds {
         let mut ends = standing(polylines, area, params);
         part_plates(polylines, &mut ends, area, params);
         let by_place = (!ends.is_empty()).then(|| by_place(&ends, 0..ends.len(), area, params));
-        Self { ends, by_place, of_drawing: true }
+        Self { ends, by_place }
     }
 
     /// The number of the line on which an end stands that is no farther than `reach` from a place, if one does: the

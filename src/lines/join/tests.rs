@@ -19,7 +19,7 @@ fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
 #[test]
 fn pieces_of_a_straight_line_become_one_whichever_way_they_run() {
     let pieces = vec![straight((0., 0.), (8., 0.), 20.0), straight((18., 0.), (10., 0.), -20.0)];
-    let joined = join(pieces, 3.0, &StandingEnds::default());
+    let joined = join(pieces, 3.0, &StandingEnds::default(), false);
     assert_eq!(joined.len(), 1);
     assert!((joined[0].length() - 18.0).abs() < 1e-3 && !joined[0].closed);
     assert!(joined[0].vertices.iter().all(|v| v.contrast[0] > 0.0), "the second piece was turned round");
@@ -29,11 +29,11 @@ fn pieces_of_a_straight_line_become_one_whichever_way_they_run() {
 #[test]
 fn what_has_other_colours_or_another_direction_stays_apart() {
     let other_colours = vec![straight((0., 0.), (8., 0.), 20.0), straight((10., 0.), (18., 0.), -20.0)];
-    assert_eq!(join(other_colours, 3.0, &StandingEnds::default()).len(), 2);
+    assert_eq!(join(other_colours, 3.0, &StandingEnds::default(), false).len(), 2);
     let aside = vec![straight((0., 0.), (8., 0.), 20.0), straight((8., 2.5), (8., 12.), 20.0)];
-    assert_eq!(join(aside, 3.0, &StandingEnds::default()).len(), 2);
+    assert_eq!(join(aside, 3.0, &StandingEnds::default(), false).len(), 2);
     let far = vec![straight((0., 0.), (8., 0.), 20.0), straight((11.5, 0.), (18., 0.), 20.0)];
-    assert_eq!(join(far, 3.0, &StandingEnds::default()).len(), 2);
+    assert_eq!(join(far, 3.0, &StandingEnds::default(), false).len(), 2);
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn the_top_of_a_bar_is_joined_to_its_sides_though_these_begin_right_below_it() {
     let bar = vec![top, path(&[(0.0, 20.0), (0.0, 1.7)]), path(&[(12.0, 1.7), (12.0, 20.0)])];
     let count = |mut lines: Vec<Polyline<Vertex>>, of_drawing: bool| {
         let standing = StandingEnds::of(&mut lines, area(), &Params { of_drawing, ..Params::TEST });
-        join(lines, 3.0, &standing).len()
+        join(lines, 3.0, &standing, of_drawing).len()
     };
     assert_eq!([true, false].map(|of_drawing| count(bar.clone(), of_drawing)), [1, 3]);
     let mut of_other_colours = bar;
@@ -73,7 +73,7 @@ fn an_arc_whose_ends_meet_is_a_ring() {
         contrast: [20.0, 0.0, 0.0],
         ..Vertex::TEST
     };
-    let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0, &StandingEnds::default());
+    let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0, &StandingEnds::default(), false);
     assert!(joined.len() == 1 && joined[0].closed);
     assert!(joined[0].vertices.first() != joined[0].vertices.last());
 }

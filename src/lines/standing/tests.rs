@@ -23,7 +23,7 @@ fn capacitor(length: f32, apart: f32) -> Vec<Polyline<Vertex>> {
 fn wires_that_end_on_plates_are_not_joined_over_the_gap() {
     let wires = |mut lines: Vec<Polyline<Vertex>>| {
         let standing = StandingEnds::of(&mut lines, area(), &PARAMS);
-        let joined = join(lines, 3.0, &standing);
+        let joined = join(lines, 3.0, &standing, true);
         joined.iter().filter(|line| line.length() > 30.0).count()
     };
     assert_eq!(wires(capacitor(12.0, 2.0)), 2);
