@@ -148,6 +148,10 @@ impl PictureKind {
     }
 }
 
+/// Where a stroke is led on, the picture shows at least this share of the least strength of an edge ([`Params::low`]).
+/// Chosen by us.
+const LED_ON: f32 = 0.5;
+
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
     find_of_kind(raster, &PictureKind::of(raster, None), params, None)
@@ -259,7 +263,7 @@ impl<'a> Ridges<'a> {
         if of_drawing {
             (found, dashed) = dashes::merged_dashes(found, params.sigma, params.min_length);
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
-                stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
+                stroke::is_seen([from, to], width, least.max(LED_ON * params.low), &planes)
             };
             let met = tips::join_corners(found, params.sigma, size, &is_seen);
             let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
@@ -276,7 +280,7 @@ impl<'a> Ridges<'a> {
         }
         junction::extend(&mut contours, size, &|number, other, way| {
             let pair = strokes[number].zip(strokes[other]);
-            pair.is_none_or(|(own, other)| stroke::may_lead([own, other], way, 0.5 * params.low, &planes))
+            pair.is_none_or(|(own, other)| stroke::may_lead([own, other], way, LED_ON * params.low, &planes))
         });
         heads::shorten(&mut contours, &heads);
         let mut edges = Edges::none(size);

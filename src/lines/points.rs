@@ -45,7 +45,8 @@ const SMALLEST: f32 = 0.6;
 /// The largest filled point, in distances of two lines: a larger shape has room as it is.
 const LARGEST: f32 = 1.25;
 /// Where lines become dots, a filled point on a line is one as well if it is less broad than so many steps: a ring in
-/// its place has no hollow. On a pin display none was drawn at 3.6 steps, and one at 3.8.
+/// its place has no hollow. Measured on a pin display, where none was drawn at 3.6 steps, and one at 3.8; taken to hold
+/// on all grids of dots, as it is counted in their steps.
 const LEAST_HOLLOW: f32 = 3.75;
 /// The largest hollow point, in the same: up to about here the lines that end at a ring would take its place.
 pub(crate) const LARGEST_HOLLOW: f32 = 2.5;
