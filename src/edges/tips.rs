@@ -164,7 +164,7 @@ impl FoundContour {
 
     /// Whether the two are strokes whose tints are known and differ: pieces of two lines, which may cross.
     pub(super) fn differs_in_tint(&self, other: &Self) -> bool {
-        self.tint.zip(other.tint).is_some_and(|(own, other)| own.differs_from(other))
+        Tint::are_two(self.tint, other.tint)
     }
 
     /// Goes on in another one, as a stroke if most of it is one.

@@ -9,6 +9,7 @@ use std::collections::HashSet;
 
 use super::Stroke;
 use super::centre::contrast_across;
+use super::tint::Tint;
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::params::{HEADING, Params};
 use crate::geom::link::{End, LinkedChain, link};
@@ -135,7 +136,7 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
 
 /// Whether two strokes may be one: their tints do not differ, as far as they are known.
 fn is_of_one_tint(one: usize, other: usize, strokes: &[Stroke]) -> bool {
-    !strokes[one].tint.zip(strokes[other].tint).is_some_and(|(one, other)| one.differs_from(other))
+    !Tint::are_two(strokes[one].tint, strokes[other].tint)
 }
 
 /// The continuation from an end of a stroke, if it leads to another one or to another part of the same.

@@ -53,6 +53,11 @@ impl Tint {
     pub(in crate::edges) fn differs_from(self, other: Self) -> bool {
         self.0.iter().zip(other.0).map(|(a, b)| a * b).sum::<f32>() < ONE
     }
+
+    /// Whether two are known not to be one.
+    pub(in crate::edges) fn are_two(one: Option<Self>, other: Option<Self>) -> bool {
+        one.zip(other).is_some_and(|(one, other)| one.differs_from(other))
+    }
 }
 
 /// The parts of a line that have one tint each, as the numbers of their vertices, if it has several. `tints` are those

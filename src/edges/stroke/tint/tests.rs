@@ -31,6 +31,9 @@ fn a_paler_or_darker_colour_is_one_tint_and_another_hue_is_not() {
     assert!(tint([-30.0, 80.0, 135.0]).differs_from(tint([-54.0, 132.0, 90.0])), "orange and red");
     assert!(tint(GREY).differs_from(tint([30.0, 0.0, 0.0])), "darker and lighter than the ground");
     assert_eq!(Tint::of([0.0; 3]), None);
+    let [grey, blue] = [GREY, BLUE].map(Tint::of);
+    assert!(Tint::are_two(grey, blue));
+    assert!(!Tint::are_two(grey, None) && !Tint::are_two(None, blue) && !Tint::are_two(grey, grey));
 }
 
 #[test]
