@@ -333,20 +333,16 @@ impl PointArm {
         }
         let far = |vertex: &Vertex| (vertex.at - point.at).length();
         for which in Tip::BOTH {
-            if which == Tip::Last {
-                line.vertices.reverse();
-            }
-            let hidden = line.vertices.iter().take_while(|vertex| far(vertex) < point.radius).count();
-            if let [.., inside, outside] = &line.vertices[..line.vertices.len().min(hidden + 1)]
-                && (1..line.vertices.len()).contains(&hidden)
-            {
-                let share = (point.radius - far(inside)) / (far(outside) - far(inside));
-                let side = inside.between(outside, share);
-                line.vertices.splice(..hidden, [side]);
-            }
-            if which == Tip::Last {
-                line.vertices.reverse();
-            }
+            line.change_tip(which, |vertices| {
+                let hidden = vertices.iter().rev().take_while(|vertex| far(vertex) < point.radius).count();
+                let shown = vertices.len() - hidden;
+                if let ([.., outside], [inside, ..]) = vertices.split_at(shown) {
+                    let share = (point.radius - far(inside)) / (far(outside) - far(inside));
+                    let side = inside.between(outside, share);
+                    vertices.truncate(shown);
+                    vertices.push(side);
+                }
+            });
         }
     }
 }

@@ -165,29 +165,36 @@ impl Polyline<Vertex> {
         }
     }
 
+    /// Changes the vertices of an open line in the order that leads to one of its tips, which is the last of them.
+    pub(super) fn change_tip(&mut self, which: Tip, change: impl FnOnce(&mut Vec<Vertex>)) {
+        if which == Tip::First {
+            self.vertices.reverse();
+        }
+        change(&mut self.vertices);
+        if which == Tip::First {
+            self.vertices.reverse();
+        }
+    }
+
     /// An open line without so much of one of its ends, mm.
     pub(super) fn shortened(&self, which: Tip, cut: f32) -> Self {
-        let mut vertices = self.vertices.clone();
-        if which == Tip::First {
-            vertices.reverse();
-        }
-        let mut left = cut;
-        while let [.., before, last] = vertices[..] {
-            let step = (last.at - before.at).length();
-            if step > left {
-                let share = if step > 0.0 { left / step } else { 0.0 };
-                if let Some(end) = vertices.last_mut() {
-                    *end = Vertex { at: last.at.lerp(before.at, share), ..last };
+        let mut line = Self::open(self.vertices.clone());
+        line.change_tip(which, |vertices| {
+            let mut left = cut;
+            while let [.., before, last] = vertices[..] {
+                let step = (last.at - before.at).length();
+                if step > left {
+                    let share = if step > 0.0 { left / step } else { 0.0 };
+                    if let Some(end) = vertices.last_mut() {
+                        *end = Vertex { at: last.at.lerp(before.at, share), ..last };
+                    }
+                    break;
                 }
-                break;
+                left -= step;
+                vertices.pop();
             }
-            left -= step;
-            vertices.pop();
-        }
-        if which == Tip::First {
-            vertices.reverse();
-        }
-        Self { vertices, closed: false }
+        });
+        line
     }
 
     /// An open line as it is, and without more and more of one of its ends, up to `most`, mm, in steps of
