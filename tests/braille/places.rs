@@ -3,6 +3,7 @@
 use super::labels::place;
 use super::worksheets::{drawn, notes, svg};
 use tactograph::marks::BrailleText;
+use tactograph::medium::Medium;
 use tactograph::{Drawing, MmPoint, MmRect};
 
 const PROFILES: [&str; 3] = ["swell-a4", "index-basic-d", "braillerap"];
@@ -191,10 +192,12 @@ fn leader_lines_side_by_side_are_whole() {
             let place = place(label);
             let figure = drawing.page.figure.place;
             let named = figure.min + MmPoint::new(named[0], named[1]).to_vector() * (figure.width() / 700.0);
+            // where dots are those of letters, it begins beyond the cell beside its label
+            let farthest = if matches!(drawing.page.medium, Medium::Dots(_)) { 13.0 } else { 8.0 };
             let leads = |points: &[MmPoint]| {
                 let ends = [points[0], points[points.len() - 1]];
-                // on pins it begins beyond the cell beside its label
-                let from_to = |a: usize, b: usize| distance(ends[a], place) < 13.0 && (ends[b] - named).length() < 8.0;
+                let from_to =
+                    |a: usize, b: usize| distance(ends[a], place) < farthest && (ends[b] - named).length() < 8.0;
                 from_to(0, 1) || from_to(1, 0)
             };
             let mut runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).chain(&label.leader);
