@@ -83,6 +83,16 @@ pub(super) struct FormLetter {
 /// Most forms of a page that are looked at; a font has as many letters.
 const MOST_FORMS: usize = 512;
 
+/// Most lines and curves of an outline; letters have fewer.
+const MOST_ELEMENTS: usize = 500;
+
+/// Most bytes of a form as it stands in the document: as many as such an outline has that is not packed. Longer ones,
+/// and those that are packed several times, are not unpacked, as they could be of any size then.
+const MOST_PACKED: usize = 16_384;
+
+/// Most bytes that are unpacked of the forms of a page, up to the one that goes beyond it.
+const MOST_UNPACKED: usize = 8_000_000;
+
 impl FormLetter {
     /// Those that a page can draw.
     pub(super) fn all_of(page: &Page<'_>) -> Vec<Self> {
@@ -90,12 +100,17 @@ impl FormLetter {
         let Some(forms) = resources.and_then(|own| own.get::<Dict<'_>>("XObject")) else { return Vec::new() };
         let mut names: Vec<Name<'_>> = forms.keys().filter(|name| glyph_name(name.as_str()).is_some()).collect();
         names.sort();
-        let mut known = HashSet::new();
+        let (mut known, mut unpacked) = (HashSet::new(), 0);
         let letter = |name: Name<'_>| {
             let glyph = glyph_name(name.as_str())?;
             // one that has several names would be unpacked many times
             let form = forms.get::<Stream<'_>>(name.as_ref()).filter(|form| known.insert(form.obj_id()))?;
-            let outline = outline(&form.decoded_data().ok()?)?;
+            if unpacked > MOST_UNPACKED || form.filters().len() > 1 || form.raw_data().len() > MOST_PACKED {
+                return None;
+            }
+            let content = form.decoded_data().ok()?;
+            unpacked += content.len();
+            let outline = outline(&content)?;
             Some(Self { string: letter_named(glyph).map(String::from), outline })
         };
         names.into_iter().take(MOST_FORMS).filter_map(letter).collect()
@@ -137,12 +152,15 @@ fn glyph_name(form: &str) -> Option<&str> {
     (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())).then_some(glyph)
 }
 
-/// The path that a form fills, if it does nothing else.
+/// The path that a form fills, if it does nothing else and the path is no longer than that of a letter.
 fn outline(content: &[u8]) -> Option<BezPath> {
     let mut path = BezPath::new();
     let mut fills = 0;
     let mut steps = TypedIter::new(content);
     while let Some(step) = steps.next() {
+        if path.elements().len() > MOST_ELEMENTS {
+            return None;
+        }
         match step {
             TypedInstruction::MoveTo(to) => path.move_to((to.0.as_f64(), to.1.as_f64())),
             _ if path.elements().is_empty() => return None,

@@ -37,6 +37,13 @@ fn a_form_that_is_a_letter_fills_one_path() {
 }
 
 #[test]
+fn an_outline_that_is_longer_than_letters_are_is_none() {
+    let of = |lines: usize| outline(format!("0 0 m\n{}h\nf\n", "1 1 l\n".repeat(lines)).as_bytes());
+    assert!(of(100).is_some());
+    assert!(of(10_000).is_none());
+}
+
+#[test]
 fn letters_of_one_size_and_height_are_on_one_line() {
     let letter = |x: f64, y: f64, size: f64| Letter {
         string: None,
