@@ -127,7 +127,7 @@ impl FormLetter {
         placed(self.string.clone(), to_page, extent.x0 + extent.x1, EM)
     }
 
-    /// How hayro-svg begins the element of its outline.
+    /// How hayro-svg begins the element of its outline: up to the end of the first attribute.
     pub(super) fn element(&self) -> String {
         let of_element = |element: &PathEl| {
             let (sign, points) = match *element {

@@ -4,11 +4,15 @@
 //! font's letters are drawings of their own (Type 3). Each path that is clipped stands in a group of its own, so that
 //! a page of a thousand paths under one clip has a thousand clipped groups.
 
+use std::collections::HashSet;
+
 use super::words::PX_PER_POINT;
 
 /// The text with its size in CSS pixels, and with neighbours that are clipped alike in one group. Unless letters are
-/// kept, it has none, and no element that begins as `letters` do.
+/// kept, it has none, and no element whose name and first attribute are one of `letters`.
 pub(super) fn prepared(svg: &str, (width, height): (f32, f32), letters: Option<&[String]>) -> String {
+    let forms: HashSet<&str> = letters.unwrap_or_default().iter().map(String::as_str).collect();
+    let is_form = |element: &str| !forms.is_empty() && first_attribute(element).is_some_and(|own| forms.contains(own));
     let mut out = String::with_capacity(svg.len());
     let mut lines = svg.lines();
     out.push_str(&sized(lines.next().unwrap_or_default(), width, height));
@@ -17,8 +21,7 @@ pub(super) fn prepared(svg: &str, (width, height): (f32, f32), letters: Option<&
     // What opened a group of which the end is read but not written: it may go on.
     let mut ending: Option<&str> = None;
     for element in lines.map(str::trim_start) {
-        let is_form = |letters: &[String]| letters.iter().any(|form| element.starts_with(form.as_str()));
-        if letters.is_some_and(|letters| is_letter(element) || is_form(letters)) {
+        if letters.is_some() && (is_letter(element) || is_form(element)) {
             continue;
         }
         if let Some(group) = ending.take() {
@@ -48,6 +51,12 @@ fn sized(line: &str, width: f32, height: f32) -> String {
         line.replacen(&format!(" {name}=\"{points}\""), &format!(" {name}=\"{}\"", points * PX_PER_POINT), 1)
     };
     with_unit(&with_unit(line, "width", width), "height", height)
+}
+
+/// An element up to the end of its first attribute.
+fn first_attribute(element: &str) -> Option<&str> {
+    let (end, _) = element.match_indices('"').nth(1)?;
+    element.get(..=end)
 }
 
 /// Whether an element draws a letter.
