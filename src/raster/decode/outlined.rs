@@ -72,8 +72,14 @@ pub(super) fn of_document(text: &str, document: &Document<'_>) -> Option<Outline
     })
 }
 
-/// The group that is the next element behind a comment, if it is turned upside down, as outlines of letters are.
+/// The group that is the next element behind a comment, if it is drawn at its own place, and turned upside down, as
+/// outlines of letters are.
 fn group_behind<'a, 'i>(comment: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    // within a symbol or a pattern, or where it is drawn by a <use>, its letters would be gone and no text found
+    let mut around = comment.ancestors().filter(Node::is_element);
+    if around.any(|element| !matches!(element.tag_name().name(), "svg" | "g" | "a" | "switch")) {
+        return None;
+    }
     let behind = comment.next_siblings().skip(1).find(|node| !node.is_text())?;
     let scale = behind.attribute("transform")?.trim_end().strip_suffix(')')?.rsplit_once("scale(")?.1;
     let mut factors = scale.split([' ', ',']).filter(|factor| !factor.is_empty()).map(str::parse::<f32>);

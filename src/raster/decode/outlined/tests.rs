@@ -54,6 +54,19 @@ fn what_is_not_sure_to_be_a_text_is_none() {
 }
 
 #[test]
+fn letters_that_are_drawn_elsewhere_are_no_text() {
+    let within = |open: &str, close: &str| {
+        let text = drawing("Apple", b"Apple", FLIPPED);
+        let text = text.replace("<g id='text_1'>", open).replace("</g></g>", &format!("</g>{close}"));
+        of_document(&text, &Document::parse(&text).expect("a drawing")).is_some()
+    };
+    assert!(within("<g>", "</g>") && within("<a>", "</a>"));
+    for around in ["defs", "symbol", "pattern", "clipPath", "use"] {
+        assert!(!within(&format!("<{around}><g>"), &format!("</g></{around}>")), "{around}");
+    }
+}
+
+#[test]
 fn texts_of_paths_have_a_place_a_size_and_an_angle() {
     let text = drawing("Apple", b"Apple", "rotate(-90) scale(0.1 -0.1)");
     let found = of_document(&text, &Document::parse(&text).expect("a drawing")).expect("a text");
