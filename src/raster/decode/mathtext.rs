@@ -2,7 +2,7 @@
 //! `$\mathdefault{10^{-3}}$`, `$x_1$`, `30 $\mu$g`. TeX writes them alike.
 
 use super::names::letter_named;
-use super::texts::{power, scripted, with_signs_on_line};
+use super::texts::{scripted, with_signs_on_line};
 
 /// A text with its formulas read.
 pub(super) struct Formula {
@@ -81,8 +81,9 @@ impl Reading<'_> {
         if is_raised && own.chars().eq([DEGREE]) {
             return Some(own.to_owned());
         }
-        let as_power = || power(own, row).filter(|_| is_raised);
-        Some(scripted(own, is_raised).or_else(as_power).unwrap_or_else(|| format!(" {own} ")))
+        let has_base = !row.trim_end().is_empty() && !own.is_empty();
+        let is_power = is_raised && has_base && !ORDINALS.contains(&own);
+        Some(scripted(own, is_raised).unwrap_or_else(|| if is_power { typed(own) } else { format!(" {own} ") }))
     }
 
     /// A sign, a command or what is in braces.
@@ -95,7 +96,7 @@ impl Reading<'_> {
                 return (self.take() == Some('}')).then_some(row);
             }
             '\\' => return self.command(level),
-            // what these are, their place says
+            // two scripts in a row, and primes, are not read
             '}' | '^' | '_' | '\'' | '~' => return None,
             '-' => '\u{2212}',
             sign => sign,
@@ -132,6 +133,15 @@ impl Reading<'_> {
         Some(sign.to_string())
     }
 }
+
+/// A power as it is typed, with a blank behind it: in brackets, unless it is one sign or a number.
+fn typed(power: &str) -> String {
+    let is_number = power.chars().all(|sign| sign.is_ascii_digit() || sign == '.' || sign == ',');
+    if is_number || power.chars().count() == 1 { format!("^{power} ") } else { format!("^({power}) ") }
+}
+
+/// What is raised behind numbers and is no power: in English and French.
+const ORDINALS: [&str; 6] = ["st", "nd", "rd", "th", "er", "\u{e8}re"];
 
 /// Commands that choose a font for what comes next.
 const FONTS: [&str; 8] = ["mathdefault", "mathregular", "mathrm", "mathit", "mathbf", "mathsf", "mathtt", "text"];

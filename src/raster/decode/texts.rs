@@ -423,6 +423,7 @@ pub(super) fn power(own: &str, base: &str) -> Option<String> {
     let mut before = base.trim_end().chars().rev();
     let last = before.next()?;
     let is_letter = last.is_alphabetic() && before.next().is_none_or(|sign| !sign.is_alphabetic());
+    // the usual ones; by its place alone a small a, e, h or m may be of a footnote, an ordinal or a unit as well
     let is_term = |sign: char| sign.is_ascii_digit() || "ktnxy.,".contains(sign);
     let is_sum = |sign: char| is_term(sign) || "+-\u{2212}".contains(sign);
     let is_power = !own.is_empty() && !own.starts_with(['.', ',']) && own.chars().all(is_sum);

@@ -24,6 +24,18 @@ fn formulas_of_one_line_are_read() {
 }
 
 #[test]
+fn what_is_raised_in_a_formula_is_a_power() {
+    let of = |text: &str| said(text).map(|(string, _)| string);
+    assert_eq!(of("$2^m$").as_deref(), Some("2^m"));
+    assert_eq!(of("$10^{1.5}$").as_deref(), Some("10^1.5"));
+    assert_eq!(of("$e^{ix}$ $x^a$").as_deref(), Some("e^(ix) x^a"));
+    assert_eq!(of("$x_1^n$").as_deref(), Some("x\u{2081}^n"));
+    assert_eq!(of("$x_{10}^{a+b}$").as_deref(), Some("x\u{2081}\u{2080}^(a+b)"));
+    assert_eq!(of(r"$1^\mathrm{st}$, $2^{nd}$").as_deref(), Some("1 st , 2 nd"), "ordinals");
+    assert_eq!(of("$^a$ of 2019").as_deref(), Some("a of 2019"), "there is nothing of which it is one");
+}
+
+#[test]
 fn what_is_not_known_is_no_formula() {
     for text in [r"$\frac{1}{2}$", r"$\sqrt{2}$", "$x'$", "$x}$", "${x$", "$x^$", r"$x\$", "$x__1$"] {
         assert_eq!(said(text), None, "{text}");
