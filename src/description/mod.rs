@@ -70,7 +70,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     let risen = felt.risen();
     let lines = &risen.figure.lines;
     // its figure is nothing but patches, of which its texts tell
-    let is_key = lines.is_empty() && felt.braille.iter().any(|text| text.role == TextRole::Key);
+    let is_key = lines.is_empty() && felt.is_key();
     sentences.push(("sheet", sheet(&risen, is_key, wording)));
     let told = shapes::told(lines, felt.figure.place, MOST_LINES, wording);
     let shorter = shapes::count(lines) - told.len();

@@ -6,14 +6,13 @@ use super::finding::FoundBreach;
 use super::limits::{MOST_TEXTURES, MediumLimits, ROUNDING, RuleLimits};
 use super::marks::{Mark, MarkOutline, PageObject};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURE_SIGN, TEXTURES};
-use crate::page::{Medium, Names, Page, Shape, TextRole, Texture};
+use crate::page::{Medium, Names, Page, Shape, Texture};
 use crate::units::{MmPoint, MmRect};
 
 pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let mut found = Vec::new();
     // a key may have words only
-    let has_key = page.braille.iter().any(|text| text.role == TextRole::Key);
-    if page.is_empty() && !has_key {
+    if page.is_empty() && !page.is_key() {
         found.push(FoundBreach::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
     }
     found.extend(too_small(page, names, limits));

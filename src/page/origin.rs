@@ -286,13 +286,18 @@ impl Page {
         InSet::of(self).is_some_and(|in_set| in_set != InSet::Followed)
     }
 
+    /// Whether this sheet is one of a key.
+    pub(crate) fn is_key(&self) -> bool {
+        self.braille.iter().any(|text| text.role == TextRole::Key)
+    }
+
     /// What this sheet is among those of its picture, in a word: `figure`, `overview`, `key`, or the name of one of the
     /// sheets on which a picture lies, its row as a letter from `a` and its column as a number from 1.
     pub fn part_of_set(&self) -> String {
         match InSet::of(self) {
             Some(InSet::Overview | InSet::OverviewOf(_)) => "overview".to_owned(),
             Some(InSet::One(name, _)) => name,
-            _ if self.braille.iter().any(|text| text.role == TextRole::Key) => "key".to_owned(),
+            _ if self.is_key() => "key".to_owned(),
             _ => "figure".to_owned(),
         }
     }

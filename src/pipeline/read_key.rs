@@ -24,14 +24,9 @@ pub struct KeyWanted {
     pub is_changed: bool,
 }
 
-/// Whether a page is a sheet of a key.
-pub(super) fn is_key(page: &Page) -> bool {
-    page.braille.iter().any(|text| text.role == TextRole::Key)
-}
-
 /// Whether a page is a sheet of a key, or has one that its maker asked for, though nothing is abbreviated.
 pub(super) fn has_own_key(page: &Page) -> bool {
-    is_key(page)
+    page.is_key()
         || ToldInKey::of(page).is_some_and(|told| {
             let has_meaning = told.blank.iter().any(|(_, means)| means.is_some()) || told.meanings().count() > 0;
             told.abbreviations.is_empty() && told.title.is_none() && !has_meaning
@@ -49,7 +44,7 @@ pub fn key_of_page(
     translate: Option<&Translate>,
     request: &Request<'_>,
 ) -> Result<Key, Error> {
-    if is_key(page) {
+    if page.is_key() {
         let told = (wanted.key == KeySheets::Always)
             .then_some(Note::NoKey(Reason::IsAKey, "this sheet is one of a key itself"));
         return Ok(Key { notes: told.into_iter().collect(), ..Key::default() });
@@ -120,7 +115,7 @@ fn outdated(told: &ToldInKey, page: &Page) -> Option<String> {
 /// What a sheet of a key says, and what of its texts is neither a colour nor an abbreviation; none of another page, or
 /// where nothing can be written.
 fn entries<'a>(page: &'a Page, written: &'a WrittenWords<'_>) -> Option<(Entries<'a>, Vec<&'a str>)> {
-    let translator = written.translator().filter(|_| is_key(page))?;
+    let translator = written.translator().filter(|_| page.is_key())?;
     let after = |text: &'a str, word: &str| text.strip_prefix(word).map(|rest| rest.strip_prefix(": "));
     let number = page.braille.iter().find(|text| text.role == TextRole::Number);
     let mut entries = Entries {
