@@ -18,7 +18,7 @@ use super::job::{
     self, DecodeOptions, Decoded, FontLoader, Header, Limits, OVER_LIMIT, check_memory, guarded, unpacks_too_far,
     working_bytes,
 };
-use super::outlined::{self, Outlined};
+use super::outlined::{self, LettersAsPaths};
 use super::texts::short;
 use super::{filters, paths, texts};
 use crate::raster::crop::PixelPart;
@@ -79,7 +79,7 @@ struct Trees {
     /// The same with its texts, if these are left out and it has some.
     with_texts: Option<Tree>,
     /// Those of its texts whose letters are paths.
-    outlined: Option<Outlined>,
+    outlined: Option<LettersAsPaths>,
 }
 
 fn trees(text: &str, options: &DecodeOptions<'_>, left_out: &DrawingLosses) -> Result<Trees, Error> {

@@ -18,21 +18,18 @@ use usvg::{Group, Tree};
 
 use super::edited::edited;
 use super::mathtext;
+use super::texts::{ASCENT, DESCENT};
 use crate::raster::vector::{DrawnText, PixelArea};
 use crate::units::{PxPoint, Size};
 
 /// Size of a font in the group of its letters.
 const EM: f32 = 100.0;
 
-/// Above and below the line that letters stand on, in font sizes.
-const ASCENT: f32 = 0.75;
-const DESCENT: f32 = 0.22;
-
 /// How the ids begin that groups of letters get here if they have none.
 const FRESH: &str = "letters-as-paths-";
 
 /// A drawing that has texts whose letters are paths.
-pub(super) struct Outlined {
+pub(super) struct LettersAsPaths {
     /// What they say, by the ids of their groups.
     texts: HashMap<String, String>,
     /// The drawing, in which each of these groups has its id.
@@ -42,7 +39,7 @@ pub(super) struct Outlined {
 }
 
 /// A drawing with its texts whose letters are paths, if it has such. What is not sure to be one is none.
-pub(super) fn of_document(text: &str, document: &Document<'_>) -> Option<Outlined> {
+pub(super) fn of_document(text: &str, document: &Document<'_>) -> Option<LettersAsPaths> {
     // what comes from an entity has no place of its own in the file
     if text.contains("<!ENTITY") || text.contains(FRESH) {
         return None;
@@ -68,7 +65,7 @@ pub(super) fn of_document(text: &str, document: &Document<'_>) -> Option<Outline
     let has_any = !texts.is_empty();
     has_any.then(|| {
         let marked = edited(text, marks);
-        Outlined { texts, marked, bare: edited(text, removed) }
+        LettersAsPaths { texts, marked, bare: edited(text, removed) }
     })
 }
 
@@ -171,7 +168,7 @@ fn identified(group: Node<'_, '_>, number: usize, text: &str) -> Option<(String,
     is_clear.then_some((id, Some((at..at, mark))))
 }
 
-impl Outlined {
+impl LettersAsPaths {
     /// The texts of a drawing which is rendered with `transform` at a size, by the drawing with their groups.
     pub(super) fn of_tree(&self, marked: &Tree, transform: Transform, size: Size) -> Vec<DrawnText> {
         let mut found = Vec::new();
@@ -195,7 +192,7 @@ impl Outlined {
 /// The text of a group of letters, if a part of it is in the picture.
 fn drawn(group: &Group, string: &str, transform: Transform, size: Size) -> Option<DrawnText> {
     let ink = group.bounding_box();
-    let (low, high) = (ink.top().min(-DESCENT * EM), ink.bottom().max(ASCENT * EM));
+    let (low, high) = (ink.top().min(-DESCENT as f32 * EM), ink.bottom().max(ASCENT as f32 * EM));
     let to_pixels = transform.pre_concat(group.abs_transform());
     let place = Rect::from_ltrb(ink.left(), low, ink.right(), high)?.transform(to_pixels)?;
     let (min, max) = (PxPoint::new(place.left(), place.top()), PxPoint::new(place.right(), place.bottom()));

@@ -6,7 +6,7 @@ use usvg::{BaselineShift, Group, Node, Text, TextAnchor, TextChunk, TextSpan, Tr
 
 use super::colour::one_line;
 use crate::listing::{counted, first_few};
-use crate::raster::vector::DrawnText;
+use crate::raster::vector::{DrawnText, PixelArea};
 use crate::units::{PxPoint, Size};
 
 /// The texts of a drawing which is rendered with `transform` at a size, in the order in which they are painted.
@@ -128,11 +128,9 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
     let letters = joined(&in_order(pieces(text)));
     let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
     let place = text.abs_bounding_box().transform(transform)?;
-    let is_seen = place.left() < size.width as f32
-        && place.top() < size.height as f32
-        && place.right() > 0.0
-        && place.bottom() > 0.0;
-    if string.is_empty() || !is_seen {
+    let (min, max) = (PxPoint::new(place.left(), place.top()), PxPoint::new(place.right(), place.bottom()));
+    let area = PixelArea { min, max };
+    if string.is_empty() || !area.is_seen(size) {
         return None;
     }
     let to_pixels = transform.pre_concat(text.abs_transform());
@@ -140,8 +138,8 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
     let largest = text.chunks().iter().flat_map(|chunk| chunk.spans()).map(|span| span.font_size().get());
     Some(DrawnText {
         string,
-        min: PxPoint::new(place.left(), place.top()),
-        max: PxPoint::new(place.right(), place.bottom()),
+        min,
+        max,
         angle: -to_pixels.ky.atan2(to_pixels.sx).to_degrees() - turned,
         size: largest.fold(0.0, f32::max) * to_pixels.kx.hypot(to_pixels.sy),
         hidden: false,
@@ -304,6 +302,10 @@ fn is_next(piece: &Piece, last: &Piece) -> bool {
     last.text.chars().count() == 1 && is_alike && from(last, piece).is_some_and(is_near)
 }
 
+/// Above and below the line that letters stand on, in sizes of their font.
+pub(super) const ASCENT: f64 = 0.75;
+pub(super) const DESCENT: f64 = 0.22;
+
 /// Two digits, or the point of a decimal and a digit, begin no farther apart where no space is between them, in sizes
 /// of their font: digits are at most 0.64 wide, and with a space 0.75 at least, but in narrow fonts.
 const DIGIT: f32 = 0.68;
@@ -407,10 +409,10 @@ fn script(piece: &Piece, last: &Piece, on_line: &Piece, is_alone: bool) -> Optio
     let (behind, up) = from(on_line, piece)?;
     let (own, widest) = (piece.text.trim(), BROADEST * last.size * last.text.trim().chars().count() as f32);
     let is_far = |up: f32| FAR_OFF_LINE.contains(&(up.abs() / piece.size));
-    let is_said = piece.size <= on_line.size && up * piece.up > 0.0 && is_far(up) && is_far(piece.up);
+    let is_moved_by_style = piece.size <= on_line.size && up * piece.up > 0.0 && is_far(up) && is_far(piece.up);
     // a small line below another one begins where that does
     let is_script = behind > 0.0
-        && (is_said || piece.size <= SMALL * on_line.size)
+        && (is_moved_by_style || piece.size <= SMALL * on_line.size)
         && (0.0..=widest).contains(&right)
         && (OFF_LINE * on_line.size..=on_line.size).contains(&up.abs());
     let as_power = || power(own, &on_line.text).filter(|_| up > 0.0 && is_alone);

@@ -3,7 +3,7 @@
 use hayro_interpret::kurbo::{Point, Rect, Vec2};
 use resvg::tiny_skia::Transform;
 
-use super::super::texts::{self, power, scripted, sentences};
+use super::super::texts::{self, ASCENT, DESCENT, power, scripted, sentences};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 
@@ -27,10 +27,6 @@ const OFF_LINE: f64 = 0.2;
 
 /// How much larger or smaller letters of one text may be.
 const OTHER_SIZE: f64 = 1.15;
-
-/// Above and below the line that letters stand on, in font sizes.
-const ASCENT: f64 = 0.75;
-const DESCENT: f64 = 0.22;
 
 /// A letter on the page, in points from the top left.
 pub(super) struct Letter {
