@@ -87,8 +87,12 @@ fn trees(text: &str, options: &DecodeOptions<'_>, left_out: &DrawingLosses) -> R
     let outlined = if options.keep_text { None } else { outlined::of_document(text, &document) };
     let (tree, with_texts) = match &outlined {
         Some(found) => {
-            let documents = [&checked_document(&found.marked)?, &checked_document(&found.bare)?];
-            parsed(documents, true, options, left_out)?
+            let bare = checked_document(&found.bare)?;
+            if options.pixels_only {
+                parsed([&bare, &bare], true, options, left_out)?
+            } else {
+                parsed([&checked_document(&found.marked)?, &bare], true, options, left_out)?
+            }
         }
         None => parsed([&document, &document], false, options, left_out)?,
     };
