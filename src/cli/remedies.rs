@@ -82,8 +82,8 @@ impl Making {
     /// The same where the figure would be larger on a sheet that lies across, or would not.
     pub(super) fn turned(self, is_larger_turned: bool) -> Self {
         match self {
-            Self::Print(larger) => Self::Print(Larger { turned: is_larger_turned, ..larger }),
             Self::Embossing(larger) => Self::Embossing(Larger { turned: is_larger_turned, ..larger }),
+            // the library says so of devices only
             other => other,
         }
     }

@@ -48,7 +48,7 @@ const JUMBO: f32 = 1.15;
 /// Dots that are less far apart are read as no letters, mm: those of braille are 2.3 to 2.6 mm apart, and 1.9 mm at the
 /// least that anybody embosses. Chosen by us.
 pub const LEAST_OF_LETTERS: f32 = 1.9;
-/// Dots of a grid are no nearer to one another than this share of the least step, and their places are rounded.
+/// Places are rounded: a dot up to this share of a step beyond a cell is in it.
 const OFF_COLUMN: f32 = 0.25;
 /// Nearest dots of a cell that fingers still tell apart, mm: those of small braille.
 const LEAST_DOT: f32 = 1.5;

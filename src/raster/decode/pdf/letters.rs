@@ -29,8 +29,8 @@ pub(super) fn of_run(run: &GlyphRun<'_, '_>, transform: Affine, hidden: bool) ->
     run.glyphs().iter().map(|glyph| of_glyph(glyph, em, transform, hidden)).collect()
 }
 
-/// The font size of a run in thousandths of what counts as such, by the widths of those of its letters that are
-/// drawings of their own. The size of a font of such letters may be anything, as where TeX made it of pixels; most
+/// The font size of a run, in the units of its letters: a thousand, unless the widths of those that are drawings of
+/// their own say that it cannot be. The units of such letters may be anything, as where TeX made them of pixels; most
 /// letters are half as wide as their size.
 fn em(drawn_widths: impl Iterator<Item = f64>) -> f64 {
     let widths: Vec<f64> = drawn_widths.filter(|width| *width > 0.0).collect();
@@ -121,7 +121,8 @@ impl FormLetter {
         self.outline == *path
     }
 
-    /// The letter where its outline is drawn with a transform. Its sides are as wide as each other.
+    /// The letter where its outline is drawn with a transform. The blank on its right is taken to be as wide as that
+    /// on its left.
     pub(super) fn letter(&self, to_page: Affine) -> Letter {
         let extent = self.outline.bounding_box();
         placed(self.string.clone(), to_page, extent.x0 + extent.x1, EM)
