@@ -233,6 +233,20 @@ fn forms_that_are_letters_are_in_their_texts() {
 }
 
 #[test]
+fn a_form_that_is_longer_than_letters_are_is_no_letter() {
+    let form = "/Type /XObject /Subtype /Form /BBox [0 0 1000 1000]";
+    let entries = "/MediaBox [0 0 200 48] /Resources << /XObject << /F1-Drawn-minus 5 0 R >> >>";
+    let of = |blanks: usize| {
+        let content = format!("{}106 355 m\n732 355 l\n732 272 l\nh\nf\n", " ".repeat(blanks));
+        let more = [stream(form, content.as_bytes())];
+        let picture = without_text(&page(entries, "q 0.02 0 0 0.02 20 20 cm /F1-Drawn-minus Do Q", &more), None);
+        (strings(&picture).len(), picture.drawing.is_some_and(|drawing| !drawing.paths.is_empty()))
+    };
+    assert_eq!(of(0), (1, false));
+    assert_eq!(of(20_000), (0, true), "it is drawn");
+}
+
+#[test]
 fn letters_that_are_filled_and_stroked_are_one_text() {
     let entries = format!("/MediaBox [0 0 200 48] /Resources << {FONT} >>");
     let content = "BT 2 Tr /F 10 Tf 4 20 Td [(Wa) 80 (ter) -300 (lily)] TJ 100 0 Td (far) Tj ET";
