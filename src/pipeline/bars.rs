@@ -20,7 +20,8 @@ const COVERED: f32 = 0.7;
 const BELOW_TOP: f32 = 8.0;
 /// Widths of bars differ by this factor at most from their median: a frame around all of them is no bar.
 const ALIKE: f32 = 2.0;
-/// Of cells between gridlines this share at least reaches up to the frame side by side.
+/// Of cells between gridlines this share at least, two of three, reaches up to the frame side by side: others seem to
+/// end below it.
 const CELLS: f32 = 0.66;
 /// A level with straight lines over this share of a chart's width is one of its gridlines.
 const GRIDLINE: f32 = 0.2;
@@ -119,7 +120,7 @@ impl Chart {
         let base = base(&sides, &levels)?;
         let mut chart = Self { direction, base, bars: Vec::new(), sides, gridlines: Vec::new() };
         chart.bars = chart.bars_below(&levels);
-        if are_cells(&chart.bars) {
+        if are_cells(&chart.bars, &levels) {
             return None;
         }
         // where both sides of a bar go on above its top, they may be squared paper that a curve hides in part: such
@@ -276,14 +277,22 @@ fn base(sides: &[BaseSpan], levels: &[BaseSpan]) -> Option<f32> {
     grounds.max_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1))).map(|(_, at)| at)
 }
 
-/// Whether bars are cells between gridlines in the frame of a plot: most reach up to the highest level of all, side by
-/// side. Some may seem to end below it, at a legend or where a curve hides a piece of a gridline.
-fn are_cells(bars: &[Bar]) -> bool {
+/// Whether bars are cells between gridlines in the frame of a plot: most reach up to the highest of these levels (in
+/// order) that any does, side by side, and that goes on over all of them, as the top of no histogram does. Some may
+/// seem to end below it, at a legend or where a curve hides a piece of a gridline.
+fn are_cells(bars: &[Bar], levels: &[BaseSpan]) -> bool {
+    let [Some(first), Some(last)] = [bars.first(), bars.last()] else { return false };
     let highest = bars.iter().map(|bar| bar.top).fold(f32::MIN, f32::max);
+    // in a bitmap corners are round, and a curve may cut the frame
+    let gap = bars.iter().map(|bar| 0.5 * (bar.to - bar.from)).fold(BELOW_TOP, f32::min);
+    let frame = levels.iter().filter(|level| (level.at - highest).abs() <= SAME);
+    let until =
+        frame.fold(first.from, |until, level| if level.from <= until + gap { until.max(level.to) } else { until });
+    let is_framed = until >= last.to - gap;
     let high: Vec<&Bar> = bars.iter().filter(|bar| highest - bar.top <= SAME).collect();
     let touch = |a: &Bar, b: &Bar| (a.to - b.from).abs() <= SAME || (b.to - a.from).abs() <= SAME;
     let cells = high.iter().filter(|bar| high.iter().any(|other| touch(bar, other))).count();
-    cells > 0 && cells as f32 >= CELLS * bars.len() as f32
+    cells > 0 && cells as f32 >= CELLS * bars.len() as f32 && is_framed
 }
 
 /// Levels that continue one another as one.

@@ -11,13 +11,27 @@ fn cells_between_gridlines_are_no_bars() {
     // under the frame of a plot, the last one under a legend
     let cells = [(103.0, 193.0, -59.0), (193.0, 284.0, -59.0), (284.0, 372.0, -60.0), (373.0, 464.0, -59.0)];
     let legend = (479.0, 570.0, -332.0);
-    assert!(are_cells(&bars(&[cells[0], cells[1], cells[2], cells[3], legend])));
-    // bars of one height with gaps, and a histogram of which few are as high as the highest
+    let frame = BaseSpan { at: -59.0, from: 103.0, to: 570.0 };
+    assert!(are_cells(&bars(&[cells[0], cells[1], cells[2], cells[3], legend]), &[frame]));
+    let cut = [BaseSpan { to: 300.0, ..frame }, BaseSpan { from: 306.0, ..frame }];
+    assert!(are_cells(&bars(&[cells[0], cells[1], cells[2], cells[3], legend]), &cut), "a curve cuts the frame");
+    // bars of one height with gaps
     let apart: Vec<(f32, f32, f32)> = cells.iter().map(|&(from, to, top)| (from + 10.0, to - 10.0, top)).collect();
-    assert!(!are_cells(&bars(&apart)));
-    let heights = [100.0, 150.0, 200.0, 200.0, 150.0, 150.0].into_iter().enumerate();
-    let histogram: Vec<(f32, f32, f32)> =
-        heights.map(|(k, top)| (50.0 * k as f32, 50.0 * (k + 1) as f32, top)).collect();
-    assert!(!are_cells(&bars(&histogram)));
-    assert!(!are_cells(&[]));
+    assert!(!are_cells(&bars(&apart), &[frame]));
+    assert!(!are_cells(&[], &[frame]));
+}
+
+#[test]
+fn bars_of_a_histogram_are_no_cells() {
+    let are_cells = |heights: &[f32], level: BaseSpan| {
+        let all = heights.iter().enumerate().map(|(k, top)| (50.0 * k as f32, 50.0 * (k + 1) as f32, *top));
+        are_cells(&bars(&all.collect::<Vec<_>>()), &[level])
+    };
+    let over = |from: f32, to: f32| BaseSpan { at: 200.0, from, to };
+    // few are as high as the highest, also below a line over all
+    assert!(!are_cells(&[100.0, 150.0, 200.0, 200.0, 150.0, 150.0], over(0.0, 300.0)));
+    // most are, and their tops are one level, over which the others do not reach
+    assert!(!are_cells(&[200.0, 200.0, 200.0, 120.0], over(0.0, 150.0)));
+    assert!(!are_cells(&[120.0, 200.0, 200.0, 200.0], over(50.0, 200.0)));
+    assert!(are_cells(&[200.0, 200.0, 200.0, 120.0], over(0.0, 200.0)), "under a frame");
 }
