@@ -15,6 +15,9 @@ use crate::{About, Note, Reason};
 
 /// Share of the lines of a colour from which on it is told that they are missing.
 const TOLD: f32 = 0.2;
+/// Lines of a colour are at most so many times as long as its strokes, as both are rounded: where more is missing, some
+/// strokes are not known by their colour, and how large the share is nobody knows.
+const AS_LONG: f32 = 1.1;
 /// A line has the colour of a stroke if the box around what of the stroke is in its own, and so far around it, mm, has
 /// the same sides: off by so much together, mm, and by this share of them.
 const AROUND: f32 = 1.0;
@@ -26,6 +29,13 @@ const OFF_SHARE: f32 = 0.2;
 struct ColouredStroke {
     class: Class,
     points: Vec<MmPoint>,
+    extent: MmRect,
+}
+
+impl ColouredStroke {
+    fn new(class: Class, points: Vec<MmPoint>) -> Self {
+        Self { class, extent: MmRect::from_points(&points), points }
+    }
 }
 
 /// What the maker of a drawing is told of the colours of lines of which much is not on the page.
@@ -42,7 +52,7 @@ pub(super) fn told(drawn: &Lines, edges: &Edges, raster: &Raster, layout: &Layou
         let on_ground = places.filter(|(_, ground)| ground.is_some());
         let class = most_common(&on_ground.filter_map(|(at, _)| class_at(raster, at, &params)).collect::<Vec<_>>())?;
         let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
-        Some(ColouredStroke { class, points })
+        Some(ColouredStroke::new(class, points))
     };
     let strokes: Vec<ColouredStroke> = edges.chains.iter().filter_map(stroke).collect();
     told_of(&lost, &strokes)
@@ -55,15 +65,25 @@ fn most_common(classes: &[Class]) -> Option<Class> {
 }
 
 fn told_of(lost: &[LostLine], strokes: &[ColouredStroke]) -> Option<Note> {
+    // where all are of one colour, how much is missing is told without it
+    let is_of_several = strokes.iter().any(|stroke| stroke.class != strokes[0].class);
+    if !is_of_several {
+        return None;
+    }
     let missing: Vec<(Class, f32)> =
         lost.iter().filter_map(|line| Some((class_of(line.extent, strokes)?, line.length))).collect();
     let of_colour = |class: Class| {
         let missing: f32 = missing.iter().filter(|(of, _)| *of == class).map(|(_, length)| length).sum();
         let own = strokes.iter().filter(|stroke| stroke.class == class);
-        let share = missing / own.map(|stroke| polyline::length(&stroke.points)).sum::<f32>().max(missing);
-        let percent = (100.0 * share).round();
-        (missing > 0.0 && share >= TOLD)
-            .then(|| format!("{missing:.0} mm of the {} lines, {percent} percent of them", class.name()))
+        let own: f32 = own.map(|stroke| polyline::length(&stroke.points)).sum();
+        let name = class.name();
+        (missing > 0.0 && missing >= TOLD * own).then(|| {
+            if missing > AS_LONG * own {
+                return format!("{missing:.0} mm of the {name} lines");
+            }
+            let percent = (100.0 * missing / own).round().min(100.0);
+            format!("{percent} percent of the {name} lines ({missing:.0} mm)")
+        })
     };
     let colours = Class::ALL.into_iter().filter(|class| *class != Class::Grey);
     let each: Vec<String> = colours.filter_map(of_colour).collect();
@@ -77,6 +97,9 @@ fn told_of(lost: &[LostLine], strokes: &[ColouredStroke]) -> Option<Note> {
 fn class_of(extent: MmRect, strokes: &[ColouredStroke]) -> Option<Class> {
     let around = extent.inflate(AROUND, AROUND);
     let off = |stroke: &ColouredStroke| {
+        if !around.intersects(&stroke.extent) {
+            return None;
+        }
         let inside: Vec<MmPoint> = stroke.points.iter().copied().filter(|at| around.contains(*at)).collect();
         let own = MmRect::from_points(&inside);
         let (low, high) = (own.min - extent.min, own.max - extent.max);
