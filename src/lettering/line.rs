@@ -2,7 +2,7 @@
 //! pixels it covers.
 
 use super::chain::{RotatedLetter, axes, distance, placed};
-use super::glyph::{LARGEST, LetterShape};
+use super::glyph::{LARGEST, LetterShape, PixelPoint};
 use super::limits::{LetterLength, Row, Strictness};
 use crate::units::Size;
 
@@ -41,13 +41,15 @@ const BETTER: f32 = -0.01;
 const HEIGHTS_OF_PAIR: LetterLength = LetterLength::new(0.2, 1.0);
 const GAP_OF_PAIR: f32 = 0.5;
 /// A decimal point or a comma between two digits is at most so high and so wide, and hangs below them by less, in
-/// heights.
+/// heights. Chosen by us: in usual fonts a point is about .15 high, a comma .3.
 const POINT: f32 = 0.4;
-/// It is looked for in gaps that are wider than this, in heights, of numbers of at most so many digits.
+/// It is looked for in gaps that are wider than this, in heights, of numbers of at most so many digits. Chosen by us:
+/// without a point digits are about .15 apart, with one .5.
 const GAP_OF_POINT: f32 = 0.4;
 const MOST_DIGITS: usize = 6;
 /// A minus is so long, in heights, and so thick at most; its middle lies in this part of the height of the number, from
-/// the top. It is so near to the number.
+/// the top. It is so near to the number. Chosen by us: a hyphen is about a third of the height of digits long, a minus
+/// two thirds.
 const MINUS: [f32; 2] = [0.25, 1.0];
 const MINUS_THICK: LetterLength = LetterLength::new(0.15, 1.0);
 const MINUS_AT: std::ops::RangeInclusive<f32> = 0.3..=0.75;
@@ -131,26 +133,47 @@ fn slope(letters: &[RotatedLetter]) -> f32 {
     median(slopes).atan().to_degrees()
 }
 
-/// The gap between two digits of a level number with a decimal point or a comma between them: the wider one of those
-/// beside it. None where there is no point.
-fn gap_at_point(glyphs: &[LetterShape], a: &RotatedLetter, b: &RotatedLetter, height: f32) -> Option<f32> {
-    let (left, right, foot) = (a.along[1], b.along[0], a.across[1].min(b.across[1]));
-    glyphs.iter().find_map(|glyph| {
-        let [[from, top], [to, bottom]] = glyph.bounds();
-        let is_small = (to - from).max(bottom - top) <= POINT * height;
-        let stands = top < foot && bottom >= foot - OFF_LINE.of(height) && bottom < foot + POINT * height;
-        (is_small && stands && from >= left && to <= right).then(|| (from - left).max(right - to))
-    })
+/// The boxes of things that may be a decimal point or a minus, by the row at which they end.
+#[derive(Debug)]
+pub(super) struct SmallShapes(Vec<[PixelPoint; 2]>);
+
+impl SmallShapes {
+    pub(super) fn of(glyphs: &[LetterShape]) -> Self {
+        let is_low = |[[_, top], [_, bottom]]: &[PixelPoint; 2]| bottom - top <= POINT * LARGEST as f32;
+        Self::sorted(glyphs.iter().map(LetterShape::bounds).filter(is_low).collect())
+    }
+
+    fn sorted(mut boxes: Vec<[PixelPoint; 2]>) -> Self {
+        boxes.sort_by(|[_, a], [_, b]| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
+        Self(boxes)
+    }
+
+    /// Those that end from one row on, before another.
+    fn ending(&self, from: f32, before: f32) -> impl Iterator<Item = [PixelPoint; 2]> {
+        let first = self.0.partition_point(|[_, end]| end[1] < from);
+        self.0[first..].iter().copied().take_while(move |[_, end]| end[1] < before)
+    }
 }
 
-/// The gaps between letters, and whether there is a point in one of them, if these may be the digits of a number with
-/// one (`may_have_point`).
-fn gaps(glyphs: &[LetterShape], letters: &[RotatedLetter], height: f32, may_have_point: bool) -> (Vec<f32>, bool) {
-    let may_have_point = may_have_point && letters.len() <= MOST_DIGITS;
+/// The gap between two digits of a level number with a decimal point or a comma between them: the wider one of those
+/// beside it. None where there is no point.
+fn gap_at_point(small: &SmallShapes, a: &RotatedLetter, b: &RotatedLetter, height: f32) -> Option<f32> {
+    let (left, right, foot) = (a.along[1], b.along[0], a.across[1].min(b.across[1]));
+    let is_point = |[[from, top], [to, bottom]]: &[PixelPoint; 2]| {
+        (to - from).max(bottom - top) <= POINT * height && *top < foot && *from >= left && *to <= right
+    };
+    let points = small.ending(foot - OFF_LINE.of(height), foot + POINT * height).filter(is_point);
+    let [[from, _], [to, _]] = points.min_by(|[a, _], [b, _]| a[0].total_cmp(&b[0]))?;
+    Some((from - left).max(right - to))
+}
+
+/// The gaps between letters, and whether one of these shapes is a point in one of them, where letters are few.
+fn gaps(small: Option<&SmallShapes>, letters: &[RotatedLetter], height: f32) -> (Vec<f32>, bool) {
+    let small = small.filter(|_| letters.len() <= MOST_DIGITS);
     let gap = |pair: &[RotatedLetter]| {
         let gap = pair[1].along[0] - pair[0].along[1];
-        let is_wide = may_have_point && gap > GAP_OF_POINT * height;
-        let at_point = if is_wide { gap_at_point(glyphs, &pair[0], &pair[1], height) } else { None };
+        let small = small.filter(|_| gap > GAP_OF_POINT * height);
+        let at_point = small.and_then(|small| gap_at_point(small, &pair[0], &pair[1], height));
         (at_point.unwrap_or(gap), at_point.is_some())
     };
     let all: Vec<(f32, bool)> = letters.windows(2).map(gap).collect();
@@ -158,8 +181,13 @@ fn gaps(glyphs: &[LetterShape], letters: &[RotatedLetter], height: f32, may_have
 }
 
 /// The line that a chain of letters is, if their heights, gaps and strokes are those of text. Points between digits are
-/// looked for in a drawing.
-pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32, of_drawing: bool) -> Option<TextLine> {
+/// looked for among `small` shapes.
+pub(super) fn line(
+    glyphs: &[LetterShape],
+    chain: &[RotatedLetter],
+    angle: f32,
+    small: Option<&SmallShapes>,
+) -> Option<TextLine> {
     let (letters, angle) = straightened(glyphs, chain, angle);
     let n = letters.len();
     let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
@@ -170,7 +198,7 @@ pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32, 
     if !is_size || stroke > THICKEST * height || stroke < THINNEST * height {
         return None;
     }
-    let (gaps, has_point) = gaps(glyphs, &letters, height, of_drawing && angle.abs() < LEAST_TURN);
+    let (gaps, has_point) = gaps(small.filter(|_| angle.abs() < LEAST_TURN), &letters, height);
     // words of letters that touch stand further apart
     let is_spaced = median(letters.iter().map(RotatedLetter::width).collect()) <= WIDEST * height;
     let widest = if is_spaced { GAP } else { GAP_OF_WORDS };
@@ -273,14 +301,14 @@ impl TextLine {
         level && self.widest_gap <= GAP_OF_PAIR * self.height
     }
 
-    /// The same with the minus before it, if it is a level number and there is one among these things.
-    pub(super) fn with_minus(mut self, glyphs: &[LetterShape]) -> Self {
+    /// The same with the minus before it, if it is level and no longer than a number, and one of these shapes may be
+    /// that.
+    pub(super) fn with_minus(mut self, small: &SmallShapes) -> Self {
         if self.letters.len() > MOST_DIGITS || self.angle.abs() >= LEAST_TURN {
             return self;
         }
         let (start, [top, foot], height) = (self.along[0], self.across, self.height);
-        let is_minus = |glyph: &&LetterShape| {
-            let [[from, upper], [to, lower]] = glyph.bounds();
+        let is_minus = |[[from, upper], [to, lower]]: &[PixelPoint; 2]| {
             let at = (0.5 * (upper + lower) - top) / (foot - top);
             (MINUS[0] * height..=MINUS[1] * height).contains(&(to - from))
                 && lower - upper <= MINUS_THICK.of(height)
@@ -288,8 +316,11 @@ impl TextLine {
                 && MINUS_AT.contains(&at)
                 && (0.0..=MINUS_GAP.of(height)).contains(&(start - to))
         };
-        if let Some(minus) = glyphs.iter().find(is_minus) {
-            self.along[0] = minus.bounds()[0][0];
+        let ends = [MINUS_AT.start(), MINUS_AT.end()].map(|at| top + at * (foot - top));
+        // half a pixel more for rounding
+        let near = small.ending(ends[0] - 0.5, ends[1] + 0.5 * MINUS_THICK.of(height) + 0.5).filter(is_minus);
+        if let Some([[from, _], _]) = near.max_by(|[_, a], [_, b]| a[0].total_cmp(&b[0])) {
+            self.along[0] = from;
         }
         self
     }
@@ -360,3 +391,6 @@ pub(super) fn each_cell(size: Size, line: &TextLine, mut of: impl FnMut(usize)) 
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,7 +4,7 @@ use super::chain::{RotatedLetter, axes, chains, distance, groups, placed};
 use super::glyph::{LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
-use super::line::{TextLine, each_cell, line, median};
+use super::line::{SmallShapes, TextLine, each_cell, line, median};
 use super::shape::are_unlike;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
@@ -56,6 +56,8 @@ pub(super) struct Look {
     pub(super) thin: Thin,
     glyphs: Vec<LetterShape>,
     letters: Vec<usize>,
+    /// What may be a decimal point or a minus: looked for in drawings.
+    small: Option<SmallShapes>,
     strict: Strictness,
     /// Whether the plane is one of colour, and not of lightness.
     of_colour: bool,
@@ -77,8 +79,9 @@ impl Look {
         let is_clear = |contrast, unevenness| is_drawing || contrast >= wanted && unevenness <= UNEVEN;
         let glyphs = glyphs(&thin, plane, colours, is_clear);
         let letters = (0..glyphs.len()).filter(|&i| glyphs[i].is_letter).collect();
+        let small = is_drawing.then(|| SmallShapes::of(&glyphs));
         let of_colour = !colours.planes.first().is_some_and(|lightness| std::ptr::eq(lightness, plane));
-        Some(Self { thin, glyphs, letters, strict, of_colour })
+        Some(Self { thin, glyphs, letters, small, strict, of_colour })
     }
 
     /// Lines of text: first those that lie level, then those that stand upright, then those aslant.
@@ -164,7 +167,7 @@ impl Look {
     }
 
     fn line(&self, chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
-        line(&self.glyphs, chain, angle, self.strict == Strictness::Drawing)
+        line(&self.glyphs, chain, angle, self.small.as_ref())
     }
 
     /// A line with its minus, if it is text.
@@ -176,7 +179,10 @@ impl Look {
         if !are_letters {
             return None;
         }
-        let line = if self.strict == Strictness::Drawing { line.with_minus(&self.glyphs) } else { line };
+        let line = match &self.small {
+            Some(small) => line.with_minus(small),
+            None => line,
+        };
         (line.is_text(strict, self.clutter(&line)) && self.stands_out(&line, colours)).then_some(line)
     }
 
