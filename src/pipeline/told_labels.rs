@@ -117,7 +117,7 @@ pub(super) fn of_headings(wanted: &[Wanted], results: &[Result<Placed, Unplaced>
     (!texts.is_empty()).then(|| {
         let told = format!(
             "the full text of {} above the drawing, as there is no room; if it is a title, give it as that of the \
-             page, which has room for it",
+             page: it has more room there, or begins the key",
             named(&texts)
         );
         Note::NotOnPage(About::Braille, Reason::HeadingNotInFull, told)
