@@ -221,25 +221,32 @@ pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmR
 /// Lines without the patches of a legend where not all of them have room: one of five says nothing, and a reader looks
 /// for what it is. Those that are taken out are lost as the others are.
 pub(super) fn with_all_patches_or_none(mut drawn: Lines, entries: &[LegendEntry]) -> Lines {
-    let near = |entry: &LegendEntry| entry.place.map(|place| place.inflate(MOVED, MOVED));
-    let patches: Vec<MmRect> = entries.iter().filter_map(near).collect();
+    let patches: Vec<MmRect> = entries.iter().filter_map(|entry| entry.place).collect();
     let signs = drawn.lost.signs.clone();
-    let is_lost = |patch: &MmRect| signs.iter().any(|sign| sign.kind == SignKind::Ring && patch.contains(sign.at));
+    let is_lost = |patch: &MmRect| {
+        let near = patch.inflate(MOVED, MOVED);
+        signs.iter().any(|sign| sign.kind == SignKind::Ring && near.contains(sign.at))
+    };
     if !patches.iter().any(is_lost) {
         return drawn;
     }
-    let is_in = |patch: &MmRect, line: &Line| {
-        let points = line.runs.iter().flat_map(|run| &run.points);
-        holds_box(*patch, MmRect::from_points(points))
-    };
-    let is_whole = |&patch: &&MmRect| !is_lost(patch) && drawn.lines.iter().any(|line| is_in(patch, line));
+    let is_whole = |&patch: &&MmRect| !is_lost(patch) && drawn.lines.iter().any(|line| is_of_patch(line, *patch));
     let whole = patches.iter().filter(is_whole).map(|patch| LostSign { at: patch.center(), kind: SignKind::Ring });
     drawn.lost.signs.extend(whole.collect::<Vec<_>>());
-    drawn.lines.retain(|line| !patches.iter().any(|patch| is_in(patch, line)));
+    drawn.lines.retain(|line| !patches.iter().any(|patch| is_of_patch(line, *patch)));
     drawn
 }
 
-/// A patch is drawn no farther from its place, mm.
+/// Whether a line is that of a patch or a piece of it: its box is about that of the patch, or it lies in that. Another
+/// line may lie beside it.
+fn is_of_patch(line: &Line, patch: MmRect) -> bool {
+    let own = MmRect::from_points(line.runs.iter().flat_map(|run| &run.points));
+    let (low, high) = (own.min - patch.min, own.max - patch.max);
+    let is_as_patch = [low.x, low.y, high.x, high.y].into_iter().all(|off| off.abs() <= MOVED);
+    is_as_patch || holds_box(patch.inflate(OF_PATCH, OF_PATCH), own)
+}
+
+/// A patch is drawn, each of its sides, no farther from its place, mm.
 const MOVED: f32 = 2.5;
 
 /// Strokes around a patch reach no further beyond it, mm.
