@@ -1,5 +1,7 @@
 //! Cells in lines.
 
+use std::ops::Range;
+
 use super::Braille;
 
 /// Cells in lines of a width.
@@ -38,8 +40,8 @@ pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
         let whole = last_end(can_end).or_else(|| last_end(is_blank));
         let is_full = whole.is_some_and(|end| end == cells.len() || 4 * (end - from) >= 3 * width);
         // with room for the sign behind it; an address only where it is longer than a line
-        let has_room = |at: usize| at < from + width && at > whole.unwrap_or(from);
-        let divided = divided(braille, has_room)
+        let room = whole.unwrap_or(from) + 1..from + width;
+        let divided = divided(braille, &room)
             .filter(|&(_, sign)| !is_full && if sign == HYPHEN { divide == Divide::Words } else { whole.is_none() })
             .max_by_key(|(at, _)| *at);
         wrapped.cut |= whole.is_none() && divided.is_none();
@@ -54,9 +56,16 @@ pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
 
 /// Behind which cells a word or an address can be divided, of those for which there is room, with the sign that stands
 /// there at the end of a line.
-fn divided(braille: &Braille, has_room: impl Fn(usize) -> bool) -> impl Iterator<Item = (usize, u8)> {
-    let words = braille.divisions.iter().map(|&at| (at, HYPHEN));
-    words.chain(braille.continued.iter().copied()).filter(move |(at, _)| has_room(*at))
+fn divided(braille: &Braille, room: &Range<usize>) -> impl Iterator<Item = (usize, u8)> {
+    let words = within(&braille.divisions, room, |&at| at).iter().map(|&at| (at, HYPHEN));
+    words.chain(within(&braille.continued, room, |&(at, _)| at).iter().copied())
+}
+
+/// Those of some things whose places, which are in order, lie in a range.
+fn within<'a, T>(all: &'a [T], range: &Range<usize>, place: impl Fn(&T) -> usize) -> &'a [T] {
+    let from = all.partition_point(|of| place(of) < range.start);
+    let to = all.partition_point(|of| place(of) < range.end);
+    &all[from..to.max(from)]
 }
 
 /// Braille in two lines, as narrow as they can be without cutting a word; none if it has only one that cannot be
@@ -81,7 +90,8 @@ fn in_two_where(braille: &Braille, divide: Divide, can_end: fn(&Braille, usize) 
     let width =
         |end: usize, hyphen: usize| (end + hyphen).max(braille.cells.len() - end - usize::from(is_blank(braille, end)));
     let whole = (1..braille.cells.len()).filter(|&end| can_end(braille, end)).map(|end| (width(end, 0), end, None));
-    let divided = divided(braille, |_| divide == Divide::Words).map(|(end, sign)| (width(end, 1), end, Some(sign)));
+    let anywhere = if divide == Divide::Words { 0..usize::MAX } else { 0..0 };
+    let divided = divided(braille, &anywhere).map(|(end, sign)| (width(end, 1), end, Some(sign)));
     let (_, end, sign) = whole.chain(divided).min_by_key(|(width, ..)| *width)?;
     Some(part(end, sign))
 }
