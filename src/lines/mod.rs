@@ -62,6 +62,7 @@ pub use params::{LineMedium, PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
 pub(crate) use tears::{TORN, TearParams, tears};
 pub(crate) use ticks::selections::{MOST_BLOCKED, tick_selections};
+pub(crate) use ticks::{LONGEST_TICK, SHORTEST_TICK};
 
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;

@@ -24,7 +24,7 @@ use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The shortest tick, mm: what is shorter may be a crumb. Half a millimetre is more than two pixels.
-const SHORTEST: f32 = 0.5;
+pub(crate) const SHORTEST_TICK: f32 = 0.5;
 /// The end of a tick lies so near to the line that it stands on, mm: it ends at the side of a broad one, or a little
 /// inside of the ring of a clock, nearer than two lines may be apart.
 const STANDS: f32 = 2.5;
@@ -39,7 +39,7 @@ const MARGIN: f32 = 0.2;
 /// So many ticks on a line that are too short are a scale.
 const SCALE: usize = 3;
 /// Ticks are shorter than so many least lengths of a line; what stands on a line and is longer is a line of its own.
-const LONGEST: f32 = 2.0;
+pub(crate) const LONGEST_TICK: f32 = 2.0;
 /// A tick is at least this share of the longest one of its scale: the short ticks of rulers and clocks are a third or
 /// more of the long ones, and what is shorter is a crumb.
 const OF_LONGEST: f32 = 0.25;
@@ -352,14 +352,15 @@ fn whole(marks: Vec<(f32, TickMark)>) -> Vec<TickMark> {
 
 /// All ticks, where enough of them are too short for a line.
 fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Tick> {
-    let is_tick =
-        |line: &Polyline<Vertex>| (SHORTEST..LONGEST * params.min_length).contains(&line.length()) && is_straight(line);
+    let is_tick = |line: &Polyline<Vertex>| {
+        (SHORTEST_TICK..LONGEST_TICK * params.min_length).contains(&line.length()) && is_straight(line)
+    };
     let straight: Vec<usize> = (0..polylines.len()).filter(|&i| is_tick(&polylines[i])).collect();
     if straight.iter().filter(|&&i| polylines[i].length() < params.min_length).count() < SCALE {
         return Vec::new();
     }
     let segments = nearby(polylines.iter(), area, params);
-    let is_long = |line: u32| polylines[line as usize].length() >= LONGEST * params.min_length;
+    let is_long = |line: u32| polylines[line as usize].length() >= LONGEST_TICK * params.min_length;
     let tick = |number: usize| -> Option<Tick> {
         let line = &polylines[number];
         let (first, last) = (line.vertices.first()?.at, line.vertices.last()?.at);

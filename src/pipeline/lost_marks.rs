@@ -12,7 +12,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
-use crate::lines::{Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale};
+use crate::lines::{LONGEST_TICK, Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale, SHORTEST_TICK};
 use crate::listing::list;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::profile::Plan;
@@ -128,7 +128,7 @@ pub(super) fn find(
         marks.first.get_or_insert(middle);
         boxes.push(MmRect::from_points(&points));
     }
-    (with_ticks(marks, &ticks, || short_strokes(edges, transform, LONGEST * least)), boxes)
+    (with_ticks(marks, &ticks, || short_strokes(edges, transform, LONGEST_TICK * least)), boxes)
 }
 
 /// Marks, and those found that stand on lines: they are ticks only if they are enough for a scale, or each is of one
@@ -143,18 +143,12 @@ fn with_ticks(marks: LostMarks, found: &[[MmPoint; 2]], strokes: impl FnOnce() -
     LostMarks { ticks, strokes: marks.strokes + found.len() - ticks, ..marks }
 }
 
-/// Strokes of a scale are shorter than so many least lengths of a line, as in `lines::ticks`.
-const LONGEST: f32 = 2.0;
-
-/// The ends of the straight strokes of a drawing that are shorter than this, mm.
+/// The ends of the straight strokes of a drawing that are shorter than this, mm, and no crumbs.
 fn short_strokes(edges: &Edges, transform: &PageTransform, longest: f32) -> Vec<[MmPoint; 2]> {
     let ends = |chain: &ChainRange| Some(straight_ends(edges.chain(chain))?.map(|end| transform.to_mm(end)));
     let all = edges.chains.iter().filter_map(ends);
-    all.filter(|[from, to]| (SHORTEST..longest).contains(&(*to - *from).length())).collect()
+    all.filter(|[from, to]| (SHORTEST_TICK..longest).contains(&(*to - *from).length())).collect()
 }
-
-/// What is shorter is a crumb, mm, as in `lines::ticks`.
-const SHORTEST: f32 = 0.5;
 
 /// Whether a tick has enough fellows for a scale among these strokes.
 fn is_of_scale([from, to]: [MmPoint; 2], strokes: &[[MmPoint; 2]]) -> bool {
