@@ -136,7 +136,8 @@ pub(super) fn with_room_for(
     if is_as_large(moved_aside.figure.width(), narrowed.figure.width()) { moved_aside } else { narrowed }
 }
 
-/// How much wider a drawing can be with room beside it that costs it nothing, as the sheet is blank there, mm.
+/// How much wider a drawing can be with room beside it that costs it nothing, as the sheet is blank there, mm: it is
+/// looked for up to two widths of the drawing.
 fn blank_beside(own: &Layout, source: Size, layout_of: &dyn Fn(Size) -> Result<Layout, Error>) -> f32 {
     let mm_per_px = own.figure.width() / source.width as f32;
     let is_free = |more: u32| {

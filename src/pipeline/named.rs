@@ -59,7 +59,7 @@ impl NamedThings {
         }
         request.go_on()?;
         let size = picture.raster.size();
-        // that side is as long as the figure of that profile can be wide: 174 mm
+        // that side is as long as the widest figure of `swell-a4`
         let mm_per_px = plan.layout().widest_upright() / size.width.max(size.height) as f32;
         let edges = edges_of(&picture, &content, &plan.edges(1.0 / mm_per_px), Some(detail), &mut |_| ());
         Ok(edges.regions.map(|tree| {

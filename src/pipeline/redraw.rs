@@ -88,7 +88,8 @@ pub(super) fn marks(
     let mut edges = hand_lines.contours_by_hand_first(size, blank, params.full_strength)?;
     without_second_rows(&mut edges, plan);
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.contours(size)).transpose()?;
-    let (texts, of_leaders) = labels_led(&mut edges, old, &layout, plan);
+    let beside = leaders::reach(page, own.profile().braille.cell);
+    let (texts, of_leaders) = labels_led(&mut edges, (old, beside), &layout, plan);
     request.go_on()?;
     // the lines of a page stay lines of their own
     let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
@@ -111,7 +112,6 @@ pub(super) fn marks(
     let of_drawing = !LeftOut::of(page).of_photograph;
     let (textures, of_areas, coloured_ground) = textures(old, &drawn.lines, of_drawing, &layout, plan, watch);
     notes.extend(of_areas);
-    let beside = leaders::reach(page, own.profile().braille.cell);
     let mut leaders = leaders::on_page(&edges, (&texts, beside), &layout);
     leaders.extend(leaders::of_dots(page).map(|ends| ends.map(moved(page, &layout))));
     let lines = leaders::spaced(drawn.lines, &leaders, &layout);
@@ -265,10 +265,16 @@ fn text_at(label: &BrailleText, page: &Page, layout: &Layout) -> Text {
     }
 }
 
-/// The labels of a page as texts in another layout. Takes the leader lines among the lines of the page out that are not
-/// drawn as a whole: their labels are led to what they name, as those are whose leader line came with them.
-fn labels_led(edges: &mut Edges, old: OldPage<'_>, layout: &Layout, plan: &Plan) -> (Vec<Text>, Vec<Note>) {
-    let (page, beside) = (old.page, leaders::reach(old.page, old.plan.profile().braille.cell));
+/// The labels of a page, so far `beside` which their leader lines begin at most, as texts in another layout. Takes the
+/// leader lines among the lines of the page out that are not drawn as a whole: their labels are led to what they name,
+/// as those are whose leader line came with them.
+fn labels_led(
+    edges: &mut Edges,
+    (old, beside): (OldPage<'_>, f32),
+    layout: &Layout,
+    plan: &Plan,
+) -> (Vec<Text>, Vec<Note>) {
+    let page = old.page;
     let transform = PageTransform::new(edges.size, layout.figure);
     let before = PageTransform::new(edges.size, page.figure.place);
     let there = moved(page, layout);
