@@ -59,6 +59,8 @@ pub struct HeadMark {
     pub extent: MmRect,
     /// Strength of its line at that end.
     pub strength: f32,
+    /// By how much its line ends before what it points at, for the head to have room there, mm.
+    pub shortened: f32,
     /// Whether its line is among those that are drawn.
     pub has_shaft: bool,
     /// Whether it is among the lines already.

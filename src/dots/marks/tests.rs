@@ -167,6 +167,7 @@ fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
         toward: MmVector::new(way, 0.0),
         extent: MmRect::zero(),
         strength: 100.0,
+        shortened: 0.0,
         has_shaft: true,
         is_drawn: false,
     };
@@ -200,6 +201,7 @@ fn the_head_of_a_bent_row_points_as_its_last_piece_leads_and_keeps_clear_of_the_
             toward: MmVector::new(0.0, 1.0),
             extent: MmRect::zero(),
             strength: 100.0,
+            shortened: 0.0,
             has_shaft: true,
             is_drawn: false,
         };

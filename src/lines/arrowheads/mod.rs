@@ -62,7 +62,15 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
             extend_to(&mut polylines[shaft.line], shaft.which, tip.apex);
         }
         let strength = shaft.which.of(&polylines[shaft.line]).map_or(0.0, |end| end.strength);
-        marks.push(HeadMark { at: tip.apex, toward, extent, strength, has_shaft: true, is_drawn: false });
+        marks.push(HeadMark {
+            at: tip.apex,
+            toward,
+            extent,
+            strength,
+            shortened: 0.0,
+            has_shaft: true,
+            is_drawn: false,
+        });
     }
     let shafts: Vec<usize> = heads.iter().map(|head| head.shaft.line).collect();
     let parts: Vec<MmRect> = marks.iter().map(|mark| mark.extent.inflate(CRUMB, CRUMB)).collect();

@@ -30,8 +30,8 @@ const STEP: f32 = 0.5;
 /// at most this, mm, if there is nothing before it.
 const FARTHER: f32 = 10.0;
 
-/// The tip of a head that touches what it points at lies so far beyond the middle of that, mm: the two cross, however
-/// both are rounded.
+/// The tip of a head, or of a shaft without one, that touches what it points at lies so far beyond the middle of that,
+/// mm: the two cross, however both are rounded.
 const BEYOND: f32 = 0.1;
 /// Its strokes meet that at 36 degrees at least, as lines do that meet at one place: the cosine.
 const FLATTEST: f32 = 0.81;
@@ -43,8 +43,8 @@ const BEHIND: f32 = 0.5;
 pub(in crate::lines) struct DrawnHeads {
     /// Their strokes.
     pub(in crate::lines) heads: Vec<Polyline<Vertex>>,
-    /// The shafts that are shorter for them, or longer: the number of the line, which end, and by how much it is
-    /// shorter, mm.
+    /// The shafts that are shorter for them, or longer, or led back for want of room: the number of the line, which
+    /// end, and by how much it is shorter, mm.
     shorter: Vec<(usize, Tip, f32)>,
 }
 
@@ -93,16 +93,31 @@ pub(in crate::lines) fn draw(
     }
     let segments = nearby(lines.iter().copied(), area, params);
     let mut taken: Vec<(usize, Tip)> = Vec::new();
-    for mark in marks {
-        let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
-        let last_piece = last_piece(lines[line], which, mark.toward, own_end(params));
-        let (toward, segments, others) = (mark.toward, &segments, &drawn.heads[..]);
-        let places = HeadPlaces { line, lines, toward, last_piece, segments, points, others, area, params };
-        let Some((head, cut)) = places.head(which) else { continue };
-        taken.push((line, which));
-        drawn.heads.push(head);
-        drawn.shorter.push((line, which, cut));
-        mark.is_drawn = true;
+    let mut strokes: Vec<(MmPoint, MmPoint)> = Vec::new();
+    // shafts that are led back give way to all heads that have room before what they point at
+    for leads_back in [false, true] {
+        for mark in marks.iter_mut().filter(|mark| !leads_back || !mark.is_drawn && mark.shortened > 0.0) {
+            let Some((line, which)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
+            let last_piece = last_piece(lines[line], which, mark.toward, own_end(params));
+            let (toward, back, segments, others) = (mark.toward, 0.0, &segments, &strokes[..]);
+            let places = HeadPlaces { line, lines, toward, last_piece, back, segments, points, others, area, params };
+            let found = if leads_back {
+                places.led_back(which, mark.shortened)
+            } else {
+                places.head(which).map(|(head, cut)| (Some(head), cut))
+            };
+            let Some((head, cut)) = found else { continue };
+            taken.push((line, which));
+            drawn.shorter.push((line, which, cut));
+            if leads_back {
+                strokes.extend(end(lines[line], which).zip(end(&longer(lines[line], which, -cut), which)));
+            }
+            if let Some(head) = head {
+                strokes.extend(head.segments().map(|(a, b)| (a.at, b.at)));
+                drawn.heads.push(head);
+                mark.is_drawn = true;
+            }
+        }
     }
     drawn
 }
@@ -155,9 +170,12 @@ struct HeadPlaces<'a> {
     toward: MmVector,
     /// How much of the line leads that way, mm.
     last_piece: f32,
+    /// By how much the line is led back to what it points at, mm.
+    back: f32,
     segments: &'a Nearby,
     points: &'a [(MmPoint, f32)],
-    others: &'a [Polyline<Vertex>],
+    /// The strokes of other heads, and what other shafts are longer by.
+    others: &'a [(MmPoint, MmPoint)],
     area: MmRect,
     params: &'a Params,
 }
@@ -194,6 +212,30 @@ impl HeadPlaces<'_> {
                 longer.take_while(|(_, shaft)| self.is_clear(shaft, which)).collect();
             LENGTHS.iter().rev().find_map(|length| free.iter().find_map(|shaft| head(shaft, *length)))
         })
+    }
+
+    /// A shaft that was shortened by so much, mm, and on which no head has room: it leads to what it points at again,
+    /// as in the drawing, if nothing is in between. With the head that touches that, if there is room for one, and by
+    /// how much the shaft is shorter, mm.
+    fn led_back(mut self, which: Tip, shortened: f32) -> Option<(Option<Polyline<Vertex>>, f32)> {
+        let line = self.lines[self.line];
+        let (from, toward) = (end(line, which)?, heading(line, which, HEADING)?);
+        let farthest = shortened + self.params.bridged_gap();
+        let mut steps = (1..=(farthest / TOUCH) as u32).map(|step| step as f32 * TOUCH);
+        let (at, pointed_at) = steps.find_map(|far| self.on_other(from + toward * far))?;
+        self.back = (at - from).dot(toward);
+        self.last_piece += self.back;
+        // both lines may have moved; what is nearer lies between them
+        let is_it = self.back >= (shortened - 2.0 * RING_FARTHEST).max(SHORTENED_BY);
+        let is_steep = self.sides(at, pointed_at).iter().all(|side| -toward.dot(*side) <= FLATTEST);
+        let is_before = |of: MmPoint| (of - from).dot(toward) >= 0.0;
+        let is_touched = |segment: &Segment| segment.line == pointed_at && is_before(segment.a) && is_before(segment.b);
+        if !is_it || !is_steep || !self.is_free((from, at), which, is_touched) {
+            return None;
+        }
+        self.last_piece = self.last_piece.min(own_end(self.params));
+        let touching = if self.params.in_overview_of_drawing() { None } else { self.touching(which, at, pointed_at) };
+        Some((touching.map(|(head, _)| head), -(self.back + BEYOND)))
     }
 
     /// The largest head at the end of a short shaft that leads up to another line there, between two boxes: before that
@@ -246,35 +288,38 @@ impl HeadPlaces<'_> {
     /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own, before a bend of
     /// which they may be a little nearer; of a line that it points at and touches only beside its shaft.
     fn has_room(&self, [left, apex, right]: [MmPoint; 3], which: Tip, pointed_at: Option<u32>) -> bool {
+        let ahead = apex - left.lerp(right, 0.5);
+        let is_before = |at: MmPoint| (at - apex).dot(ahead) >= -BEHIND * ahead.square_length();
+        let is_touched =
+            |segment: &Segment| pointed_at == Some(segment.line) && is_before(segment.a) && is_before(segment.b);
+        [(left, apex), (apex, right)].into_iter().all(|stroke| self.is_free(stroke, which, is_touched))
+    }
+
+    /// Whether a stroke is clear of all lines but those parts that it touches, of points and of other heads.
+    fn is_free(&self, stroke: (MmPoint, MmPoint), which: Tip, is_touched: impl Fn(&Segment) -> bool) -> bool {
         let (clearance, length) = (self.params.max_clearance(), self.lines[self.line].length());
         let own_end = own_end(self.params);
         let arcs = self.lines[self.line].arc_lengths();
         let arc = |index: u32| arcs.get(index as usize).copied().unwrap_or(length);
         let least = |segment: &Segment| {
-            let from_tip = if which == Tip::First { arc(segment.index) } else { length - arc(segment.index + 1) };
+            let from_end = if which == Tip::First { arc(segment.index) } else { length - arc(segment.index + 1) };
+            let from_tip = self.back + from_end;
             match segment.line as usize == self.line {
                 true if from_tip < self.last_piece => 0.0,
                 true if from_tip <= own_end => BEFORE_BEND * clearance,
                 _ => clearance,
             }
         };
-        let ahead = apex - left.lerp(right, 0.5);
-        let is_before = |at: MmPoint| (at - apex).dot(ahead) >= -BEHIND * ahead.square_length();
-        let is_touched =
-            |segment: &Segment| pointed_at == Some(segment.line) && is_before(segment.a) && is_before(segment.b);
-        [(left, apex), (apex, right)].into_iter().all(|stroke| {
-            let mut is_free = self.area.contains(stroke.0) && self.area.contains(stroke.1);
-            let reach = clearance + 0.5 * (stroke.1 - stroke.0).length();
-            self.segments.around_point(stroke.0.lerp(stroke.1, 0.5), reach, |segment| {
-                is_free &= is_touched(segment) || segment_distance(stroke, (segment.a, segment.b)) >= least(segment);
-            });
-            let is_beside = |(at, radius): &(MmPoint, f32)| {
-                nearest_on_segment(*at, stroke.0, stroke.1).0 >= self.params.beside_disc(*radius)
-            };
-            is_free &= self.points.iter().all(is_beside);
-            let others = self.others.iter().flat_map(|head| head.vertices.windows(2));
-            is_free && others.map(|pair| (pair[0].at, pair[1].at)).all(|at| segment_distance(stroke, at) >= clearance)
-        })
+        let mut is_free = self.area.contains(stroke.0) && self.area.contains(stroke.1);
+        let reach = clearance + 0.5 * (stroke.1 - stroke.0).length();
+        self.segments.around_point(stroke.0.lerp(stroke.1, 0.5), reach, |segment| {
+            is_free &= is_touched(segment) || segment_distance(stroke, (segment.a, segment.b)) >= least(segment);
+        });
+        let is_beside = |(at, radius): &(MmPoint, f32)| {
+            nearest_on_segment(*at, stroke.0, stroke.1).0 >= self.params.beside_disc(*radius)
+        };
+        is_free &= self.points.iter().all(is_beside);
+        is_free && self.others.iter().all(|other| segment_distance(stroke, *other) >= clearance)
     }
 
     /// A head as a line, as broad as its shaft.

@@ -62,6 +62,7 @@ pub(super) fn make_room(
         }
         let free = until_free(line, (shaft.which, mark.toward), most, is_free);
         if let Some((shorter, at, toward)) = free {
+            mark.shortened = line.length() - shorter.length();
             polylines[shaft.line] = shorter;
             (mark.at, mark.toward) = (at, toward);
         }

@@ -225,6 +225,32 @@ fn a_head_on_a_short_last_piece_touches_what_it_points_at_or_is_left_out() {
     assert!(is_drawn == [true] && matches!(found[..], [arrow] if arrow.at.y < 52.0), "{found:?}");
 }
 
+/// As in the bitmap of a flow chart: the outline of the diamond goes on as the arrow that leaves its corner.
+#[test]
+fn a_shaft_without_room_for_a_head_before_a_box_leads_up_to_the_box_again() {
+    let diamond_and_shaft = [(60.0, 50.0), (87.0, 34.0), (60.0, 18.0), (33.0, 34.0), (60.0, 50.0), (60.0, 61.8)];
+    let shaft = contour(&diamond_and_shaft, false);
+    let head = contour(&[(58.0, 58.1), (60.0, 61.8), (62.0, 58.1)], true);
+    let pointed_at = contour(&[(40.0, 61.8), (80.0, 61.8), (80.0, 76.0), (40.0, 76.0)], true);
+    let all = vec![shaft, head, pointed_at];
+    let length = |lines: &[Line]| lines[0].length() - 4.0 * 27.0_f32.hypot(16.0);
+    let (lines, is_drawn) = drawn(all.clone());
+    let found = arrows(&lines);
+    assert!(is_drawn == [true] && matches!(found[..], [arrow] if (61.8..62.0).contains(&arrow.at.y)), "{found:?}");
+    assert!((length(&lines) - 11.8).abs() < 0.3, "{}", length(&lines));
+    // another line leaves no room for the head there either
+    let beside = contour(&[(66.0, 53.5), (66.0, 61.8)], false);
+    let (lines, is_drawn) = drawn(all.iter().cloned().chain([beside]).collect());
+    assert!(is_drawn == [false] && (length(&lines) - 11.8).abs() < 0.3, "{}", length(&lines));
+    // and one that is drawn in between is not what it points at
+    let (mut marks, left) = taken(all);
+    let between = contour(&[(40.0, 58.0), (80.0, 58.0)], false);
+    let lines: Vec<&Polyline<Vertex>> = left.iter().chain([&between]).collect();
+    let drawn = draw(&mut marks, &lines, &[], area(), &PARAMS);
+    let (shaft, _) = drawn.shaft(0, &left[0], &vec![false; left[0].vertices.len()]);
+    assert!(drawn.heads.is_empty() && (shaft.length() - left[0].length()).abs() < 0.01, "{}", shaft.length());
+}
+
 #[test]
 fn a_triangle_has_three_corners() {
     let points = |corners: &[(f32, f32)]| -> Vec<MmPoint> {
