@@ -21,7 +21,11 @@ pub const EVERY: [i64; 3] = [2, 5, 10];
 pub(super) fn steps(texts: &[&str], positions: &[f32]) -> Option<Vec<i64>> {
     let values: Vec<(f64, &str)> = texts.iter().map(|text| value(text)).collect::<Option<_>>()?;
     let unit = values.iter().map(|(_, unit)| *unit).find(|unit| !unit.is_empty()).unwrap_or_default();
-    let is_of_unit = |(value, own): &(f64, &str)| *own == unit || own.is_empty() && *value == 0.0;
+    // behind the first or the last of them, a unit may stand for all
+    let has_unit = |end: Option<&(f64, &str)>| end.is_some_and(|(_, own)| !own.is_empty());
+    let count = values.iter().filter(|(_, own)| !own.is_empty()).count();
+    let is_once = count == 1 && values.len() > FEWEST && (has_unit(values.first()) || has_unit(values.last()));
+    let is_of_unit = |(value, own): &(f64, &str)| *own == unit || own.is_empty() && (is_once || *value == 0.0);
     let mut differences = values.windows(2).map(|pair| (pair[1].0 - pair[0].0).abs());
     let step = differences.clone().fold(f64::INFINITY, f64::min);
     let rises = values.first()?.0 < values.last()?.0;

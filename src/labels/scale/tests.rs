@@ -28,6 +28,16 @@ fn numbers_in_even_steps_are_a_scale() {
 }
 
 #[test]
+fn a_unit_may_stand_once_at_an_end_of_a_scale() {
+    assert_eq!(of(&["150 h", "100", "50", "0"]), Some(vec![3, 2, 1, 0]));
+    assert_eq!(of(&["10", "20", "30 cm"]), Some(vec![1, 2, 3]));
+    assert_eq!(of(&["1", "2 a", "3"]), None, "in their middle it is that of one");
+    assert_eq!(of(&["1", "2 m", "3 m"]), None, "and behind two of them it is theirs");
+    assert_eq!(of(&["5", "10 cm"]), None, "two are too few");
+    assert_eq!(of(&["10", "20", "45 cm"]), None, "uneven");
+}
+
+#[test]
 fn a_unit_is_what_is_behind_a_number() {
     assert_eq!(without_unit("-25 °C"), Some("-25"));
     assert_eq!(without_unit("25%"), Some("25"));
