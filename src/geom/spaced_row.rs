@@ -19,7 +19,7 @@ pub const HOLE: f32 = 1.5;
 /// it, as it does the band of a frame, whose dots are 4 mm apart. The dots on both sides of a hole are left too, so
 /// that behind it two may be neighbours.
 pub fn every_second(row: &[MmPoint], pitch: f32) -> Vec<MmPoint> {
-    if row.len() < LEAST {
+    if stays_whole(row) {
         return row.to_vec();
     }
     let mut kept = Vec::with_capacity(row.len() / 2 + 1);
@@ -33,6 +33,11 @@ pub fn every_second(row: &[MmPoint], pitch: f32) -> Vec<MmPoint> {
     }
     kept.reverse();
     kept
+}
+
+/// Whether a row is so short that it stays as it is.
+pub fn stays_whole(row: &[MmPoint]) -> bool {
+    row.len() < LEAST
 }
 
 /// Every second dot of a row is no farther from the next than so many of the longest steps between neighbours.
