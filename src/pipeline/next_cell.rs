@@ -60,7 +60,8 @@ pub(super) fn begin_off_labels(
             let is_led_on = goes_on(way, &spaced, longest_step(HOLE * pitch));
             let fewest = if is_led_on { FEWEST_BEFORE_LINE } else { FEWEST };
             let off = with_fewest(&run.points, label, cells, fewest);
-            let is_long = ends(&off).is_some_and(|(first, last)| far(first, last) >= least);
+            // a dot stands for half a pitch to both sides
+            let is_long = ends(&off).is_some_and(|(first, last)| far(first, last) + pitch >= least);
             if is_led_on || is_spaced && is_long && is_leader(&off) {
                 run.points = off;
             }

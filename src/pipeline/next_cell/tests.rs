@@ -21,7 +21,7 @@ fn steps_left(device: &str, sheet: [f32; 2], pitch: f32, [steps, beyond]: [&[usi
     };
     let mut lines = [line(steps), line(beyond)];
     let from = lines[0].runs[0].points[0];
-    begin_off_labels(&mut lines, &[(from, corner)], &cells, (pitch, 10.0));
+    begin_off_labels(&mut lines, &[(from, corner)], &cells, (pitch, 12.0));
     assert_eq!(lines[1], line(beyond), "it is not beside the label");
     let left = |at: &MmPoint| ((column.x - at.x) / pitch).round() as usize;
     lines[0].runs[0].points.iter().map(left).collect()
@@ -34,6 +34,7 @@ fn a_leader_line_has_no_dots_in_the_cell_beside_its_label() {
     assert_eq!(of_pins(&[3, 4, 6, 8, 10, 12]), [4, 6, 8, 10, 12]);
     assert_eq!(of_pins(&[2, 4, 6, 8, 10]), [4, 6, 8, 10]);
     assert_eq!(of_pins(&[4, 6, 8, 10]), [4, 6, 8, 10], "it is off that cell");
+    assert_eq!(of_pins(&[2, 4, 6, 8]), [4, 6, 8], "12.5 mm from tip to tip");
     assert_eq!(of_pins(&[2, 4, 6]), [2, 4, 6], "too little would be left");
     assert_eq!(of_pins(&[2, 3, 4, 5, 6, 7]), [2, 3, 4, 5, 6, 7], "a line of all dots is no leader line");
     // dots that are nearer than those of letters
