@@ -44,7 +44,7 @@ fn is_higher(character: char) -> bool {
 }
 
 /// Whether a character stands higher or lower: a digit, or one of the signs and letters of powers and indices.
-fn is_raised_or_lowered(character: char) -> bool {
+pub fn is_raised_or_lowered(character: char) -> bool {
     is_script(character) || matches!(character, '\u{2071}' | '\u{207a}'..='\u{208e}' | '\u{2090}'..='\u{209c}')
 }
 

@@ -64,6 +64,14 @@ pub fn is_script(character: char) -> bool {
     raised_or_minus(character) || lowered(character).is_some()
 }
 
+/// The number that signs say which are all raised, such as an exponent.
+pub fn power(signs: &str) -> Option<i32> {
+    let digits = signs.strip_prefix(RAISED_MINUS).unwrap_or(signs);
+    let number: String = digits.chars().map(|sign| char::from_digit(raised(sign)?, 10)).collect::<Option<_>>()?;
+    let number: i32 = number.parse().ok()?;
+    Some(if digits.len() < signs.len() { -number } else { number })
+}
+
 const RAISED_MINUS: char = '\u{207b}';
 const MASCULINE: &char = &'\u{ba}';
 const FEMININE: &char = &'\u{aa}';

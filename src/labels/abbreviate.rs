@@ -103,7 +103,8 @@ const MOST_DIGITS: usize = 4;
 fn numbered(text: &str, other: &str) -> Option<String> {
     let letters = |text: &str| -> String { text.chars().filter(|letter| !is_of_number(*letter)).collect() };
     let (of_text, of_other) = (numbers(text), numbers(other));
-    let is_alike = of_text.len() == of_other.len() && letters(text) == letters(other);
+    // a power without its exponent is another number
+    let is_alike = of_text.len() == of_other.len() && letters(text) == letters(other) && !scale::is_power(text);
     let number = of_text.into_iter().zip(of_other).find(|(own, other)| is_alike && own != other)?.0;
     let letter = text.to_lowercase().chars().find(|letter| letter.is_alphabetic())?;
     (number.len() <= MOST_DIGITS).then(|| format!("{letter}{number}"))

@@ -122,10 +122,15 @@ pub(super) fn of(
         };
         let numbers: Vec<usize> =
             group.members.iter().copied().filter(|&label| scale::is_number(&wanted[label].text)).collect();
-        let is_scale = numbers.len() >= FEWEST || numbers.len() == group.members.len();
-        group.steps = if is_scale { scale(&numbers) } else { None };
-        if group.steps.is_some() {
-            group.members = numbers;
+        // and a power may stand at its place among numbers of which it is no step
+        let on_line: Vec<usize> =
+            numbers.iter().copied().filter(|&label| !scale::is_power(&wanted[label].text)).collect();
+        let count = group.members.len();
+        let mut scales = [numbers, on_line].into_iter().filter(|of| of.len() >= FEWEST || of.len() == count);
+        let found = scales.find_map(|members| Some((scale(&members)?, members)));
+        if let Some((steps, members)) = found {
+            group.steps = Some(steps);
+            group.members = members;
         }
     }
     groups.retain(|group| group.members.len() >= FEWEST || group.steps.is_some());

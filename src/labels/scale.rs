@@ -1,5 +1,7 @@
 //! Numbers along an axis: what their values are, and which of them stay where there is no room for all.
 
+use crate::braille::{is_raised_or_lowered, power};
+
 /// How far a number may stand from where its value says, as a share of the distance to the next: print is moved aside
 /// where an axis crosses.
 const OFF: f32 = 0.3;
@@ -19,29 +21,47 @@ pub const EVERY: [i64; 3] = [2, 5, 10];
 /// Of numbers that stand in even steps along a line, how many steps each lies from zero, or from the first of them
 /// where zero is none of the steps; none where they do not.
 pub(super) fn steps(texts: &[&str], positions: &[f32]) -> Option<Vec<i64>> {
-    let values: Vec<(f64, &str)> = texts.iter().map(|text| value(text)).collect::<Option<_>>()?;
-    let unit = values.iter().map(|(_, unit)| *unit).find(|unit| !unit.is_empty()).unwrap_or_default();
+    let numbers: Vec<Number<'_>> = texts.iter().map(|text| number(text)).collect::<Option<_>>()?;
+    let unit = numbers.iter().map(|number| number.unit).find(|unit| !unit.is_empty()).unwrap_or_default();
     // behind the first or the last of them, a unit may stand for all
-    let has_unit = |end: Option<&(f64, &str)>| end.is_some_and(|(_, own)| !own.is_empty());
-    let count = values.iter().filter(|(_, own)| !own.is_empty()).count();
-    let is_once = count == 1 && values.len() > FEWEST && (has_unit(values.first()) || has_unit(values.last()));
-    let is_of_unit = |(value, own): &(f64, &str)| *own == unit || own.is_empty() && (is_once || *value == 0.0);
-    let mut differences = values.windows(2).map(|pair| (pair[1].0 - pair[0].0).abs());
+    let has_unit = |end: Option<&Number<'_>>| end.is_some_and(|number| !number.unit.is_empty());
+    let count = numbers.iter().filter(|number| !number.unit.is_empty()).count();
+    let is_once = count == 1 && numbers.len() > FEWEST && (has_unit(numbers.first()) || has_unit(numbers.last()));
+    let is_of_unit =
+        |number: &Number<'_>| number.unit == unit || number.unit.is_empty() && (is_once || number.value == 0.0);
+    let values = counted(&numbers)?;
+    let mut differences = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     let step = differences.clone().fold(f64::INFINITY, f64::min);
-    let rises = values.first()?.0 < values.last()?.0;
-    let is_in_order = values.windows(2).all(|pair| (pair[0].0 < pair[1].0) == rises);
-    if values.len() < FEWEST || !values.iter().all(is_of_unit) || !is_in_order || differences.any(|by| by == 0.0) {
+    let rises = values.first()? < values.last()?;
+    let is_in_order = values.windows(2).all(|pair| (pair[0] < pair[1]) == rises);
+    if values.len() < FEWEST || !numbers.iter().all(is_of_unit) || !is_in_order || differences.any(|by| by == 0.0) {
         return None;
     }
-    let is_whole = |from: f64| values.iter().all(|(value, _)| whole((value - from) / step).is_some());
-    let from = if is_whole(0.0) { 0.0 } else { values[0].0 };
-    let steps: Vec<i64> = values.iter().map(|(value, _)| whole((value - from) / step)).collect::<Option<_>>()?;
+    let is_whole = |from: f64| values.iter().all(|value| whole((value - from) / step).is_some());
+    let from = if is_whole(0.0) { 0.0 } else { values[0] };
+    let steps: Vec<i64> = values.iter().map(|value| whole((value - from) / step)).collect::<Option<_>>()?;
     is_even(&steps, positions).then_some(steps)
+}
+
+/// What is counted along a scale of these numbers: of powers of one base their exponents, as on a scale of logarithms,
+/// of others what stands on the line, if what is raised or lowered behind it is the same of all.
+fn counted(numbers: &[Number<'_>]) -> Option<Vec<f64>> {
+    let first = numbers.first()?;
+    if numbers.iter().all(|number| number.script == first.script) {
+        return Some(numbers.iter().map(|number| number.value).collect());
+    }
+    let base = numbers.iter().find(|number| !number.script.is_empty())?.value;
+    numbers.iter().map(|number| number.exponent_of(base)).collect()
 }
 
 /// Whether a text is a number, with or without a unit.
 pub(super) fn is_number(text: &str) -> bool {
-    value(text).is_some()
+    number(text).is_some()
+}
+
+/// Whether a text is a number with something raised or lowered behind it, such as a power.
+pub(super) fn is_power(text: &str) -> bool {
+    number(text).is_some_and(|number| !number.script.is_empty())
 }
 
 /// Whether a text is a plus or a minus by itself, as at the poles of a battery.
@@ -69,13 +89,13 @@ impl Alone {
 
 /// Whether a text is the length of something, such as "6 cm" or "h = 4 cm".
 pub(super) fn is_length(text: &str) -> bool {
-    let number = text.rsplit('=').next().unwrap_or(text);
-    value(number).is_some_and(|(_, unit)| LENGTHS.contains(&unit))
+    let own = text.rsplit('=').next().unwrap_or(text);
+    number(own).is_some_and(|number| LENGTHS.contains(&number.unit))
 }
 
 /// A number without its unit; none if it has none.
 pub(super) fn without_unit(text: &str) -> Option<&str> {
-    let (_, unit) = value(text)?;
+    let unit = number(text)?.unit;
     if unit.is_empty() { None } else { text.trim().strip_suffix(unit).map(str::trim) }
 }
 
@@ -101,8 +121,31 @@ fn is_minus(sign: char) -> bool {
     matches!(sign, '-' | '\u{2010}'..='\u{2013}' | '\u{2212}')
 }
 
-/// The number that a text begins with, and the unit behind it; none of a text that is no number.
-fn value(text: &str) -> Option<(f64, &str)> {
+/// A number and what stands behind it.
+#[derive(Debug, Clone, Copy)]
+struct Number<'a> {
+    /// That of the digits on the line.
+    value: f64,
+    /// What is raised or lowered right behind them, such as the exponent of a power.
+    script: &'a str,
+    unit: &'a str,
+}
+
+impl Number<'_> {
+    /// The exponent of a power of this base; of the base itself 1, and of one 0.
+    fn exponent_of(&self, base: f64) -> Option<f64> {
+        let is = |value: f64| self.value.total_cmp(&value).is_eq();
+        match self.script {
+            "" if is(base) => Some(1.0),
+            "" if is(1.0) => Some(0.0),
+            script if is(base) => power(script).map(f64::from),
+            _ => None,
+        }
+    }
+}
+
+/// The number that a text begins with, with the unit behind it; none of a text that is no number.
+fn number(text: &str) -> Option<Number<'_>> {
     let text = text.trim();
     let (sign, rest) = match text.strip_prefix(is_minus) {
         Some(rest) => (-1.0, rest),
@@ -110,20 +153,22 @@ fn value(text: &str) -> Option<(f64, &str)> {
     };
     let part = |text: &str| text.trim().parse::<u16>().ok().map(f64::from);
     if let Some((over, under)) = rest.split_once('/').and_then(|(over, under)| part(over).zip(part(under))) {
-        return (under > 0.0).then_some((sign * over / under, ""));
+        return (under > 0.0).then_some(Number { value: sign * over / under, script: "", unit: "" });
     }
     let grouped = groups_of_three(rest);
     let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | ',');
     let end = grouped.unwrap_or_else(|| rest.find(|sign| !is_of_number(sign)).unwrap_or(rest.len()));
-    let (digits, unit) = rest.split_at(end);
-    let number: f64 = if grouped.is_some() {
+    let (digits, behind) = rest.split_at(end);
+    let value: f64 = if grouped.is_some() {
         digits.chars().filter(char::is_ascii_digit).collect::<String>().parse().ok()?
     } else {
         digits.replace(',', ".").parse().ok()?
     };
+    let behind = behind.trim();
+    let (script, unit) = behind.split_at(behind.find(|sign| !is_raised_or_lowered(sign)).unwrap_or(behind.len()));
     let unit = unit.trim();
     let is_unit = unit.chars().count() <= UNIT && !unit.contains(|sign: char| sign.is_ascii_digit());
-    is_unit.then_some((sign * number, unit))
+    is_unit.then_some(Number { value: sign * value, script, unit })
 }
 
 /// Where a number in groups of three digits ends, as 12 000 or 1,000 do; none of others. A zero in front is that of a

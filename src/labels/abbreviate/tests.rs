@@ -17,6 +17,11 @@ fn abbreviations_are_short_readable_and_unique() {
     assert_eq!(short(&texts, "en"), ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
 }
 
+#[test]
+fn a_power_is_not_abbreviated_to_its_base() {
+    assert_eq!(short(&["10\u{b2} m", "20\u{b2} m", "10\u{b3}"], "en"), ["-"; 3]);
+}
+
 /// No abbreviation of a month fits another one as well.
 #[test]
 fn texts_that_begin_alike_have_the_letter_that_tells_them_apart() {

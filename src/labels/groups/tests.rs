@@ -90,3 +90,20 @@ fn numbers_in_even_steps_are_of_a_table_where_each_has_a_cell_with_another_text(
     let scale = all.iter().find(|group| group.steps.is_some()).expect("numbers in even steps");
     assert!(!scale.is_of_table(&table, |_| Some(wide)), "all are in one frame");
 }
+
+#[test]
+fn a_power_among_numbers_in_even_steps_is_by_itself() {
+    let row = |texts: &[&str]| -> Vec<Wanted> {
+        texts.iter().zip([10.0, 20.0, 30.0, 40.0, 50.0, 60.0]).map(|(of, x)| text(of, [x, 90.0, 4.0, 4.0])).collect()
+    };
+    let scale = |texts: &[&str]| -> Vec<(Vec<usize>, Option<Vec<i64>>)> {
+        let groups = of(&row(texts), |_| true, |_| true, |_| true);
+        groups.into_iter().map(|group| (group.members, group.steps)).collect()
+    };
+    let line = ["0", "1", "10\u{b2}", "10\u{b3}", "4", "5"];
+    assert_eq!(scale(&line), [(vec![0, 1, 4, 5], Some(vec![0, 1, 4, 5]))]);
+    let powers = ["10\u{2070}", "10\u{b9}", "10\u{b2}", "10\u{b3}"];
+    assert_eq!(scale(&powers), [(vec![0, 1, 2, 3], Some(vec![0, 1, 2, 3]))]);
+    let uneven = ["0", "1", "10\u{b2}", "7", "3"];
+    assert_eq!(scale(&uneven), [(vec![0, 1, 2, 3, 4], None)], "without the power they are no scale either");
+}

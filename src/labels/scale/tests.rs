@@ -42,6 +42,24 @@ fn a_unit_is_what_is_behind_a_number() {
     assert_eq!(without_unit("-25 °C"), Some("-25"));
     assert_eq!(without_unit("25%"), Some("25"));
     assert_eq!((without_unit("25"), without_unit("P 3")), (None, None));
+    assert_eq!((without_unit("10\u{b2}"), without_unit("10 \u{2079}")), (None, None), "an exponent is none");
+    assert_eq!(without_unit("10\u{b2} Hz"), Some("10\u{b2}"));
+}
+
+#[test]
+fn exponents_in_even_steps_are_a_scale() {
+    let powers = ["10\u{2070}", "10\u{b9}", "10\u{b2}", "10\u{b3}"];
+    assert_eq!(of(&powers), Some(vec![0, 1, 2, 3]));
+    assert_eq!(of(&["10\u{b3}", "10\u{b2}", "10\u{b9}"]), Some(vec![3, 2, 1]));
+    assert_eq!(of(&["10\u{207b}\u{b2}", "10\u{2070}", "10\u{b2}"]), Some(vec![-1, 0, 1]));
+    assert_eq!(of(&["1", "10", "10\u{b2}", "10\u{b3}"]), Some(vec![0, 1, 2, 3]));
+    assert_eq!(of(&["10\u{b9} Hz", "10\u{b2} Hz", "10\u{b3} Hz"]), Some(vec![1, 2, 3]));
+    assert_eq!(of(&["10\u{b9}", "10\u{b2}", "10\u{2076}"]), None, "they stand as if one step apart");
+    assert_eq!(of(&["2\u{b2}", "10\u{b3}", "10\u{2074}"]), None, "powers of different numbers");
+    assert_eq!(of(&["10\u{2080}", "10\u{2081}", "10\u{2082}"]), None, "what is lowered is no exponent");
+    assert_eq!(of(&["0", "1", "10\u{b2}", "10\u{b3}"]), None);
+    // what is squared steps evenly
+    assert_eq!(of(&["1\u{b2}", "2\u{b2}", "3\u{b2}"]), Some(vec![1, 2, 3]));
 }
 
 #[test]
