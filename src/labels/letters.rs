@@ -14,7 +14,7 @@ use crate::braille::Translator;
 /// and Czech.
 const MONTHS: [&str; 5] = ["jfmamjjasond", "efmamjjasond", "gfmamglasond", "slmkmclswplg", "lúbdkččszřlp"];
 
-/// Gives each label of a row a letter as its last form. Letters are no other label's cells.
+/// Gives each label of a row a letter as its last form, but for numbers that stay. Letters are no other label's cells.
 pub(super) fn add(
     groups: &mut [Group],
     forms: &mut [Result<Forms, Unplaced>],
@@ -31,7 +31,10 @@ pub(super) fn add(
         GroupDirection::Column(_) => false,
     };
     for group in groups.iter_mut().filter(|group| is_row(group) && group.steps.is_none()) {
-        let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
+        let of_row: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
+        let have_letters = group.members.iter().zip(scale::stay(&of_row)).filter(|(_, stays)| !stays);
+        let members: Vec<usize> = have_letters.map(|(&label, _)| label).collect();
+        let texts: Vec<&str> = members.iter().map(|&label| wanted[label].text.as_str()).collect();
         let spelled = |letter: char| spelled(letter, &taken, translator);
         let months: Option<Vec<(String, Vec<u8>)>> =
             initials_of_months(&texts).and_then(|letters| letters.into_iter().map(spelled).collect());
@@ -49,7 +52,7 @@ pub(super) fn add(
         if letters.len() < texts.len() {
             continue;
         }
-        for (&label, (letter, cells)) in group.members.iter().zip(letters) {
+        for (label, (letter, cells)) in members.into_iter().zip(letters) {
             taken.insert(cells.clone());
             given.insert(&wanted[label].text, (letter.clone(), cells.clone()));
             if let Ok(of) = &mut forms[label] {

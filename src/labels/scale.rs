@@ -64,6 +64,15 @@ pub(super) fn is_power(text: &str) -> bool {
     number(text).is_some_and(|number| !number.script.is_empty())
 }
 
+/// Which texts of a row have no letter in their place, as that would be felt as a digit: the powers, and the numbers
+/// without a unit. Where all of these have four digits, as years below bars, they have letters as names do.
+pub(super) fn stay(texts: &[&str]) -> Vec<bool> {
+    let is_bare = |text: &&str| number(text).is_some_and(|of| of.unit.is_empty() || !of.script.is_empty());
+    let is_year = |text: &&str| text.trim().len() == 4 && text.trim().bytes().all(|digit| digit.is_ascii_digit());
+    let are_years = texts.iter().filter(|text| is_bare(text)).all(is_year);
+    texts.iter().map(|text| !are_years && is_bare(text)).collect()
+}
+
 /// Whether a text is a plus or a minus by itself, as at the poles of a battery.
 fn is_sign(text: &str) -> bool {
     let mut signs = text.trim().chars();

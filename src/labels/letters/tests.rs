@@ -1,6 +1,9 @@
 //! Tests of `letters`.
 
+use super::super::{forms, groups};
 use super::*;
+use crate::braille::Code;
+use crate::units::{MmPoint, MmRect, MmVector};
 
 #[test]
 fn months_are_known_by_their_order() {
@@ -39,4 +42,32 @@ fn letters_of_a_row_are_those_of_its_texts_where_they_can_be() {
     assert_eq!(of(&["R1", "R2", "A"]).as_deref(), Some("bca"), "what is a letter is no other text's");
     assert_eq!(of(&["Mon", "Tue", "Wed", "Thu"]).as_deref(), Some("abcd"));
     assert_eq!(of(&["A", "a"]), None);
+}
+
+/// The letters of texts that stand in a row.
+fn letters_of_row(texts: &[&str]) -> Vec<Option<String>> {
+    let translator = Translator::new(Code::of_language("en").and_then(Code::table), None).expect("a table");
+    let text = |(at, text): (usize, &&str)| {
+        let corner = MmPoint::new(10.0 * at as f32, 90.0);
+        let anchor = MmRect::new(corner, corner + MmVector::new(4.0, 4.0));
+        Wanted { text: (*text).to_owned(), anchor, lost_leader: None, kept_leader: None, is_nameless: false }
+    };
+    let wanted: Vec<Wanted> = texts.iter().enumerate().map(text).collect();
+    let mut groups = groups::of(&wanted, |_| true, |_| true, |_| true);
+    let mut forms = forms::of(texts, &[], &translator);
+    add(&mut groups, &mut forms, &wanted, &translator);
+    let letter = |of: Result<Forms, Unplaced>| {
+        let letter = of.ok()?.forms.into_iter().find(|form| form.kind == FormKind::Letter)?;
+        letter.abbreviation
+    };
+    forms.into_iter().map(letter).collect()
+}
+
+#[test]
+fn a_number_has_no_letter_that_would_be_felt_as_a_digit() {
+    assert_eq!(letters_of_row(&["0", "1", "10\u{b2}", "7", "3"]), vec![None; 5]);
+    let with_words = letters_of_row(&["5", "40", "Total", "Rest"]);
+    assert_eq!(with_words, [None, None, Some("t".to_owned()), Some("r".to_owned())]);
+    let years = letters_of_row(&["1990", "1995", "2003"]);
+    assert_eq!(years.iter().flatten().count(), 3, "years below bars are names");
 }

@@ -63,6 +63,15 @@ fn exponents_in_even_steps_are_a_scale() {
 }
 
 #[test]
+fn numbers_and_powers_of_a_row_stay_and_names_and_years_do_not() {
+    assert_eq!(stay(&["0", "1", "10\u{b2}", "1000"]), [true; 4]);
+    assert_eq!(stay(&["10\u{b2} m", "10\u{b3} m"]), [true; 2]);
+    assert_eq!(stay(&["A", "5", "5 km"]), [false, true, false]);
+    assert_eq!(stay(&["1990", "1995", "2003"]), [false; 3]);
+    assert_eq!(stay(&["Mon", "Tue"]), [false; 2]);
+}
+
+#[test]
 fn a_number_may_stand_a_little_aside() {
     let texts = ["-1", "0", "1"];
     assert_eq!(steps(&texts, &[0.0, 8.0, 20.0]), Some(vec![-1, 0, 1]));
