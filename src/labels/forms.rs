@@ -15,7 +15,7 @@ pub(super) enum FormKind {
     OneLine,
     /// The same in two.
     TwoLines(Division),
-    /// An abbreviation of two or three cells; a letter for a text without one that stands in a cell of a table.
+    /// An abbreviation of two or three cells; a letter, or one twice, for a text without one in a cell of a table.
     Short,
     /// A single letter, as which only a whole row of labels is written.
     Letter,

@@ -35,7 +35,7 @@ pub(super) fn add(
         let have_letters = group.members.iter().zip(scale::stay(&of_row)).filter(|(_, stays)| !stays);
         let members: Vec<usize> = have_letters.map(|(&label, _)| label).collect();
         let texts: Vec<&str> = members.iter().map(|&label| wanted[label].text.as_str()).collect();
-        let spelled = |letter: char| spelled(letter, &taken, translator);
+        let spelled = |letter: char| spelled(&letter.to_string(), &taken, translator);
         let months: Option<Vec<(String, Vec<u8>)>> =
             initials_of_months(&texts).and_then(|letters| letters.into_iter().map(spelled).collect());
         group.is_of_months = initials_of_months(&texts).is_some() && (months.is_some() || given.contains_key(texts[0]));
@@ -63,23 +63,32 @@ pub(super) fn add(
 }
 
 /// Gives each of these labels of a table that has no abbreviation, such as a long number, a letter as its last form:
-/// the key has what it stands for.
+/// the key has what it stands for. Where a code reads a letter by itself as a word, as contracted English has "but" for
+/// b, it is that letter twice, which takes no more cells than the sign of letters and one.
 pub(super) fn add_to_alone(
     labels: impl Iterator<Item = usize>,
     forms: &mut [Result<Forms, Unplaced>],
     wanted: &[Wanted],
     translator: &Translator<'_>,
 ) {
+    let is_long = |form: &Form| form.lines.iter().any(|line| line.len() > SHORT_ALONE);
+    let is_whole = |form: &Form| form.abbreviation.is_none();
+    let needs_one = |of: &Forms| of.forms.first().is_some_and(is_long) && of.forms.iter().all(is_whole);
+    let labels: Vec<usize> = labels.filter(|&label| forms[label].as_ref().is_ok_and(needs_one)).collect();
+    if labels.is_empty() {
+        return; // another translator, which may be a process for each letter, is not asked
+    }
     let taken = taken_cells(forms);
+    let is_read = |letters: &String| translator.is_read_as_letters(letters);
     // an a is one dot, which by itself nobody takes for a letter
-    let mut letters = ('b'..='z').filter_map(|letter| spelled(letter, &taken, translator));
+    let single: Vec<String> = ('b'..='z').map(String::from).collect();
+    let is_any_word = !single.iter().all(is_read);
+    let twice = ('b'..='z').filter(|_| is_any_word).map(|letter| letter.to_string().repeat(2)).filter(is_read);
+    // rather one that may be misread than none
+    let mut letters = twice.chain(single).filter_map(|letters| spelled(&letters, &taken, translator));
     let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
     for label in labels {
         let Ok(of) = &mut forms[label] else { continue };
-        let is_long = of.forms.first().is_some_and(|form| form.lines.iter().any(|line| line.len() > SHORT_ALONE));
-        if !is_long || of.forms.iter().any(|form| form.abbreviation.is_some()) {
-            continue;
-        }
         let text = wanted[label].text.as_str();
         let Some((letter, cells)) = given.get(text).cloned().or_else(|| letters.next()) else { continue };
         given.insert(text, (letter.clone(), cells.clone()));
@@ -92,10 +101,10 @@ fn taken_cells(forms: &[Result<Forms, Unplaced>]) -> BTreeSet<Vec<u8>> {
     forms.iter().flatten().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect()
 }
 
-/// A letter with its cell, if it has one of its own that is not taken.
-fn spelled(letter: char, taken: &BTreeSet<Vec<u8>>, translator: &Translator<'_>) -> Option<(String, Vec<u8>)> {
-    let cells = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?.cells;
-    (cells.len() == 1 && !taken.contains(&cells)).then(|| (letter.to_string(), cells))
+/// Letters with their cells, if each has one and they are not taken.
+fn spelled(letters: &str, taken: &BTreeSet<Vec<u8>>, translator: &Translator<'_>) -> Option<(String, Vec<u8>)> {
+    let cells = translator.spell(letters).ok().filter(|braille| braille.lacking.is_empty())?.cells;
+    (cells.len() == letters.chars().count() && !taken.contains(&cells)).then(|| (letters.to_owned(), cells))
 }
 
 /// A text of so few cells has no shorter form: an abbreviation has two or three.

@@ -2,7 +2,7 @@
 
 use super::super::{forms, groups};
 use super::*;
-use crate::braille::Code;
+use crate::braille::{Code, Translate};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 #[test]
@@ -70,4 +70,41 @@ fn a_number_has_no_letter_that_would_be_felt_as_a_digit() {
     assert_eq!(with_words, [None, None, Some("t".to_owned()), Some("r".to_owned())]);
     let years = letters_of_row(&["1990", "1995", "2003"]);
     assert_eq!(years.iter().flatten().count(), 3, "years below bars are names");
+}
+
+/// A letter by itself is a word in contracted English, before which liblouis writes the sign of letters.
+#[test]
+fn long_numbers_of_tables_are_letters_that_are_no_words() {
+    let table = || Code::of_language("en").and_then(Code::table).expect("a table");
+    let letters = |marked: &'static [&'static str], is_own: bool| -> Vec<Option<String>> {
+        let spell = table();
+        let other = move |text: &str| {
+            let is_marked = marked.contains(&text) || marked == ["*"] && text.starts_with(char::is_alphabetic);
+            Ok(is_marked.then_some(0b11_0000).into_iter().chain(spell.translate(text).cells).collect())
+        };
+        let other: Option<&Translate> = if is_own { None } else { Some(&other) };
+        let translator = Translator::new(Some(table()), other).expect("a table");
+        let texts = ["3,645,000", "12", "709,037", "3,645,000", "20,907"];
+        let mut forms = forms::of(&texts, &[], &translator);
+        let place = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(0.0, 0.0));
+        let wanted = texts.map(|text| Wanted {
+            text: text.to_owned(),
+            anchor: place,
+            lost_leader: None,
+            kept_leader: None,
+            is_nameless: false,
+        });
+        add_to_alone(0..texts.len(), &mut forms, &wanted, &translator);
+        let last = |of: &Result<Forms, Unplaced>| of.as_ref().ok()?.forms.last()?.abbreviation.clone();
+        forms.iter().map(last).collect()
+    };
+    let of = |letters: [&str; 3]| {
+        let [first, second, third] = letters.map(|letter| Some(letter.to_owned()));
+        vec![first.clone(), None, second, first, third]
+    };
+    assert_eq!(letters(&[], true), of(["b", "c", "d"]));
+    assert_eq!(letters(&[], false), of(["b", "c", "d"]));
+    assert_eq!(letters(&["b", "e", "cc"], false), of(["bb", "dd", "ee"]));
+    // rather one that may be misread than none
+    assert_eq!(letters(&["*"], false), of(["b", "c", "d"]));
 }
