@@ -96,6 +96,23 @@ impl Table {
         }
     }
 
+    /// A text in which each hyphen before a number that this table writes as the sign of minus is that sign, for another
+    /// translator, which may leave it a hyphen. Two hyphens stay two.
+    pub(super) fn with_minus(&self, text: &str) -> String {
+        let letters: Vec<char> = text.chars().collect();
+        let minus = self.signs.get(&MINUS.to_string());
+        let writer = Writer { table: self, text: &letters, out: Braille::default(), number: Number::None };
+        let is_as_minus = |(length, rule, _): (usize, &SignRule, &[SignRule])| {
+            let is_before_number = length == 1 && rule.left == '_' && rule.right == '#';
+            is_before_number && minus.into_iter().flatten().any(|minus| minus.cells == rule.cells)
+        };
+        let is_minus = |i: usize| {
+            let is_hyphen = matches!(letters[i], '-' | '\u{2010}') && (i == 0 || letters[i - 1] != letters[i]);
+            is_hyphen && writer.sign(i).is_some_and(is_as_minus)
+        };
+        (0..letters.len()).map(|i| if is_minus(i) { MINUS } else { letters[i] }).collect()
+    }
+
     /// The character at `i` in others that this code has; an accent falls away where its letter `is_written`.
     fn in_others(
         &self,
@@ -330,6 +347,9 @@ fn after_sign(rule: &SignRule, table: &Table) -> Number {
         false => Number::None,
     }
 }
+
+/// The sign of minus.
+const MINUS: char = '\u{2212}';
 
 /// What is no letter, in place of a sign.
 const NO_LETTER: char = '\u{2423}';

@@ -39,7 +39,7 @@ impl<'a> Translator<'a> {
             (Some(other), _) => {
                 // a page asks for a text many times, and another translator may be a process
                 let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-                known.entry(text.to_owned()).or_insert_with(|| by_other(other, text)).clone()
+                known.entry(text.to_owned()).or_insert_with(|| by_other(other, text, self.table.as_ref())).clone()
             }
             (None, Some(table)) => Ok(table.translate(text)),
             (None, None) => Ok(Braille::default()),
@@ -68,10 +68,15 @@ impl<'a> Translator<'a> {
     }
 }
 
-/// A text by a translator that is no table.
-fn by_other(other: &Translate, text: &str) -> Result<Braille, String> {
+/// A text by a translator that is no table. A hyphen that the table of its code writes as a minus sign is one, unless
+/// the other translator has no cells for that.
+fn by_other(other: &Translate, text: &str, table: Option<&Table>) -> Result<Braille, String> {
     let plain = composed(text).split_whitespace().collect::<Vec<_>>().join(" ");
-    let cells = other(&plain)?;
+    let with_minus = table.map(|table| table.with_minus(&plain)).filter(|with| *with != plain);
+    let cells = match with_minus.and_then(|with| other(&with).ok()) {
+        Some(cells) => cells,
+        None => other(&plain)?,
+    };
     // a cell of eight dots has no place on a page
     if cells.iter().any(|cell| *cell >= 64) {
         return Err("cells of eight dots".into());

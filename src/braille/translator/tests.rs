@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::*;
+use crate::braille::Code;
 
 #[test]
 fn another_translator_is_asked_once_for_each_text() {
@@ -26,4 +27,33 @@ fn cells_of_eight_dots_are_refused() {
     let other = |_: &str| Ok(vec![1, 64]);
     let translator = Translator::new(None, Some(&other)).expect("there is another");
     assert_eq!(translator.translate("ab"), Err("cells of eight dots".to_owned()));
+}
+
+/// liblouis leaves a hyphen before a number a hyphen; German and English tables of ours write a minus sign.
+#[test]
+fn a_hyphen_that_the_table_writes_as_minus_is_one_for_another_translator() {
+    let asked = |language: &str, text: &str, has_minus: bool| -> String {
+        let other = move |text: &str| {
+            let has_one = text.contains('\u{2212}');
+            // what it is asked is seen in its cells
+            let cells = text.chars().map(|letter| if letter == '\u{2212}' { 63 } else { 1 }).collect();
+            if has_one && !has_minus { Err("no minus".to_owned()) } else { Ok(cells) }
+        };
+        let table = Code::of_language(language).and_then(Code::table);
+        let translator = Translator::new(table, Some(&other)).expect("there is another");
+        let cells = translator.translate(text).expect("it is written").cells;
+        let is_minus = |(letter, cell): (char, u8)| if cell == 63 { '\u{2212}' } else { letter };
+        text.chars().zip(cells).map(is_minus).collect()
+    };
+    for language in ["en", "de"] {
+        assert_eq!(asked(language, "-3 to -5", true), "\u{2212}3 to \u{2212}5");
+        assert_eq!(asked(language, "(-3), x=-3", true), "(\u{2212}3), x=\u{2212}3");
+        assert_eq!(asked(language, "5-10, A-4, 3 - 2, -x", true), "5-10, A-4, 3 - 2, -x");
+        assert_eq!(asked(language, "3--5, --5", true), "3--5, --5");
+        assert_eq!(asked(language, "-3", false), "-3", "it has none");
+    }
+    // codes that write it in another way, or have one cell for both
+    for language in ["fr", "es", "pt", "sv", "nl", "pl"] {
+        assert_eq!(asked(language, "-3, 5-10", true), "-3, 5-10");
+    }
 }
