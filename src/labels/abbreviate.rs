@@ -45,7 +45,9 @@ pub(super) fn all(
             // what cannot be written cannot be abbreviated either
             let written = known.get(text).and_then(|braille| braille.as_ref().ok());
             let numbered = texts.iter().find_map(|other| numbered(text, other));
-            let quantity = written.and_then(|_| quantity(text));
+            let quantity = written.and_then(|_| quantity(text, numbered.is_some()));
+            // of a quantity without its minus sign it would be another one
+            let numbered = numbered.filter(|_| quantity.is_none());
             let in_letters = written.filter(|_| quantity.is_none());
             let proposals = in_letters.map(|braille| proposals(&without(text, &braille.lacking), texts));
             let own_word = texts.iter().find_map(|other| own_word(text, other));
@@ -55,7 +57,9 @@ pub(super) fn all(
                 let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
                 // a letter behind a number may have a sign before it
                 let begins_with_number = usize::from(letters.starts_with(is_of_number) && of_number < letters.len());
-                let most = MOST_CELLS + of_number.saturating_sub(1) + begins_with_number;
+                // in English a minus sign has two cells
+                let of_minus = 2 * letters.chars().filter(|letter| scale::is_minus(*letter)).count();
+                let most = MOST_CELLS + of_number.saturating_sub(1) + begins_with_number + of_minus;
                 let is_whole = lacking.is_empty() && (2..=most).contains(&cells.len());
                 (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
             });
@@ -124,15 +128,16 @@ fn own_word(text: &str, other: &str) -> Option<String> {
 }
 
 /// "100" or else "k100" for "100 km": an abbreviation of a quantity has its number, as the unit alone says nothing.
-/// None for texts that are no quantity, or whose unit has no two letters, as those have none.
-fn quantity(text: &str) -> Option<[String; 2]> {
+/// None for texts that are no quantity, or whose unit has no two letters, as those have none, unless another text
+/// `is_alike`, of which the number tells it apart: "667" for "667 m" beside "34 m".
+fn quantity(text: &str, is_alike: bool) -> Option<[String; 2]> {
     // in a key a blank parts an abbreviation from its text
     let number = scale::without_unit(text)?.replace(char::is_whitespace, "");
     let lower = text.to_lowercase();
     let mut letters = lower.chars().filter(|letter| letter.is_alphabetic());
-    let (letter, _) = (letters.next()?, letters.next()?);
+    let letter = letters.next()?;
     let with_letter = format!("{letter}{number}");
-    Some([number, with_letter])
+    (is_alike || letters.next().is_some()).then_some([number, with_letter])
 }
 
 /// A text without the characters that its code lacks.

@@ -126,7 +126,8 @@ fn is_even(steps: &[i64], positions: &[f32]) -> bool {
     steps.iter().zip(positions).all(|pair| off(pair) <= OFF * of_step.abs())
 }
 
-fn is_minus(sign: char) -> bool {
+/// Whether a sign is that of minus, or one that is typed for it.
+pub(super) fn is_minus(sign: char) -> bool {
     matches!(sign, '-' | '\u{2010}'..='\u{2013}' | '\u{2212}')
 }
 

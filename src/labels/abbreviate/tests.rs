@@ -66,7 +66,11 @@ fn a_quantity_keeps_its_number() {
     assert_eq!(short(&["100 km", "Port Ann"], "en"), ["100", "pa"]);
     assert_eq!(short(&["100 km", "100"], "en"), ["k100", "-"], "the number is a label of its own");
     assert_eq!(short(&["2,5 km", "12 000 km", "15 °C", "12 m"], "de"), ["2,5", "12000", "-", "-"]);
-    assert_eq!(short(&["50 km", "100 km"], "en"), ["k50", "k100"], "their numbers tell them apart");
+    assert_eq!(short(&["50 km", "100 km"], "en"), ["50", "100"], "their numbers tell them apart");
+    assert_eq!(short(&["667 m", "34 m", "12 s"], "en"), ["667", "34", "-"]);
+    assert_eq!(short(&["667 m", "34 m", "667"], "en"), ["m667", "34", "-"], "the number is a label of its own");
+    // a minus sign is never lost
+    assert_eq!(short(&["-25 m", "-12 m", "25 m"], "en"), ["-25", "-12", "-"]);
 }
 
 /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may
