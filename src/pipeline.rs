@@ -31,6 +31,7 @@ mod lost_colours;
 mod lost_marks;
 mod lost_signs;
 mod margins;
+mod misread;
 mod named;
 mod next_cell;
 mod open_rings;

@@ -46,7 +46,7 @@ pub use choose::{Choice, choose};
 pub use forms::LONGEST;
 pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted, WrittenLabel};
 pub use predicted::{RowPrediction, row_overhang};
-pub use scale::EVERY;
+pub use scale::{EVERY, is_number, off_scale};
 pub use surroundings::NEAR;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};

@@ -13,6 +13,8 @@ const UNIT: usize = 6;
 const LENGTHS: [&str; 8] = ["mm", "cm", "dm", "m", "km", "in", "ft", "yd"];
 /// Fewest numbers that are a scale. Two are one only where both stand at lines (`groups`).
 const FEWEST: usize = 2;
+/// Fewest numbers of a scale beside which another is none of it.
+const FEWEST_BESIDE: usize = 3;
 
 /// Every how many-th of the numbers along an axis is written where there is no room for all, the first that fits:
 /// steps that are counted easily, as on rulers.
@@ -43,6 +45,37 @@ pub(super) fn steps(texts: &[&str], positions: &[f32]) -> Option<Vec<i64>> {
     is_even(&steps, positions).then_some(steps)
 }
 
+/// The one of some numbers that stand along a line, in their order, which stands at a place in the scale of all others
+/// and says something else, as 0 between 0.4 and 0.6: it was read wrongly. None where there is no such scale, or more
+/// than one; and none at an end, where a scale may be broken off.
+pub fn off_scale(texts: &[&str], positions: &[f32]) -> Option<usize> {
+    if texts.len() <= FEWEST_BESIDE || steps(texts, positions).is_some() {
+        return None;
+    }
+    let is_off = |odd: &usize| {
+        let other = |at: usize| at != *odd;
+        let beside: Vec<&str> = (0..texts.len()).filter(|&at| other(at)).map(|at| texts[at]).collect();
+        let places: Vec<f32> = (0..texts.len()).filter(|&at| other(at)).map(|at| positions[at]).collect();
+        steps(&beside, &places).is_some_and(|steps| stands_at_free_step(positions[*odd], &steps, &places))
+    };
+    let mut odd = (0..texts.len()).filter(is_off);
+    let first = odd.next()?;
+    odd.next().is_none().then_some(first)
+}
+
+/// Whether a place along a line is that of a step between these of a scale, and none of them.
+fn stands_at_free_step(at: f32, steps: &[i64], positions: &[f32]) -> bool {
+    let (Some((&first, &last)), Some((&from, &to))) =
+        (steps.first().zip(steps.last()), positions.first().zip(positions.last()))
+    else {
+        return false;
+    };
+    let step = first as f32 + (at - from) / (to - from) * (last - first) as f32;
+    let whole = step.round() as i64;
+    let is_between = (first.min(last)..=first.max(last)).contains(&whole);
+    (step - step.round()).abs() <= OFF && is_between && !steps.contains(&whole)
+}
+
 /// What is counted along a scale of these numbers: of powers of one base their exponents, as on a scale of logarithms,
 /// of others what stands on the line, if what is raised or lowered behind it is the same of all.
 fn counted(numbers: &[Number<'_>]) -> Option<Vec<f64>> {
@@ -55,7 +88,7 @@ fn counted(numbers: &[Number<'_>]) -> Option<Vec<f64>> {
 }
 
 /// Whether a text is a number, with or without a unit.
-pub(super) fn is_number(text: &str) -> bool {
+pub fn is_number(text: &str) -> bool {
     number(text).is_some()
 }
 

@@ -1,6 +1,7 @@
 //! A picture is decoded, and the text in its pixels taken out of it.
 
 use super::given::Given;
+use super::misread::{ReadAt, off_their_rows};
 use super::progress::{Event, ONE_COLOUR, Stage, Watch, run_stage};
 use super::request::{LayoutOf, Request, working_size};
 use super::text_reader::TextReader;
@@ -208,7 +209,10 @@ fn without_text(
         let why = |why| notes.push(Note::TextsNotRead(why));
         reader.words(&found, raster).map_err(why).ok()
     });
-    notes.extend(words.as_deref().and_then(told_read));
+    if let Some(words) = &mut words {
+        let odd = without_misread(words, &found);
+        notes.extend(told_read(words, &odd));
+    }
     let word = |at: usize| words.as_mut().map_or_else(String::new, |words| std::mem::take(&mut words[at]));
     let new = found.lines.iter().zip((0..).map(word)).map(|(line, string)| text(line, string, scale));
     let texts = decoded.texts.into_iter().chain(new).collect();
@@ -223,16 +227,31 @@ fn without_text(
     Read { picture: decode::Decoded { raster, texts, notes, ..decoded }, content }
 }
 
+/// Takes out the words that were seen to be read wrongly; gives them.
+fn without_misread(words: &mut [String], found: &Lettering) -> Vec<String> {
+    let place = |line: &FoundLine| {
+        let DrawnText { min, max, .. } = text(line, String::new(), 1.0);
+        ReadAt { middle: min.lerp(max, 0.5), height: line.height }
+    };
+    let places: Vec<ReadAt> = found.lines.iter().map(place).collect();
+    off_their_rows(words, &places).into_iter().map(|at| std::mem::take(&mut words[at])).collect()
+}
+
 /// What the maker is told of texts in pixels that somebody has read: a word that was read wrongly is found by reading
-/// the list, and nowhere else.
-fn told_read(words: &[String]) -> Option<Note> {
+/// the list, and nowhere else. Some, `odd`, were seen to be.
+fn told_read(words: &[String], odd: &[String]) -> Option<Note> {
     let read: Vec<String> = words.iter().filter(|text| !text.is_empty()).map(|text| format!("\"{text}\"")).collect();
-    let unread = match words.len() - read.len() {
+    let odd: Vec<String> = odd.iter().map(|text| format!("\"{text}\"")).collect();
+    let left_out = match odd.is_empty() {
+        true => String::new(),
+        false => format!("; left out, as the other numbers of the row step evenly without: {}", odd.join(", ")),
+    };
+    let unread = match words.len() - read.len() - odd.len() {
         0 => String::new(),
         1 => "; 1 text could not be read".to_owned(),
         count => format!("; {count} texts could not be read"),
     };
-    let told = format!("read from the pixels, and to be looked through: {}{unread}", read.join(", "));
+    let told = format!("read from the pixels, and to be looked through: {}{left_out}{unread}", read.join(", "));
     (!read.is_empty()).then_some(Note::TakenAs(About::Texts, Reason::ReadFromPixels, told))
 }
 
