@@ -138,12 +138,12 @@ pub(in crate::edges) fn filled_heads(strokes: &[Stroke], planes: &[Plane], least
             heads.push(head);
         }
     }
-    let is_sign = |head: &FilledHead| {
-        let copies = Copies::of(head, &heads, planes);
+    let copies = Copies::of_each(&heads, planes);
+    let is_sign = |head: &FilledHead, copies: Copies| {
         let alike = heads.iter().filter(|other| head.points_as(other, ALIKE_WAY)).count();
         copies.without_shaft > 0 || copies.all >= SIGNS && copies.all > alike
     };
-    heads.par_iter().filter(|head| !is_sign(head)).copied().collect()
+    heads.iter().zip(copies).filter(|(head, copies)| !is_sign(head, *copies)).map(|(head, _)| *head).collect()
 }
 
 /// The heads along a stroke, both ways, each with how far it is off a straight taper, px.

@@ -1,7 +1,6 @@
 //! Tests of `copies`: triangles of 12 px that point to the right, each with its tip at a place.
 
 use super::*;
-use crate::units::Size;
 
 const SIZE: Size = Size::new(160, 60);
 
@@ -35,7 +34,7 @@ fn head(x: f32, y: f32) -> FilledHead {
 fn triangles_like_a_head_are_counted_and_those_with_a_shaft_are_told_apart() {
     let of = |others: &[([f32; 2], f32)], heads: &[FilledHead]| {
         let all: Vec<_> = others.iter().chain([&([50.0, 30.0], 30.0)]).copied().collect();
-        Copies::of(&head(50.0, 30.0), heads, &[picture(&all)])
+        Copies::of_each(heads, &[picture(&all)])[0]
     };
     let alone = [head(50.0, 30.0)];
     assert_eq!(of(&[], &alone), Copies { all: 0, without_shaft: 0 });
