@@ -120,7 +120,8 @@ const SAME: f32 = 4.0;
 const SAME_WAY: f32 = 0.7;
 /// Heads of a picture point alike within 18 degrees: the cosine.
 const ALIKE_WAY: f32 = 0.95;
-/// A head is a sign on a curve if there are at least so many signs like it, more than heads, or one without a shaft.
+/// A head is a sign on a curve if there are at least so many signs like it, and more of them than heads that point as
+/// it does, or as many without a shaft as those: a loose triangle beside several arrows is the sign of an item.
 const SIGNS: usize = 2;
 
 /// The filled heads at the ends of strokes, or where a stroke goes on in what its arrow points at. Their colour is at
@@ -141,7 +142,7 @@ pub(in crate::edges) fn filled_heads(strokes: &[Stroke], planes: &[Plane], least
     let copies = Copies::of_each(&heads, planes);
     let is_sign = |head: &FilledHead, copies: Copies| {
         let alike = heads.iter().filter(|other| head.points_as(other, ALIKE_WAY)).count();
-        copies.without_shaft > 0 || copies.all >= SIGNS && copies.all > alike
+        copies.without_shaft >= alike || copies.all >= SIGNS && copies.all > alike
     };
     heads.iter().zip(copies).filter(|(head, copies)| !is_sign(head, *copies)).map(|(head, _)| *head).collect()
 }

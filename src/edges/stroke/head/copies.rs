@@ -15,8 +15,13 @@ const UNLIKE: f32 = 0.25;
 /// There is ink of at least this share in a sign, and of the second in its shaft.
 const INK: f32 = 0.6;
 const SHAFT_INK: f32 = 0.3;
-/// A shaft is looked for at these places before a base, px.
-const BEFORE: [f32; 3] = [2.5, 4.0, 5.5];
+/// A shaft is looked for so far before a base, px, in steps: one that leads up to a sign has ink at the first places,
+/// so many; another one in both halves.
+const BEFORE: [f32; 2] = [2.0, 22.0];
+const STEP: f32 = 0.5;
+const LEADS: usize = 8;
+/// A shaft of dashes has ink at this share of these places at least, with a gap in between.
+const DASHES: f32 = 0.4;
 /// A sign is compared by the place that lies so far along its length.
 const MIDDLE: f32 = 1.0 / 3.0;
 /// There is ink on all four sides of that place, this share of the way to the nearest side of the sign, if there is
@@ -28,9 +33,18 @@ const ONE_COLOUR: f32 = 3.0;
 /// Signs like a head that are no heads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Copies {
+    /// But for those to which dashes lead, straight: heads, too, that are none of strokes.
     pub(super) all: usize,
     /// Those to which no shaft leads.
     pub(super) without_shaft: usize,
+}
+
+/// What leads to a sign, straight from behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shaft {
+    None,
+    Solid,
+    Dashed,
 }
 
 /// How much of the ink of a colour there is in each pixel, from 0 to 1.
@@ -88,8 +102,10 @@ impl Copies {
                 copies.push([x, y]);
             }
         }
-        let without_shaft = copies.iter().filter(|at| !sign.has_shaft(**at)).count();
-        Self { all: copies.len(), without_shaft }
+        let shafts: Vec<Shaft> = copies.into_iter().map(|at| sign.shaft_at(at)).collect();
+        let count = |of: Shaft| shafts.iter().filter(|shaft| **shaft == of).count();
+        let without_shaft = count(Shaft::None);
+        Self { all: without_shaft + count(Shaft::Solid), without_shaft }
     }
 }
 
@@ -187,15 +203,28 @@ impl<'a> Sign<'a> {
         Some(sum / self.sum)
     }
 
-    /// Whether a shaft leads to a copy at a place, straight from behind.
-    fn has_shaft(&self, [x, y]: [i32; 2]) -> bool {
+    /// The shaft that leads to a copy at a place.
+    fn shaft_at(&self, [x, y]: [i32; 2]) -> Shaft {
         let along = (self.head.apex - self.head.base).normalize();
-        BEFORE.iter().all(|before| {
-            let at = self.head.base - along * *before;
+        let is_inked = |k: usize| {
+            let at = self.head.base - along * (BEFORE[0] + k as f32 * STEP);
             let (at_x, at_y) = (at.x.floor() as i32 + x - self.middle[0], at.y.floor() as i32 + y - self.middle[1]);
             let mut beside = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| [at_x + dx, at_y + dy]));
             beside.any(|at| self.ink.at(at) >= SHAFT_INK)
-        })
+        };
+        let count = ((BEFORE[1] - BEFORE[0]) / STEP) as usize;
+        let inked: Vec<bool> = (0..count).map(is_inked).collect();
+        let runs = inked.chunk_by(|a, b| a == b).filter(|run| run[0]).count();
+        let share = inked.iter().filter(|is_inked| **is_inked).count() as f32 / count as f32;
+        let has_ink = |half: &[bool]| half.contains(&true);
+        let (first, second) = inked.split_at(count / 2);
+        if runs > 1 && share >= DASHES {
+            Shaft::Dashed
+        } else if !inked[..LEADS].contains(&false) || has_ink(first) && has_ink(second) {
+            Shaft::Solid
+        } else {
+            Shaft::None
+        }
     }
 }
 

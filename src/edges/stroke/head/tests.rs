@@ -32,10 +32,18 @@ fn picture(turn: f32, is_ink: IsInk<'_>) -> Plane {
 
 /// The heads that a stroke as far as `to` shows.
 fn found(turn: f32, to: f32, is_ink: IsInk<'_>) -> Vec<FilledHead> {
-    let ends = [[-25.0, 0.0], [to, 0.0]].map(|at| place(turn, at)).map(|at| (at.x, at.y));
-    let contour = polyline(&ends);
-    let stroke = Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false, tint: None };
-    filled_heads(&[stroke], &[picture(turn, is_ink)], LEAST)
+    found_in(&[0.0], turn, to, is_ink)
+}
+
+/// The same of strokes so far to the right of that, px.
+fn found_in(rows: &[f32], turn: f32, to: f32, is_ink: IsInk<'_>) -> Vec<FilledHead> {
+    let stroke = |right: &f32| {
+        let ends = [[-25.0, *right], [to, *right]].map(|at| place(turn, at)).map(|at| (at.x, at.y));
+        let contour = polyline(&ends);
+        Stroke { width: 2.0, whole: contour.length(), contour, is_dash: false, tint: None }
+    };
+    let strokes: Vec<Stroke> = rows.iter().map(stroke).collect();
+    filled_heads(&strokes, &[picture(turn, is_ink)], LEAST)
 }
 
 fn is_shaft(u: f32, v: f32) -> bool {
@@ -89,6 +97,16 @@ fn a_head_with_barbs_is_found_with_these() {
         assert!(off[0] < 1.4 && off[1] < 2.0, "{turn}: {off:?}");
         assert!((head.half_width - 6.0).abs() < 1.5, "{turn}: {head:?}");
     }
+}
+
+#[test]
+fn a_loose_triangle_beside_two_arrows_takes_no_head_from_them() {
+    let count = |rows: &[f32]| {
+        let is_arrow = |u: f32, v: f32| is_shaft(u, v) || is_head(u, v);
+        let is_ink = |u: f32, v: f32| is_head(u, v) || rows.iter().any(|right| is_arrow(u, v - right));
+        found_in(rows, 0.0, 10.0, &is_ink).len()
+    };
+    assert_eq!([count(&[-16.0, 16.0]), count(&[16.0])], [2, 0]);
 }
 
 #[test]
