@@ -28,6 +28,9 @@ const PASSES_BASE: f32 = 2.5;
 const PASSES_TIP: f32 = 3.0;
 /// What of a contour lies behind a tip is a part of its own if it is this long, px; less is a gap that was closed.
 const GOES_ON: f32 = 6.0;
+/// A ring is a shaft that leads to its own start if it is at least so many times as long as the head; a shorter one is
+/// a sign on a line. Chosen by us.
+const RING: f32 = 6.0;
 /// A shaft that ends less than this behind its tip, px, touches what its arrow points at.
 const GAP: f32 = 2.5;
 
@@ -102,9 +105,6 @@ impl FilledHead {
 
     /// The vertex of a contour at which its tip is, if the contour leads there from its base.
     fn passed_by(&self, contour: &Contour) -> Option<usize> {
-        if contour.closed {
-            return None;
-        }
         let distance = |i: &usize| (contour.vertices[*i].at - self.apex).length();
         let tip = (0..contour.vertices.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         if distance(&tip) > PASSES_TIP + 0.5 * self.shaft {
@@ -146,9 +146,13 @@ fn parted_at(found: FoundContour, head: &FilledHead) -> Vec<FoundContour> {
     parts.into_iter().map(|contour| FoundContour { contour, ..found }).collect()
 }
 
-/// The parts of a contour that leads through a head, but for short ones.
+/// The parts of a contour that leads through a head, but for short ones. A shaft whose tip touches its own start is a
+/// ring without its head: that is opened at the tip.
 fn parts_at(contour: &Contour, head: &FilledHead) -> Option<Vec<Contour>> {
     let tip = head.passed_by(contour)?;
+    if contour.closed {
+        return (contour.length() >= RING * head.length()).then(|| vec![contour.opened_at(tip)]);
+    }
     let part = |vertices: &[ContourPoint]| Polyline::open(vertices.to_vec());
     let mut parts = vec![part(&contour.vertices[..=tip]), part(&contour.vertices[tip..])];
     parts.retain(|part| part.length() >= GOES_ON);

@@ -76,6 +76,23 @@ fn a_contour_that_leads_through_a_head_is_parted_at_its_tip() {
 }
 
 #[test]
+fn a_shaft_that_leads_to_its_own_start_is_opened_at_the_tip() {
+    let ring = |points: &[(f32, f32)]| {
+        let mut contour = polyline(points);
+        contour.vertices.pop();
+        contour.closed = true;
+        let found = FoundContour { contour, stroke: Some(2.0), whole: 130.0, tint: None };
+        parted(vec![found], &[HEAD]).into_iter().map(|found| found.contour).collect::<Vec<_>>()
+    };
+    let parts = ring(&[(10.0, 5.0), (10.0, 30.0), (50.0, 30.0), (50.0, 5.0), (10.0, 5.0)]);
+    let [part] = &parts[..] else { panic!("{parts:?}") };
+    assert!(!part.closed && (part.length() - 130.0).abs() < 0.01 && HEAD.has_end(part), "{part:?}");
+    assert!([part.vertices[0], part.vertices[130]].iter().all(|end| end.at == HEAD.apex), "{part:?}");
+    let parts = ring(&[(38.0, 30.0), (50.0, 30.0), (50.0, 24.0), (38.0, 24.0), (38.0, 30.0)]);
+    assert!(matches!(&parts[..], [part] if part.closed), "a sign on a line: {parts:?}");
+}
+
+#[test]
 fn a_head_is_a_triangle_and_belongs_to_a_contour_that_ends_there() {
     let mut edges = Edges::none(Size::new(80, 60));
     add(&[HEAD], &mut edges);
