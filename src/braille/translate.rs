@@ -96,8 +96,8 @@ impl Table {
         }
     }
 
-    /// A text in which each hyphen before a number that this table writes as the sign of minus is that sign, for another
-    /// translator, which may leave it a hyphen. Two hyphens stay two.
+    /// A text in which each hyphen before a number that this table writes as the sign of minus is that sign, for
+    /// another translator, which may leave it a hyphen. Two hyphens stay two.
     pub(super) fn with_minus(&self, text: &str) -> String {
         let letters: Vec<char> = text.chars().collect();
         let minus = self.signs.get(&MINUS.to_string());

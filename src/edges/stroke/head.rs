@@ -383,9 +383,8 @@ impl Taper {
         let apex = at - widths_at(&widths, widest + 1..end + 1) / slope;
         let half_width = 0.5 * slope * (base - apex);
         let length = apex - base;
-        let is_head = off <= OFF_LINE.max(OFF_LINE_SHARE * most)
-            && length >= SHORTEST
-            && SHAPES.contains(&(half_width / length));
+        let is_head =
+            off <= OFF_LINE.max(OFF_LINE_SHARE * most) && length >= SHORTEST && SHAPES.contains(&(half_width / length));
         is_head.then_some(Self { base, apex, half_width, shaft, off })
     }
 }
