@@ -105,7 +105,7 @@ impl Reassignment {
         parts.insert(1, side);
         let free = if is_ring { [false; 2] } else { [parts[0].free[0], parts[parts.len() - 1].free[1]] };
         let whole = parts.iter().map(|part| part.found.whole).fold(0.0, f32::max);
-        let tint = parts.iter().find_map(|part| part.found.tint);
+        let tint = parts[0].found.tint;
         let vertices = parts.into_iter().flat_map(|part| part.found.contour.vertices).collect();
         let contour = Polyline { vertices, closed: is_ring };
         let found = FoundContour { whole: contour.length().max(whole), contour, stroke, tint };
@@ -140,15 +140,14 @@ struct OpenPart {
 }
 
 /// The ends of strokes that go straight on along a contour, if there are two that do so towards one another in one
-/// side, and may be one line: of a contour whose tint is not known they may have two.
+/// side.
 fn facing(owner: usize, pieces: &[OpenPart], sigma: f32) -> Option<[Onward; 2]> {
     let contour = &pieces[owner].found.contour;
     let onward = all_onward(owner, pieces, sigma);
     let pairs = onward.iter().flat_map(|a| onward.iter().map(move |b| [*a, *b]));
     let facing = pairs.filter(|[a, b]| {
         let in_order = if contour.closed { a.corner != b.corner } else { a.corner < b.corner };
-        let is_one = !pieces[a.piece].found.differs_in_tint(&pieces[b.piece].found);
-        a.forwards && !b.forwards && in_order && is_one && (a.piece != b.piece || a.at_start != b.at_start)
+        a.forwards && !b.forwards && in_order && (a.piece != b.piece || a.at_start != b.at_start)
     });
     // the nearest two, so that no third lies between
     let count = contour.vertices.len();

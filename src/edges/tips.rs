@@ -180,9 +180,9 @@ impl FoundContour {
                 }
             }
         };
-        // what is known of the shorter is more than nothing of the longer; an edge has none
-        let tint = if after > before { next.tint.or(self.tint) } else { self.tint.or(next.tint) };
-        self.tint = tint.filter(|_| self.stroke.is_some());
+        if after > before {
+            self.tint = next.tint;
+        }
         self.whole = self.whole.max(next.whole).max(before + after);
         let last = self.contour.vertices.last().map(|vertex| vertex.at);
         let is_there = |first: &ContourPoint| last.is_some_and(|last| (first.at - last).length() < SAME);

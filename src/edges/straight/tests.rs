@@ -1,7 +1,6 @@
 //! Straight strokes and edges, and where they are put together again.
 
 use super::super::contour::{Contour, ContourPoint};
-use super::super::stroke::Tint;
 use super::*;
 use crate::units::PxPoint;
 
@@ -144,20 +143,5 @@ fn of_two_ends_the_one_that_goes_straighter_on_has_the_side() {
         let found = reassign_sides(ends.into_iter().chain([corner.clone()]).collect(), SIGMA, LEAST);
         let longest = found.iter().max_by(|a, b| a.contour.length().total_cmp(&b.contour.length())).expect("three");
         assert!(found.len() == 3 && is_near(&longest.contour, 0.0, 50.0) && is_near(&longest.contour, 98.0, 50.0));
-    }
-}
-
-#[test]
-fn strokes_of_two_tints_do_not_become_one_and_a_known_tint_stays() {
-    let [black, blue] = [[-90.0, 0.0, 0.0], [-52.0, -8.0, -80.0]].map(Tint::of);
-    let with = |tints: [Option<Tint>; 2]| {
-        let [left, right] = eaves(50.0);
-        let [left, right] = [(left, tints[0]), (right, tints[1])].map(|(of, tint)| FoundContour { tint, ..of });
-        reassign_sides(vec![left, wall(), right], SIGMA, LEAST)
-    };
-    assert_eq!(with([black, blue]).len(), 3);
-    for tints in [[black, black], [black, None], [None, black]] {
-        let found = with(tints);
-        assert!(found.len() == 2 && found.iter().any(|found| found.tint == black), "{found:?}");
     }
 }

@@ -38,18 +38,6 @@ fn a_stroke_whose_own_ends_make_a_corner_is_closed() {
 }
 
 #[test]
-fn a_longer_piece_whose_tint_is_not_known_takes_none_away() {
-    let known = Tint::of([-30.0, 0.0, 0.0]);
-    for (tint, next_tint) in [(known, None), (None, known)] {
-        for middle in [10.0, 30.0] {
-            let mut whole = FoundContour { tint, ..stroke(&[(0.0, 0.0), (middle, 0.0)]) };
-            whole.go_on_in(FoundContour { tint: next_tint, ..stroke(&[(middle, 0.0), (40.0, 0.0)]) });
-            assert_eq!(whole.tint, known, "{middle} px of {tint:?}, then {next_tint:?}");
-        }
-    }
-}
-
-#[test]
 fn what_is_one_in_a_closed_thread_does_not_depend_on_which_part_comes_first() {
     // a triangle of two strokes, which make a corner, and an edge
     let stroke = |points: &[(f32, f32)]| stroke(points);
