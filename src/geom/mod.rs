@@ -8,6 +8,7 @@ pub mod gridlines;
 pub mod link;
 pub mod nearby;
 pub mod ninths;
+pub mod order;
 pub mod polygon;
 pub mod polyline;
 pub mod simplify;

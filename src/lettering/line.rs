@@ -4,6 +4,7 @@
 use super::chain::{RotatedLetter, axes, distance, placed};
 use super::glyph::{LARGEST, LetterShape, PixelPoint};
 use super::limits::{LetterLength, Row, Strictness};
+use crate::geom::order::middle;
 use crate::units::Size;
 
 /// Least height of letters, px.
@@ -109,18 +110,9 @@ pub(super) struct TextLine {
     complex: f32,
 }
 
-/// The middle one of some values; 0 of none.
-pub(super) fn median(mut values: Vec<f32>) -> f32 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f32::total_cmp).1
-}
-
 /// The angle of the line that letters stand on, relative to that at which they lie (Theil 1950 and Sen 1968).
 fn slope(letters: &[RotatedLetter]) -> f32 {
-    let height = median(letters.iter().map(RotatedLetter::height).collect());
+    let height = middle(letters.iter().map(RotatedLetter::height).collect());
     let mut slopes = Vec::new();
     for (i, a) in letters.iter().enumerate() {
         for b in &letters[i + 1..] {
@@ -130,7 +122,7 @@ fn slope(letters: &[RotatedLetter]) -> f32 {
             }
         }
     }
-    median(slopes).atan().to_degrees()
+    middle(slopes).atan().to_degrees()
 }
 
 /// The boxes of things that may be a decimal point or a minus, by the row at which they end.
@@ -193,19 +185,19 @@ pub(super) fn line(
     let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
     heights.sort_by(f32::total_cmp);
     let height = heights[(HEIGHT_OF_LINE[0] * n / HEIGHT_OF_LINE[1]).min(n - 1)];
-    let stroke = median(letters.iter().map(|letter| glyphs[letter.of].stroke).collect());
+    let stroke = middle(letters.iter().map(|letter| glyphs[letter.of].stroke).collect());
     let is_size = (LEAST_HEIGHT..=LARGEST as f32).contains(&height);
     if !is_size || stroke > THICKEST * height || stroke < THINNEST * height {
         return None;
     }
     let (gaps, has_point) = gaps(small.filter(|_| angle.abs() < LEAST_TURN), &letters, height);
     // words of letters that touch stand further apart
-    let is_spaced = median(letters.iter().map(RotatedLetter::width).collect()) <= WIDEST * height;
+    let is_spaced = middle(letters.iter().map(RotatedLetter::width).collect()) <= WIDEST * height;
     let widest = if is_spaced { GAP } else { GAP_OF_WORDS };
-    if median(gaps.clone()) > widest.of(height) {
+    if middle(gaps.clone()) > widest.of(height) {
         return None;
     }
-    let top = median(letters.iter().map(|letter| letter.across[0]).collect());
+    let top = middle(letters.iter().map(|letter| letter.across[0]).collect());
     let low = letters.iter().map(|letter| letter.across[0]).fold(f32::MAX, f32::min);
     let high = letters.iter().map(|letter| letter.across[1]).fold(f32::MIN, f32::max);
     if high - low > ACROSS * height {
@@ -245,7 +237,7 @@ pub(super) fn line(
 
 /// Share of letters that stand on the line, as most do.
 fn on_line(letters: &[RotatedLetter], height: f32) -> f32 {
-    let bottom = median(letters.iter().map(|letter| letter.across[1]).collect());
+    let bottom = middle(letters.iter().map(|letter| letter.across[1]).collect());
     let stands = |letter: &&RotatedLetter| (letter.across[1] - bottom).abs() <= OFF_LINE.of(height);
     letters.iter().filter(stands).count() as f32 / letters.len() as f32
 }
@@ -259,7 +251,7 @@ fn straightened(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) -> 
     }
     let which: Vec<usize> = chain.iter().map(|letter| letter.of).collect();
     let turned = placed(glyphs, &which, angle - turn);
-    let height = median(chain.iter().map(RotatedLetter::height).collect());
+    let height = middle(chain.iter().map(RotatedLetter::height).collect());
     let better = if chain.len() < FEW { BETTER_OF_FEW } else { BETTER };
     if on_line(&turned, height) > on_line(chain, height) + better {
         (turned, angle - turn)

@@ -4,8 +4,9 @@ use super::chain::{RotatedLetter, axes, chains, distance, groups, placed};
 use super::glyph::{LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
-use super::line::{SmallShapes, TextLine, each_cell, line, median};
+use super::line::{SmallShapes, TextLine, each_cell, line};
 use super::shape::are_unlike;
+use crate::geom::order::middle;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
 
@@ -209,7 +210,7 @@ impl Look {
                 ring.push(colours.at(cell));
             }
         });
-        let around = [0, 1, 2].map(|axis| median(ring.iter().map(|colour| colour[axis]).collect()));
+        let around = [0, 1, 2].map(|axis| middle(ring.iter().map(|colour| colour[axis]).collect()));
         let apart = distance(around, line.colour);
         let is_own_colour = !self.of_colour || line.contrast >= OF_DISTANCE * apart;
         !ring.is_empty() && apart >= STANDS_OUT * line.contrast && is_own_colour

@@ -1,5 +1,6 @@
 //! A line of text as a picture of its own: level, black on white, as programs that read text like it best.
 
+use crate::geom::order;
 use crate::raster::plane::Plane;
 use crate::raster::{Raster, lab};
 use crate::units::{PxPoint, PxVector, Size};
@@ -68,7 +69,7 @@ impl LinePicture {
         let is_frame = |at: usize, count: usize| at < frame || at + frame >= count;
         let is_around = |cell: usize| is_frame(cell % columns, columns) || is_frame(cell / columns, rows);
         let around: Vec<&[f32; 3]> = (0..).zip(&colours).filter(|(at, _)| is_around(*at)).map(|(_, of)| of).collect();
-        let middle = |axis: usize| super::line::median(around.iter().map(|colour| colour[axis]).collect());
+        let middle = |axis: usize| order::middle(around.iter().map(|colour| colour[axis]).collect());
         let ground = [middle(0), middle(1), middle(2)];
         let far: Vec<f32> = colours.iter().map(|colour| super::chain::distance(*colour, ground)).collect();
         let mut sorted = far.clone();

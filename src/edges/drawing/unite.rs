@@ -9,8 +9,8 @@ use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
 use crate::edges::faint::{FaintStrokes, ONE_WIDTH, WeighedStroke};
 use crate::geom::nearby::Index;
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
+use crate::geom::{nearest_on_segment, order};
 use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// Two contours this near to one another, px, are one if they are parallel; beside the half width of a stroke.
@@ -72,7 +72,7 @@ fn is_seen_on_others(contour: &Confirmed, painted: usize, covered: &Covered) -> 
     }
     let cover: Vec<&PathPiece> = line.segments().filter_map(|(a, b)| covered.piece_at(a.at.lerp(b.at, 0.5))).collect();
     let later = cover.iter().filter(|piece| piece.painted > painted).count();
-    let of_cover = median(cover.iter().map(|piece| piece.strength).collect());
+    let of_cover = order::middle(cover.iter().map(|piece| piece.strength).collect());
     2 * later <= cover.len() && of_cover > 0.0 && (strength(line) - of_cover).abs() > OTHER_CONTRAST * of_cover
 }
 
@@ -93,13 +93,7 @@ fn is_of_grid(contour: &Confirmed, extents: &[(f32, PxVector)]) -> bool {
 
 /// The strength of most of a contour.
 fn strength(line: &Polyline<Edgel>) -> f32 {
-    median(line.vertices.iter().map(|vertex| vertex.strength).collect())
-}
-
-/// The middle one of some values, 0 of none.
-fn median(mut values: Vec<f32>) -> f32 {
-    values.sort_by(f32::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
+    order::middle(line.vertices.iter().map(|vertex| vertex.strength).collect())
 }
 
 /// All contours, those of faint strokes marked, each with the number of its proposal. How a stroke is painted is told

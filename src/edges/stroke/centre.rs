@@ -2,11 +2,11 @@
 
 use super::arms::Strand;
 use super::ends::{self, STEP, UNSURE};
-use super::order::{median, quantile, sorted};
 use super::tint::{self, Tint};
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
+use crate::geom::order::{median, quantile, sorted};
 use crate::geom::polyline::{Polyline, smooth};
 use crate::geom::right_of;
 use crate::geom::walk::runs;

@@ -1,7 +1,7 @@
 //! Ends of strokes, led straight on to where the pixels end; and short dashes, which are little else.
 
-use super::order::median;
 use crate::geom::first_eigenvector;
+use crate::geom::order::median;
 use crate::geom::polyline::Polyline;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};

@@ -20,7 +20,6 @@ mod ends;
 mod flat;
 mod follow;
 mod head;
-mod order;
 mod skeleton;
 mod tint;
 
