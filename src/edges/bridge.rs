@@ -4,6 +4,7 @@
 use super::contour::{Contour, ContourPoint};
 use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Blend;
+use crate::raster::contrast::dot;
 use crate::units::Px;
 
 /// Ends that point at one another are joined over gaps of up to this many scales.
@@ -76,7 +77,7 @@ fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32) -> Option<f32> {
         return Some(cost);
     }
     // A contour that leaves through one end enters through the other, where right and left change places.
-    let same_sides = a.contrast.iter().zip(&b.contrast).map(|(a, b)| a * b).sum::<f32>() < 0.0;
+    let same_sides = dot(a.contrast, b.contrast) < 0.0;
     let in_front = cosine_a.min(cosine_b) >= NOT_BEHIND || distance <= OVERSHOOT * sigma;
     (same_sides && distance <= MAX_CORNER_GAP * sigma && in_front).then_some(cost)
 }

@@ -9,6 +9,7 @@ use super::tips::FoundContour;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::geom::right_of;
+use crate::raster::contrast;
 use crate::raster::plane::Plane;
 use crate::units::PxPoint;
 
@@ -177,7 +178,7 @@ pub(super) fn add(heads: &[FilledHead], edges: &mut Edges) {
     let kind = ChainKind { exact: true, of_drawing: true, head: true, ..ChainKind::default() };
     for head in heads {
         let aside = right_of((head.apex - head.base).normalize()) * head.half_width;
-        let strength = head.ink.iter().map(|value| value * value).sum::<f32>().sqrt();
+        let strength = contrast::length(head.ink);
         let corners = [head.apex, head.base + aside, head.base - aside].into_iter();
         edges.push_as(kind, corners.map(|at| Edgel { at, strength, contrast: head.ink }), true);
     }

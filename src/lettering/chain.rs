@@ -2,6 +2,7 @@
 
 use super::glyph::{LetterShape, PixelPoint};
 use crate::geom::components::DisjointSets;
+use crate::raster::contrast::distance;
 
 /// Greatest ratio of the heights of two neighbouring letters (j beside x).
 const HEIGHTS: f32 = 2.3;
@@ -54,11 +55,6 @@ pub(super) fn placed(glyphs: &[LetterShape], which: &[usize], angle: f32) -> Vec
     let mut placed: Vec<RotatedLetter> = which.iter().map(place).collect();
     placed.sort_by(|a, b| a.along[0].total_cmp(&b.along[0]).then(a.across[0].total_cmp(&b.across[0])));
     placed
-}
-
-/// How far apart two colours are.
-pub(super) fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
-    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>().sqrt()
 }
 
 /// Whether two glyphs are alike enough for one text, but for their heights.

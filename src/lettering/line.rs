@@ -1,10 +1,11 @@
 //! Whether a chain of things is a line of text: its measures, which [`super::limits`] judges, and its style; and which
 //! pixels it covers.
 
-use super::chain::{RotatedLetter, axes, distance, placed};
+use super::chain::{RotatedLetter, axes, placed};
 use super::glyph::{LARGEST, LetterShape, PixelPoint};
 use super::limits::{LetterLength, Row, Strictness};
 use crate::geom::order::middle;
+use crate::raster::contrast::distance;
 use crate::units::Size;
 
 /// Least height of letters, px.

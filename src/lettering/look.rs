@@ -1,12 +1,13 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
-use super::chain::{RotatedLetter, axes, chains, distance, groups, placed};
+use super::chain::{RotatedLetter, axes, chains, groups, placed};
 use super::glyph::{LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
 use super::line::{SmallShapes, TextLine, each_cell, line};
 use super::shape::are_unlike;
 use crate::geom::order::middle;
+use crate::raster::contrast::distance;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
 

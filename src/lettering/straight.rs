@@ -1,6 +1,7 @@
 //! A line of text as a picture of its own: level, black on white, as programs that read text like it best.
 
 use crate::geom::order;
+use crate::raster::contrast::distance;
 use crate::raster::plane::Plane;
 use crate::raster::{Raster, lab};
 use crate::units::{PxPoint, PxVector, Size};
@@ -71,7 +72,7 @@ impl LinePicture {
         let around: Vec<&[f32; 3]> = (0..).zip(&colours).filter(|(at, _)| is_around(*at)).map(|(_, of)| of).collect();
         let middle = |axis: usize| order::middle(around.iter().map(|colour| colour[axis]).collect());
         let ground = [middle(0), middle(1), middle(2)];
-        let far: Vec<f32> = colours.iter().map(|colour| super::chain::distance(*colour, ground)).collect();
+        let far: Vec<f32> = colours.iter().map(|colour| distance(*colour, ground)).collect();
         let mut sorted = far.clone();
         sorted.sort_by(f32::total_cmp);
         let black = sorted[((BLACK * sorted.len() as f32) as usize).min(sorted.len() - 1)].max(1.0);

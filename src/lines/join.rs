@@ -2,9 +2,10 @@
 
 use super::faint::is_faint;
 use super::standing::StandingEnds;
-use super::vertex::{Vertex, dot, is_no_step};
+use super::vertex::{Vertex, is_no_step};
 use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Polyline;
+use crate::raster::contrast::dot;
 use crate::units::{Mm, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.

@@ -381,10 +381,5 @@ pub(super) fn is_no_step(step: [f32; 3]) -> bool {
     step.iter().all(|component| component.abs() <= 0.0)
 }
 
-/// Scalar product of two colour steps.
-pub(super) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 #[cfg(test)]
 mod tests;

@@ -12,6 +12,7 @@ use crate::page::layout::Layout;
 use crate::page::{Figure, Page, ToldInKey};
 use crate::profile::Plan;
 use crate::raster::Raster;
+use crate::raster::contrast::distance;
 use crate::raster::lab::pixel;
 use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 use crate::{About, Note, Reason};
@@ -311,10 +312,6 @@ fn index(raster: &Raster, at: PxPoint) -> Option<usize> {
     let size = raster.size();
     let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < size.width as f32 && at.y < size.height as f32;
     is_inside.then(|| at.y as usize * size.width as usize + at.x as usize)
-}
-
-fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f32>().sqrt()
 }
 
 /// The legend of a page with the textures of this figure. Colours without any there, as labels stand in their areas or

@@ -8,6 +8,7 @@ use crate::edges::Edges;
 use crate::geom::{nearest_on_segment, polyline};
 use crate::page::layout::Layout;
 use crate::raster::Raster;
+use crate::raster::contrast::{self, dot as cosine};
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason};
 
@@ -217,17 +218,11 @@ fn colour_on(raster: &Raster, at: usize, ground: usize) -> Option<Colour> {
         let mut planes = raster.planes().iter().map(|plane| light(at, plane) - light(ground, plane));
         std::array::from_fn(|_| planes.next().unwrap_or(0.0))
     };
-    let length = |way: &Colour| way.iter().map(|part| part * part).sum::<f32>().sqrt();
     let columns = beside(at % width, width);
     let pixels = beside(at / width, height).flat_map(|y| columns.clone().map(move |x| y * width + x));
-    let far = pixels.map(way).max_by(|a, b| length(a).total_cmp(&length(b)))?;
-    let all = length(&far);
+    let far = pixels.map(way).max_by(|a, b| contrast::length(*a).total_cmp(&contrast::length(*b)))?;
+    let all = contrast::length(far);
     (all >= INK).then(|| far.map(|part| part / all))
-}
-
-/// The cosine of the angle between two colours.
-fn cosine(a: Colour, b: Colour) -> f32 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// A number of so many, and those next to it.

@@ -1,5 +1,6 @@
 //! The picture as numbers: linear light, working resolution, upright.
 
+pub mod contrast;
 pub mod crop;
 pub mod decode;
 pub mod lab;

@@ -8,6 +8,7 @@ use crate::edges::params::Params;
 use crate::geom::polyline::Polyline;
 use crate::geom::right_of;
 use crate::raster::Raster;
+use crate::raster::contrast::{length, less};
 use crate::raster::lab;
 use crate::units::{PxPoint, Size};
 
@@ -97,7 +98,7 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
             let strength = stroke_contrast(width, grounds, colour);
             // a stroke along the border of the picture has one ground only
             let has_both = [-outside, outside].into_iter().all(|side| picture.holds(at + right * side));
-            let step = norm(less(grounds[1], grounds[0]));
+            let step = length(less(grounds[1], grounds[0]));
             let is_on_border = strength > 0.0 && has_both && step >= ON_BORDER * strength;
             SegmentStep { strength, contrast: [0.0; 3], is_on_border }
         }
@@ -108,7 +109,7 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentSt
 fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<SegmentStep> {
     let difference = |distance: f32| less(colour(distance), colour(-distance));
     let (close, far) = (difference(CLOSE), difference(FAR));
-    let (near, all) = (norm(close), norm(far));
+    let (near, all) = (length(close), length(far));
     if near < HERE * all {
         return None;
     }
@@ -138,25 +139,17 @@ fn stroke_contrast(width: f32, [left, right]: [[f32; 3]; 2], colour: impl Fn(f32
         // half a step at both ends
         let share = if k.abs() == steps { 0.5 } else { 1.0 };
         sum = std::array::from_fn(|i| sum[i] + share * excess[i]);
-        moment += share * distance * norm(excess);
-        weight += share * norm(excess);
+        moment += share * distance * length(excess);
+        weight += share * length(excess);
     }
     let step = outside / steps as f32;
-    let contrast = norm(sum) * step / width.max(NARROWEST);
+    let contrast = length(sum) * step / width.max(NARROWEST);
     let centred = weight > 0.0 && (moment / weight).abs() <= OFF_CENTRE + OFF_CENTRE_WIDTHS * width;
-    if centred { contrast.max(norm(less(right, left))).min(MOST) } else { 0.0 }
+    if centred { contrast.max(length(less(right, left))).min(MOST) } else { 0.0 }
 }
 
 /// Largest contrast: between two colours that a screen can show.
 const MOST: f32 = 400.0;
-
-fn less(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn norm([l, a, b]: [f32; 3]) -> f32 {
-    (l * l + a * a + b * b).sqrt()
-}
 
 /// A picture as L, 2a and 2b. Rendering mixes code values along an edge, and L is one, so between the centres of pixels
 /// these are interpolated, not linear light.

@@ -10,6 +10,7 @@ use crate::geom::order::{median, quantile, sorted};
 use crate::geom::polyline::{Polyline, smooth};
 use crate::geom::right_of;
 use crate::geom::walk::runs;
+use crate::raster::contrast::{less, square};
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
 
@@ -181,10 +182,7 @@ fn tints(contrasts: &[StrokeContrast], least: f32) -> Vec<Option<Tint>> {
     let is_clear = |contrast: &StrokeContrast| contrast.is_apart && contrast.of_stroke() >= least;
     let clear: Vec<&StrokeContrast> = contrasts.iter().filter(|&contrast| is_clear(contrast)).collect();
     let ground = [0, 1, 2].map(|plane| median(clear.iter().map(|contrast| contrast.ground[plane])));
-    let is_ground = |here: [f32; 3]| {
-        let square: f32 = here.iter().zip(ground).map(|(here, ground)| (here - ground) * (here - ground)).sum();
-        square <= ONE_GROUND * ONE_GROUND
-    };
+    let is_ground = |here: [f32; 3]| square(less(here, ground)) <= ONE_GROUND * ONE_GROUND;
     let of = |contrast: &StrokeContrast| {
         if is_clear(contrast) && is_ground(contrast.ground) { Tint::of(contrast.excess) } else { None }
     };

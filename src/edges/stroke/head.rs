@@ -21,12 +21,13 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use self::around::{Measures, one_stroke_leaves};
 use self::copies::Copies;
+use self::filled::colour;
 pub(in crate::edges) use self::filled::{FilledHead, PlaneColour};
-use self::filled::{colour, dot, minus, square};
 use super::Stroke;
 use crate::edges::contour::LineFit;
 use crate::geom::order::median;
 use crate::geom::{mix, right_of};
+use crate::raster::contrast::{dot, less, square};
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};
 
@@ -202,7 +203,7 @@ impl<'a> Ray<'a> {
             [at, at + beside, at - beside].map(|at| colour(planes, at))
         });
         let is_alike = |[middle, right, left]: &[PlaneColour; 3]| {
-            [right, left].into_iter().all(|side| square(minus(*side, *middle)) <= ALIKE * ALIKE)
+            [right, left].into_iter().all(|side| square(less(*side, *middle)) <= ALIKE * ALIKE)
         };
         // most places are on a stroke, with its ground beside it
         if !spots.iter().any(is_alike) {
@@ -215,8 +216,8 @@ impl<'a> Ray<'a> {
             .collect();
         let ground: PlaneColour = std::array::from_fn(|k| median(grounds.iter().map(|ground| ground[k])));
         let ink = spots.iter().find_map(|[middle, right, left]| {
-            let ink = minus(*middle, ground);
-            let is_ink = |side: PlaneColour| dot(minus(side, ground), ink) >= MOSTLY * square(ink);
+            let ink = less(*middle, ground);
+            let is_ink = |side: PlaneColour| dot(less(side, ground), ink) >= MOSTLY * square(ink);
             (square(ink) >= least * least && is_ink(*right) && is_ink(*left)).then_some(ink)
         })?;
         Some(Self { planes, from, along, ground, ink, square: square(ink) })
@@ -229,7 +230,7 @@ impl<'a> Ray<'a> {
 
     /// How much ink there is at a place: 0 none, 1 as much as in the head.
     fn ink_at(&self, along: f32, right: f32) -> f32 {
-        dot(minus(colour(self.planes, self.at(along, right)), self.ground), self.ink) / self.square
+        dot(less(colour(self.planes, self.at(along, right)), self.ground), self.ink) / self.square
     }
 
     /// How wide the ink is to the right and to the left, px; none if it is wider than any head.
@@ -250,7 +251,7 @@ impl<'a> Ray<'a> {
 
     /// The head on the ray, with how far it is off a straight taper, px.
     fn head(&self) -> Option<(f32, FilledHead)> {
-        let of_shaft = minus(colour(self.planes, self.at(FROM + AHEAD, 0.0)), self.ground);
+        let of_shaft = less(colour(self.planes, self.at(FROM + AHEAD, 0.0)), self.ground);
         let least = ONE_COLOUR * (square(of_shaft) * self.square).sqrt();
         if dot(of_shaft, self.ink) < least.max(SHAFT_INK * self.square) {
             return None;

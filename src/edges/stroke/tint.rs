@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
+use crate::raster::contrast;
 use crate::units::PxPoint;
 
 /// Two tints are one if the cosine between them is at least this. Between a colour of the palettes of Matplotlib and
@@ -26,7 +27,7 @@ pub(in crate::edges) struct Tint([f32; 3]);
 impl Tint {
     /// That of a colour, given by what it has more than its ground; none of the ground itself.
     pub(in crate::edges) fn of(excess: [f32; 3]) -> Option<Self> {
-        let length = excess.iter().map(|value| value * value).sum::<f32>().sqrt();
+        let length = contrast::length(excess);
         (length > 0.0).then(|| Self(excess.map(|value| value / length)))
     }
 
@@ -51,7 +52,7 @@ impl Tint {
 
     /// Whether the two are not one.
     pub(in crate::edges) fn differs_from(self, other: Self) -> bool {
-        self.0.iter().zip(other.0).map(|(a, b)| a * b).sum::<f32>() < ONE
+        contrast::dot(self.0, other.0) < ONE
     }
 
     /// Whether two are known not to be one.

@@ -8,7 +8,8 @@ use crate::geom::walk::arc_between;
 use crate::geom::{crossing, right_of};
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
-use crate::lines::vertex::{Vertex, dot};
+use crate::lines::vertex::Vertex;
+use crate::raster::contrast::{dot, length};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least cosine between the directions of two sides (about 37 degrees).
@@ -138,7 +139,7 @@ impl<'a> OppositeSides<'a> {
         let other = &self.polylines[segment.line as usize].vertices;
         let ends = [0, 1].map(|end| other[(segment.index as usize + end) % other.len()].contrast);
         let there = std::array::from_fn(|i| 0.5 * (ends[0][i] + ends[1][i]) * along.signum());
-        let (up, down) = (dot(here.contrast, here.contrast).sqrt(), dot(there, there).sqrt());
+        let (up, down) = (length(here.contrast), length(there));
         // a faint ghost beside a strong contour is no side of a stroke
         let alike = up.min(down) >= ALIKE * up.max(down);
         alike && dot(here.contrast, there) < -STEP_BACK * up * down

@@ -3,8 +3,9 @@
 
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::filled::{FilledHead, PlaneColour, dot, minus, square};
+use super::filled::{FilledHead, PlaneColour};
 use crate::geom::right_of;
+use crate::raster::contrast::{dot, less, square};
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
@@ -115,7 +116,7 @@ fn of_one_colour(heads: &[FilledHead]) -> Vec<Vec<usize>> {
     for (k, head) in heads.iter().enumerate() {
         let is_alike = |group: &&mut Vec<usize>| {
             let first = &heads[group[0]];
-            let off = [minus(first.ground, head.ground), minus(first.ink, head.ink)];
+            let off = [less(first.ground, head.ground), less(first.ink, head.ink)];
             off.into_iter().all(|off| square(off) <= ONE_COLOUR * ONE_COLOUR)
         };
         match groups.iter_mut().find(is_alike) {
@@ -134,7 +135,7 @@ impl Ink {
         let value = |cell: usize| {
             let at: PlaneColour =
                 std::array::from_fn(|k| planes.get(k).map_or(head.ground[k], |plane| plane.values[cell]));
-            (dot(minus(at, head.ground), head.ink) * share).clamp(0.0, 1.0)
+            (dot(less(at, head.ground), head.ink) * share).clamp(0.0, 1.0)
         };
         let values: Vec<f32> = (0..size.len()).into_par_iter().map(value).collect();
         let width = size.width as usize;

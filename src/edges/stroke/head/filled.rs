@@ -36,15 +36,3 @@ impl FilledHead {
 pub(super) fn colour(planes: &[Plane], at: PxPoint) -> PlaneColour {
     std::array::from_fn(|k| planes.get(k).map_or(0.0, |plane| plane.at(at.x, at.y)))
 }
-
-pub(super) fn minus(a: PlaneColour, b: PlaneColour) -> PlaneColour {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-pub(super) fn square(a: PlaneColour) -> f32 {
-    dot(a, a)
-}
-
-pub(super) fn dot(a: PlaneColour, b: PlaneColour) -> f32 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
