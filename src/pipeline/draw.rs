@@ -113,8 +113,7 @@ pub(super) fn find(
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Found, Error> {
-    let FromPerson { given, words } = person;
-    let (plan, fit) = (request.plan, &request.fit);
+    let (FromPerson { given, words }, plan, fit) = (person, request.plan, &request.fit);
     let ReadPicture { file, read: Read { picture, content } } = picture;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
@@ -141,9 +140,13 @@ pub(super) fn find(
     let of_other = given.told_other_picture(source);
     let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
+    let none_sought = content.is_uniform() || given.lines.is_some();
+    let mut facts = PictureFacts { none_sought, all_erased, ..PictureFacts::default() };
     if plan.profile().figure.lines {
         let (is_label, beside) = (become_labels(words), leaders::FROM_PRINT);
-        notes.extend(line_legend::to_curves(&mut edges, &mut texts, &is_label, &picture.raster, &layout));
+        let of_legend = line_legend::to_curves(&mut edges, &mut texts, &is_label, &picture.raster, &layout);
+        facts.has_named_lines = of_legend.is_some();
+        notes.extend(of_legend);
         let lines_of = lines_of(given, None, &decisions);
         let draw = |edges: &Edges| draw_lines(edges, lines_of, &layout, plan, &mut |_| ()).lines.lines;
         notes.extend(leaders::whole_or_none(&mut edges, &mut texts, beside, &is_label, &layout, draw));
@@ -156,8 +159,6 @@ pub(super) fn find(
     let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
-    let none_sought = content.is_uniform() || given.lines.is_some();
-    let facts = PictureFacts { none_sought, all_erased, coloured_ground: false };
     let has_labels = plan.profile().braille.on && (!words.labels.is_empty() || texts.iter().any(become_labels(words)));
     Ok(Found { picture, facts, layout, texts, edges, decisions, legend, overview, has_labels, notes })
 }
@@ -208,7 +209,7 @@ pub(super) fn draw(
     notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
     notes.extend(told_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
-    notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan).filter(|_| !line_legend::is_told(&notes)));
+    notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan).filter(|_| !facts.has_named_lines));
     let of_legend = (&mut legend, TexturedPicture { is_drawing: edges.of_drawing(), has_labels: found.has_labels });
     let leaders = leaders::on_page(&edges, (&texts, leaders::FROM_PRINT), &layout);
     drop((picture.raster, edges));

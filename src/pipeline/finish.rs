@@ -33,6 +33,8 @@ pub(super) struct PictureFacts {
     pub(super) all_erased: bool,
     /// Whether its ground has a colour that has no texture on the page.
     pub(super) coloured_ground: bool,
+    /// Whether the words of a legend became labels of its lines, which tell them apart on the page.
+    pub(super) has_named_lines: bool,
 }
 
 /// So few parts of a picture that were taken for text may be none.

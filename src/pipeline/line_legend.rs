@@ -115,11 +115,6 @@ pub(super) fn to_curves(
     ))
 }
 
-/// Whether a legend of lines is told.
-pub(super) fn is_told(notes: &[Note]) -> bool {
-    notes.iter().any(|note| matches!(note, Note::TakenAs(_, Reason::LegendAtLines, _)))
-}
-
 impl<'a> Contours<'a> {
     fn of(edges: &'a Edges, raster: &'a Raster, transform: &PageTransform) -> Self {
         let of_chain = |edgels: std::ops::Range<usize>| -> Vec<MmPoint> {
