@@ -98,22 +98,19 @@ pub fn place(
         (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells, step),
         (None, Err(_)) => Vec::new(),
     };
-    let mut candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
-    let (mut chosen, mut spacing) = chosen_of(&candidates, &forms, cells, params.leader_off, (wanted, &room));
+    let candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
+    let choose_from = |candidates: Vec<Vec<Candidate>>| {
+        let (chosen, spacing) = chosen_of(&candidates, &forms, cells, params.leader_off, (wanted, &room));
+        ChosenPlaces { candidates, chosen, spacing }
+    };
+    let all = choose_from(candidates);
     // a name leaves its sector if it takes no place there, and no whole word, from another
-    if let Some(sparing) = candidates::sparing(&candidates) {
-        let with = chosen_of(&sparing, &forms, cells, params.leader_off, (wanted, &room));
-        if loss(&with.0, &sparing, &forms).lost <= loss(&chosen, &candidates, &forms).lost {
-            ((chosen, spacing), candidates) = (with, sparing);
-        }
-    }
-    if let Some(alike) = alike(&chosen, &candidates, &forms, wanted) {
-        let with = chosen_of(&alike, &forms, cells, params.leader_off, (wanted, &room));
-        let count = |chosen: &[Option<usize>]| chosen.iter().flatten().count();
-        if count(&with.0) >= count(&chosen) {
-            ((chosen, spacing), candidates) = (with, alike);
-        }
-    }
+    let lost = |of: &ChosenPlaces| loss(&of.chosen, &of.candidates, &forms).lost;
+    let sparing = candidates::sparing(&all.candidates).map(&choose_from);
+    let places = all.or_if(sparing, |sparing, all| lost(sparing) <= lost(all));
+    let alike = alike(&places.chosen, &places.candidates, &forms, wanted).map(&choose_from);
+    let ChosenPlaces { candidates, chosen, spacing } =
+        places.or_if(alike, |alike, places| alike.count() >= places.count());
     let chosen = chosen.into_iter().zip(candidates);
     let mut chosen: Vec<Option<Candidate>> =
         chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
@@ -123,6 +120,31 @@ pub fn place(
         None => placed(forms?, chosen),
     });
     placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
+}
+
+/// The places that labels take.
+struct ChosenPlaces {
+    /// From which places each label has one.
+    candidates: Vec<Vec<Candidate>>,
+    /// Which of them it takes, if any.
+    chosen: Vec<Option<usize>>,
+    /// How much blank is kept between labels.
+    spacing: Spacing,
+}
+
+impl ChosenPlaces {
+    /// Those of `other` candidates instead, if they are no worse than these.
+    fn or_if(self, other: Option<Self>, is_no_worse: impl Fn(&Self, &Self) -> bool) -> Self {
+        match other {
+            Some(other) if is_no_worse(&other, &self) => other,
+            _ => self,
+        }
+    }
+
+    /// How many labels have a place.
+    fn count(&self) -> usize {
+        self.chosen.iter().flatten().count()
+    }
 }
 
 /// Labels of which those in rows and columns have their places.
