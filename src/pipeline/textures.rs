@@ -51,8 +51,8 @@ pub(super) struct MixedAreas {
     area: Vec<usize>,
     /// How many cells there are.
     size: Size,
-    /// The numbers of those that keep several colours.
-    mixed: Vec<usize>,
+    /// Those that keep several colours, by their numbers, and the cells of each.
+    mixed: BTreeMap<usize, Vec<usize>>,
 }
 
 impl MixedAreas {
@@ -60,11 +60,11 @@ impl MixedAreas {
     pub(super) fn told(&self, textures: &[Texture], lines: &[Line], layout: &Layout, plan: &Plan) -> Option<Note> {
         let signs = self.signs(textures, layout.figure);
         let of_figure = LinesOfPart::of(lines, layout.figure, layout, plan);
-        let is_outlined = |number: usize| of_figure.share(self.border(number, layout.figure).into_iter()) >= OUTLINED;
-        let is_told = |&number: &usize| signs.get(&number).is_some_and(has_several) && is_outlined(number);
-        let told: Vec<usize> = self.mixed.iter().copied().filter(is_told).collect();
-        let part = |number: &usize| ninths::NAMES[part_of_area(&self.area, *number, self.size)];
-        let mut places: Vec<&str> = told.iter().map(part).collect();
+        let is_outlined = |cells: &[usize]| of_figure.share(self.border(cells, layout.figure).into_iter()) >= OUTLINED;
+        let has_several = |number: &usize| signs.get(number).is_some_and(has_several);
+        let several = self.mixed.iter().filter(|&(number, _)| has_several(number)).map(|(_, cells)| &cells[..]);
+        let told: Vec<&[usize]> = several.filter(|&cells| is_outlined(cells)).collect();
+        let mut places: Vec<&str> = told.iter().map(|cells| ninths::NAMES[part_of_area(cells, self.size)]).collect();
         places.sort_by_key(|place| ninths::NAMES.iter().position(|name| name == place));
         places.dedup();
         (!told.is_empty()).then_some(Note::MixedAreas { count: told.len(), places })
@@ -83,19 +83,19 @@ impl MixedAreas {
         signs
     }
 
-    /// The middles of the cells of an area that have cells of others beside them.
-    fn border(&self, number: usize, place: MmRect) -> Vec<MmPoint> {
+    /// The middles of those cells of an area, of all these, that have cells of others beside them.
+    fn border(&self, cells: &[usize], place: MmRect) -> Vec<MmPoint> {
         let [width, height] = [self.size.width, self.size.height].map(|side| side as usize);
-        let is_other = |x: usize, y: usize| self.area[y * width + x] != number;
+        let number = cells.first().map(|&cell| self.area[cell]);
+        let is_other = |x: usize, y: usize| Some(self.area[y * width + x]) != number;
         let is_border = |&(x, y): &(usize, usize)| {
-            !is_other(x, y)
-                && (x > 0 && is_other(x - 1, y)
-                    || x + 1 < width && is_other(x + 1, y)
-                    || y > 0 && is_other(x, y - 1)
-                    || y + 1 < height && is_other(x, y + 1))
+            x > 0 && is_other(x - 1, y)
+                || x + 1 < width && is_other(x + 1, y)
+                || y > 0 && is_other(x, y - 1)
+                || y + 1 < height && is_other(x, y + 1)
         };
         let mm_per_cell = place.width() / width as f32;
-        let cells = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).filter(is_border);
+        let cells = cells.iter().map(|cell| (cell % width, cell / width)).filter(is_border);
         cells.map(|(x, y)| place.min + MmVector::new(x as f32 + 0.5, y as f32 + 0.5) * mm_per_cell).collect()
     }
 }
@@ -127,25 +127,35 @@ pub(super) fn fit_to_areas(
     let narrowest = NARROWEST / layout.figure.width() * width as f32;
     // a field of pins has no room for several textures in one area: rests of them are felt as scribble
     let one_each = matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
-    let mut mixed = classes::unify_areas(classes, &area, [min_cells, narrowest], one_each);
-    mixed.retain(|&number| !is_mostly_white(classes, &area, number));
+    let mixed = classes::unify_areas(classes, &area, [min_cells, narrowest], one_each);
+    let mut mixed = with_cells(mixed, &area);
+    mixed.retain(|_, cells| !is_mostly_white(classes, cells));
     (!mixed.is_empty()).then_some(MixedAreas { area, size: classes.size, mixed })
 }
 
-/// Whether an area is felt as blank, with few signs in it. `area` has the number of the area of each cell.
-fn is_mostly_white(classes: &Classes, area: &[usize], number: usize) -> bool {
-    let own = || classes.region.iter().zip(area).filter(|(_, of)| **of == number).map(|(region, _)| region);
-    own().filter(|region| region.is_none()).count() as f32 >= WHITE * own().count() as f32
+/// Some areas by their numbers, and the cells of each in order. `area` has the number of the area of each cell.
+fn with_cells(numbers: Vec<usize>, area: &[usize]) -> BTreeMap<usize, Vec<usize>> {
+    let mut cells_of: BTreeMap<usize, Vec<usize>> = numbers.into_iter().map(|number| (number, Vec::new())).collect();
+    for (cell, number) in area.iter().enumerate() {
+        if let Some(cells) = cells_of.get_mut(number) {
+            cells.push(cell);
+        }
+    }
+    cells_of
 }
 
-/// The part of the figure in which the middle of an area lies. `area` has the number of the area of each cell.
-fn part_of_area(area: &[usize], number: usize, size: Size) -> usize {
+/// Whether an area of these cells is felt as blank, with few signs in it.
+fn is_mostly_white(classes: &Classes, cells: &[usize]) -> bool {
+    cells.iter().filter(|cell| classes.region[**cell].is_none()).count() as f32 >= WHITE * cells.len() as f32
+}
+
+/// The part of the figure in which the middle of an area of these cells lies.
+fn part_of_area(cells: &[usize], size: Size) -> usize {
     let width = size.width as usize;
-    let cells = (0..area.len()).filter(|&cell| area[cell] == number);
-    let add = |([x, y], count): ([f32; 2], f32), cell: usize| {
+    let add = |([x, y], count): ([f32; 2], f32), &cell: &usize| {
         ([x + (cell % width) as f32 + 0.5, y + (cell / width) as f32 + 0.5], count + 1.0)
     };
-    let ([x, y], count) = cells.fold(([0.0; 2], 0.0), add);
+    let ([x, y], count) = cells.iter().fold(([0.0; 2], 0.0), add);
     let count = f32::max(count, 1.0);
     let whole = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
     ninths::ninth(PxPoint::new(x / count, y / count), whole)

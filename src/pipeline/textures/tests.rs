@@ -61,8 +61,9 @@ fn an_area_that_is_mostly_white_is_not_said_to_have_textures_of_several_colours(
     let classes =
         classes(["......rrrr..", "....yyrrrr..", "......bbbb..", "......bbbb..", "............", "............"]);
     let area: Vec<usize> = (0..72).map(|cell| if cell % 12 < 6 { 1 } else { 2 }).collect();
-    assert!(is_mostly_white(&classes, &area, 1), "34 of 36 cells");
-    assert!(!is_mostly_white(&classes, &area, 2), "20 of 36 cells");
+    let cells = with_cells(vec![1, 2], &area);
+    assert!(is_mostly_white(&classes, &cells[&1]), "34 of 36 cells");
+    assert!(!is_mostly_white(&classes, &cells[&2]), "20 of 36 cells");
 }
 
 #[test]
@@ -73,7 +74,8 @@ fn only_an_outlined_area_with_two_textures_on_the_page_is_told() {
     let at = |x: f32, y: f32| place.min + MmVector::new(x / 12.0, y / 6.0).component_mul(place.size().to_vector());
     // the left half of the figure, and two colours one above the other in it
     let area: Vec<usize> = (0..72).map(|cell| usize::from(cell % 12 < 6)).collect();
-    let areas = MixedAreas { area, size: Size::new(12, 6), mixed: vec![1] };
+    let mixed = with_cells(vec![1], &area);
+    let areas = MixedAreas { area, size: Size::new(12, 6), mixed };
     let texture = |class: Class, signs: usize, y: f32| Texture {
         class,
         sign: plan.textures().palette.sign(class),
