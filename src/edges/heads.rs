@@ -2,16 +2,21 @@
 //! that the shaft and what it points at are found as if there were no head; each is then a triangle among the contours,
 //! and its shaft ends at its tip.
 
+use std::collections::BTreeSet;
+
+use lyon::geom::euclid::Box2D;
+
 use super::contour::{Contour, ContourPoint};
 use super::edgel::{ChainKind, Edgel, Edges};
 use super::stroke::{FilledHead, LINE_AT, PlaneColour};
 use super::tips::FoundContour;
+use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::geom::right_of;
 use crate::raster::contrast;
 use crate::raster::plane::Plane;
-use crate::units::PxPoint;
+use crate::units::{Px, PxPoint, PxVector};
 
 /// Pixels show a head this far beyond its sides and its base, px.
 const RIM: f32 = 1.5;
@@ -34,6 +39,10 @@ const GOES_ON: f32 = 6.0;
 const RING: f32 = 6.0;
 /// A shaft that ends less than this behind its tip, px, touches what its arrow points at.
 const GAP: f32 = 2.5;
+/// Heads are found again by cells with this side, px, and farther around them by this than they are asked: what is
+/// near a head is computed with rounding.
+const CELL: f32 = 16.0;
+const ROUNDING: f32 = 0.1;
 
 impl FilledHead {
     /// Where a place is: px along the head from its base, and to the right.
@@ -93,22 +102,27 @@ impl FilledHead {
     }
 
     /// Whether a point of an edge is its own; `sigma` is the scale of the edge detector, px.
-    pub(super) fn has_edge(&self, at: PxPoint, sigma: f32) -> bool {
-        // most edges of a picture are far from any head
-        let reach = self.length() + self.half_width + 2.0 * EDGES * sigma;
-        if (at - self.base).square_length() > reach * reach {
-            return false;
-        }
+    fn has_edge(&self, at: PxPoint, sigma: f32) -> bool {
         let (along, right) = self.place(at);
         (-EDGES * sigma..=self.length() - EDGES_TIP * sigma).contains(&along)
             && right.abs() <= self.half_at(along) + EDGES * sigma
+    }
+
+    /// No edge is its own that is so far from its base, px.
+    fn reach_of_edges(&self, sigma: f32) -> f32 {
+        self.length() + self.half_width + 2.0 * EDGES * sigma
+    }
+
+    /// No contour leads through it that passes its tip farther away than this, px.
+    fn reach_of_tip(&self) -> f32 {
+        PASSES_TIP + 0.5 * self.shaft
     }
 
     /// The vertex of a contour at which its tip is, if the contour leads there from its base.
     fn passed_by(&self, contour: &Contour) -> Option<usize> {
         let distance = |i: &usize| (contour.vertices[*i].at - self.apex).length();
         let tip = (0..contour.vertices.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        if distance(&tip) > PASSES_TIP + 0.5 * self.shaft {
+        if distance(&tip) > self.reach_of_tip() {
             return None;
         }
         let reach = self.length() + GOES_ON;
@@ -128,6 +142,65 @@ impl FilledHead {
     }
 }
 
+/// Heads found again by place: most of a picture is far from any.
+struct HeadsByPlace<'a> {
+    heads: &'a [FilledHead],
+    /// The numbers of those that are asked in each cell.
+    index: Index<usize, Px>,
+}
+
+impl<'a> HeadsByPlace<'a> {
+    /// Each head is asked as far around a place as `asked` says.
+    fn new(heads: &'a [FilledHead], asked: impl Fn(&FilledHead) -> (PxPoint, f32)) -> Self {
+        let place = |head: &FilledHead| {
+            let (at, reach) = asked(head);
+            let beyond = PxVector::splat(reach + ROUNDING);
+            Box2D::new(at - beyond, at + beyond)
+        };
+        let places: Vec<Box2D<f32, Px>> = heads.iter().map(place).collect();
+        // what lies farther out than all of them is in cells without any
+        let all = Box2D::from_points(places.iter().flat_map(|of| [of.min, of.max])).inflate(CELL, CELL);
+        let mut index = Index::new(all, CELL);
+        places.iter().enumerate().for_each(|(number, of)| index.put_over(of.min, of.max, number));
+        Self { heads, index }
+    }
+
+    /// By their tips: a contour leads through none but those that [`Self::along`] gives.
+    fn by_tips(heads: &'a [FilledHead]) -> Self {
+        Self::new(heads, |head| (head.apex, head.reach_of_tip()))
+    }
+
+    /// Those that may be asked at a place.
+    fn at(&self, at: PxPoint) -> impl Iterator<Item = &FilledHead> {
+        self.index.in_cell_of(at).iter().map(|number| &self.heads[*number])
+    }
+
+    /// Those that may be asked at vertices of a contour, in their order.
+    fn along(&self, contour: &Contour) -> Vec<&'a FilledHead> {
+        let numbers = contour.vertices.iter().flat_map(|vertex| self.index.in_cell_of(vertex.at)).copied();
+        let numbers: BTreeSet<usize> = numbers.collect();
+        numbers.into_iter().map(|number| &self.heads[number]).collect()
+    }
+}
+
+/// The edges of heads.
+pub(super) struct EdgesOfHeads<'a> {
+    heads: HeadsByPlace<'a>,
+    /// The scale of the edge detector, px.
+    sigma: f32,
+}
+
+impl<'a> EdgesOfHeads<'a> {
+    pub(super) fn of(heads: &'a [FilledHead], sigma: f32) -> Self {
+        Self { heads: HeadsByPlace::new(heads, |head| (head.base, head.reach_of_edges(sigma))), sigma }
+    }
+
+    /// Whether a point of an edge is one of them.
+    pub(super) fn has(&self, at: PxPoint) -> bool {
+        self.heads.at(at).any(|head| head.has_edge(at, self.sigma))
+    }
+}
+
 /// Takes heads out of the pixels.
 pub(super) fn take_out(heads: &[FilledHead], planes: &mut [Plane]) {
     heads.iter().for_each(|head| head.take_out(planes));
@@ -135,11 +208,16 @@ pub(super) fn take_out(heads: &[FilledHead], planes: &mut [Plane]) {
 
 /// The contours, of which those that lead through a head into what it points at are parted at its tip.
 pub(super) fn parted(found: Vec<FoundContour>, heads: &[FilledHead]) -> Vec<FoundContour> {
-    let mut parts = found;
-    for head in heads {
-        parts = parts.into_iter().flat_map(|found| parted_at(found, head)).collect();
-    }
-    parts
+    let heads = HeadsByPlace::by_tips(heads);
+    let parts_of = |found: FoundContour| {
+        let passed = heads.along(&found.contour);
+        let mut parts = vec![found];
+        for head in passed {
+            parts = parts.into_iter().flat_map(|found| parted_at(found, head)).collect();
+        }
+        parts
+    };
+    found.into_iter().flat_map(parts_of).collect()
 }
 
 fn parted_at(found: FoundContour, head: &FilledHead) -> Vec<FoundContour> {
@@ -162,8 +240,9 @@ fn parts_at(contour: &Contour, head: &FilledHead) -> Option<Vec<Contour>> {
 
 /// Shafts that were led on over a gap, to what their arrows point at, end at their tips again.
 pub(super) fn shorten(contours: &mut [Contour], heads: &[FilledHead]) {
-    for head in heads {
-        for contour in contours.iter_mut() {
+    let heads = HeadsByPlace::by_tips(heads);
+    for contour in contours {
+        for head in heads.along(contour) {
             if let Some([part]) = parts_at(contour, head).as_deref()
                 && contour.length() - part.length() > GAP
             {

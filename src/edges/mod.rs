@@ -66,6 +66,7 @@ use contour::ContourPoint;
 use discs::Disc;
 pub use drawing::find_in_vector;
 pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
+use heads::EdgesOfHeads;
 use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
@@ -217,7 +218,8 @@ impl<'a> Ridges<'a> {
         let (mut points, sides) = bands::scan(raster, &kind.weights(), &params);
         if drawn {
             points.retain(|point| !is_border(point, size));
-            points.retain(|point| !heads.iter().any(|head| head.has_edge(point.at, params.sigma)));
+            let of_heads = EdgesOfHeads::of(&heads, params.sigma);
+            points.retain(|point| !of_heads.has(point.at));
         }
         let discs = if drawn { discs::find(&points, size, &params) } else { Vec::new() };
         if !strokes.is_empty() {

@@ -63,6 +63,38 @@ fn edges_around_a_head_are_its_own_and_those_of_what_it_points_at_are_not() {
 }
 
 #[test]
+fn heads_found_by_place_are_all_that_have_an_edge_there() {
+    let head = |number: usize| {
+        let apex = PxPoint::new(20.0 + 27.0 * (number % 4) as f32, 20.0 + 31.0 * (number / 4) as f32);
+        let (y, x) = (number as f32).sin_cos();
+        FilledHead { apex, base: apex - PxVector::new(x, y) * 12.0, ..HEAD }
+    };
+    let heads: Vec<FilledHead> = (0..12).map(head).collect();
+    let edges = EdgesOfHeads::of(&heads, 1.5);
+    for (y, x) in (-20..130).flat_map(|y| (-20..130).map(move |x| (y, x))) {
+        let at = PxPoint::new(x as f32, y as f32);
+        assert_eq!(edges.has(at), heads.iter().any(|head| head.has_edge(at, 1.5)), "{at:?}");
+    }
+}
+
+#[test]
+fn a_contour_that_leads_through_several_heads_is_parted_at_each() {
+    let moved = |by: f32| {
+        let by = PxVector::new(by, 0.0);
+        FilledHead { apex: HEAD.apex + by, base: HEAD.base + by, ..HEAD }
+    };
+    let heads = [moved(200.0), HEAD, FilledHead { apex: PxPoint::new(50.0, 90.0), ..HEAD }, moved(70.0)];
+    let contour = polyline(&[(10.0, 30.0), (150.0, 30.0)]);
+    let found = FoundContour { contour: contour.clone(), stroke: Some(2.0), whole: 140.0, tint: None };
+    let parts = parted(vec![found], &heads);
+    let lengths: Vec<f32> = parts.iter().map(|found| found.contour.length().round()).collect();
+    assert_eq!(lengths, [40.0, 70.0, 30.0]);
+    let mut contours = [contour.clone(), polyline(&[(10.0, 30.0), (124.0, 30.0)]), contour];
+    shorten(&mut contours[1..2], &heads);
+    assert_eq!(contours.map(|contour| contour.length().round() as i32), [140, 110, 140]);
+}
+
+#[test]
 fn a_contour_that_leads_through_a_head_is_parted_at_its_tip() {
     let lengths = |points: &[(f32, f32)]| -> Vec<f32> {
         let found = FoundContour { contour: polyline(points), stroke: Some(2.0), whole: 65.0, tint: None };
