@@ -189,19 +189,21 @@ fn disc_at(middle: PxPoint, points: &[&RidgePoint], [least, most]: [f32; 2]) -> 
     for _ in 0..2 {
         let steps = (2.0 * (most - least)).max(0.0) as usize;
         let radii = (0..=steps).map(|k| most - 0.5 * k as f32);
-        let seen = radii.map(|radius| (radius, on_circle(at, radius, points)));
+        let facing = facing(at, points);
+        let seen = radii.map(|radius| (radius, on_circle(radius, &facing)));
         let fullest = seen.filter(|(_, on)| is_seen(at, on)).max_by_key(|(_, on)| on.len())?;
         let fit = circle_through(fullest.1.iter().map(|point| point.at))?;
         (at, radius) = (fit.0, Some(fit.1));
     }
     let radius = radius.filter(|radius| (least..=most).contains(radius))?;
-    let on = on_circle(at, radius, points);
+    let facing = facing(at, points);
+    let on = on_circle(radius, &facing);
     if !is_seen(at, &on) {
         return None;
     }
     let height = on.iter().map(|point| point.height).sum::<f32>() / on.len() as f32;
     // the other edge of an outline
-    let seen = |radius: &f32| is_seen(at, &on_circle(at, *radius, points));
+    let seen = |radius: &f32| is_seen(at, &on_circle(*radius, &facing));
     let steps = |from: f32, to: f32| (0..).map(move |k| from + 0.5 * k as f32).take_while(move |at| *at <= to);
     let inner = steps(HOLE * radius, radius - OUTLINE - OFF).filter(seen).last();
     let outer = steps(radius + OUTLINE + OFF, most).find(seen);
@@ -213,14 +215,20 @@ fn disc_at(middle: PxPoint, points: &[&RidgePoint], [least, most]: [f32; 2]) -> 
     Some(Disc { at, radius, outline, height })
 }
 
-/// The points on a circle whose normals lead to its middle.
-fn on_circle<'a>(middle: PxPoint, radius: f32, points: &[&'a RidgePoint]) -> Vec<&'a RidgePoint> {
-    let is_on = |point: &&&RidgePoint| {
+/// The points whose normals lead to a middle, each with how far it is from there, px.
+fn facing<'a>(middle: PxPoint, points: &[&'a RidgePoint]) -> Vec<(f32, &'a RidgePoint)> {
+    let place = |point: &'a RidgePoint| {
         let to_middle = point.at - middle;
         let distance = to_middle.length();
-        (distance - radius).abs() <= OFF && to_middle.dot(point.normal).abs() >= RADIAL * distance
+        (to_middle.dot(point.normal).abs() >= RADIAL * distance).then_some((distance, point))
     };
-    points.iter().filter(is_on).copied().collect()
+    points.iter().copied().filter_map(place).collect()
+}
+
+/// Those of the points that face a middle which are on a circle around it.
+fn on_circle<'a>(radius: f32, facing: &[(f32, &'a RidgePoint)]) -> Vec<&'a RidgePoint> {
+    let is_on = |(distance, _): &&(f32, &RidgePoint)| (distance - radius).abs() <= OFF;
+    facing.iter().filter(is_on).map(|(_, point)| *point).collect()
 }
 
 /// In which parts of a circle points lie.
