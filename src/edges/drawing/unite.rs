@@ -26,8 +26,8 @@ const CELL: f32 = 8.0;
 /// window in a black wall has 1.27 times its contrast. Chosen by us.
 const OTHER_CONTRAST: f32 = 0.15;
 
-/// So many other lines of a grid lie beside one that lies on an axis, at least.
-const OF_GRID: usize = 2;
+/// So many other lines of a grid are like one that lies on an axis, at least.
+const LIKE_IT: usize = 2;
 
 /// A bend of this many degrees between segments is a corner.
 const CORNER: f32 = 25.0;
@@ -57,7 +57,7 @@ pub(super) fn merged_coincident(confirmed: Vec<Vec<Confirmed>>, size: Size) -> (
     }
     let middle = |of: &Confirmed| of.line.vertices.get(of.line.vertices.len() / 2).map(|vertex| vertex.at);
     let extents: Vec<(f32, PxVector)> = kept.iter().filter_map(extent).collect();
-    let overlaid = overlaid.iter().filter(|of| !is_of_grid(of, &extents)).filter_map(middle).collect();
+    let overlaid = overlaid.iter().filter(|of| !has_others_like_it(of, &extents)).filter_map(middle).collect();
     (kept, overlaid)
 }
 
@@ -81,14 +81,15 @@ fn extent(of: &Confirmed) -> Option<(f32, PxVector)> {
     Some((of.stroke?, of.line.vertices.last()?.at - of.line.vertices.first()?.at))
 }
 
-/// Whether a stroke is one of a grid, as that at 0 on an axis: so many others of its width, of those that are kept with
-/// these extents, lead as far in the same direction, from whichever end they are drawn.
-fn is_of_grid(contour: &Confirmed, extents: &[(f32, PxVector)]) -> bool {
+/// Whether a stroke is one of many that are alike, as the gridline at 0 on an axis: so many others of its width, of
+/// those that are kept with these extents, lead as far in the same direction, from whichever end they are drawn. At
+/// which distances they lie is not asked, as of gridlines (see `geom::gridlines`): of those, others may be cut here.
+fn has_others_like_it(contour: &Confirmed, extents: &[(f32, PxVector)]) -> bool {
     let Some((own_width, own)) = extent(contour) else { return false };
     let is_alike = |(width, way): &&(f32, PxVector)| {
         (width - own_width).abs() < ONE_WIDTH && (*way - own).length().min((*way + own).length()) <= SAME
     };
-    extents.iter().filter(is_alike).count() >= OF_GRID
+    extents.iter().filter(is_alike).count() >= LIKE_IT
 }
 
 /// The strength of most of a contour.
