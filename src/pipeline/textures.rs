@@ -357,14 +357,15 @@ fn why_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> String {
     )
 }
 
-/// Takes the textures that no area of at least `least`, square mm, has out of those of which `counts` is true: fingers
-/// learn a texture there, and find it again in smaller areas. Gives the colours that go.
+/// Takes the textures that no area of at least `least`, square mm, has, but for the rounding of its cells, out of those
+/// of which `counts` is true: fingers learn a texture there, and find it again in smaller areas. Gives the colours that
+/// go.
 pub(super) fn take_unlearned(
     textures: &mut Vec<Texture>,
     least: f32,
     counts: impl Fn(Class) -> bool,
 ) -> BTreeSet<Class> {
-    let known: BTreeSet<Class> = textures.iter().filter(|of| of.area >= least).map(|of| of.class).collect();
+    let known: BTreeSet<Class> = textures.iter().filter(|of| of.area >= least - ROUNDED).map(|of| of.class).collect();
     textures.extract_if(.., |of| counts(of.class) && !known.contains(&of.class)).map(|of| of.class).collect()
 }
 
@@ -378,7 +379,7 @@ pub(super) fn without_unlearned(
     of_drawing: bool,
     plan: &Plan,
 ) -> Option<Note> {
-    let mut unlearned = take_unlearned(textures, plan.profile().colours.min_area - ROUNDED, |_| true);
+    let mut unlearned = take_unlearned(textures, plan.profile().colours.min_area, |_| true);
     if of_drawing {
         // they are told among those that have no sign
         unlearned.clear();
