@@ -1,6 +1,7 @@
 //! Plane geometry that several stages share. Lengths are in the unit of the points given: pixels up to the page
 //! transform, millimetres after it.
 
+pub mod cells;
 pub mod components;
 pub mod distance;
 pub mod form;

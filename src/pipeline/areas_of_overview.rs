@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use super::overview::{DrawnOverview, Rings};
 use super::told_bars::Bars;
 use crate::edges::Edges;
+use crate::geom::cells::{COVERS, set_along};
 use crate::geom::components::{Components, Connectivity, of_labels};
 use crate::geom::distance::squared_distances;
-use crate::geom::nearest_on_segment;
 use crate::lines::{Line, Pen, which_are_weak};
 use crate::page::layout::Layout;
 use crate::profile::Plan;
@@ -20,9 +20,6 @@ const CELL: f32 = 0.5;
 /// An area counts if a circle of this radius, mm, has room in it in the figure, beyond what its lines close: a smaller
 /// one is no place for a fingertip. Chosen by us.
 const ROOM: f32 = 1.5;
-/// So much more than its half width a line closes, in cells: half the diagonal of a cell, so that no line has holes,
-/// and a little.
-const CLOSES: f32 = 0.75;
 /// How far the dots of a line close, in pitches: a row that ends on another ends a dot before it, and both reach half
 /// way, and a little more.
 const CLOSES_DOTS: f32 = 0.6;
@@ -102,11 +99,10 @@ impl Cells {
     /// The areas between lines in a part of the page; dots lie so many mm apart.
     fn areas<'l>(&self, lines: impl Iterator<Item = &'l Line>, part: MmRect, pitch: f32) -> Areas {
         let side = self.side_in(part);
-        let (width, height) = (self.size.width as usize, self.size.height as usize);
-        let mut is_line = vec![false; width * height];
+        let mut is_line = vec![false; self.size.len()];
         for run in lines.flat_map(|line| &line.runs) {
             let is_stroke = run.pen == Pen::Stroke;
-            let half = if is_stroke { 0.5 * run.width + CLOSES * side } else { CLOSES_DOTS * pitch };
+            let half = if is_stroke { 0.5 * run.width + COVERS * side } else { CLOSES_DOTS * pitch };
             let reach = half / side;
             let to_cells = |at: MmPoint| ((at - part.min) / side).to_point();
             let mut path: Vec<MmPoint> = run.path().collect();
@@ -120,15 +116,7 @@ impl Cells {
                 if !is_stroke && (b - a).length() > NEXT_DOT * pitch {
                     continue;
                 }
-                let (a, b) = (to_cells(a), to_cells(b));
-                let columns = (a.x.min(b.x) - reach).floor().max(0.0) as usize
-                    ..((a.x.max(b.x) + reach).ceil().max(0.0) as usize).min(width);
-                let rows = (a.y.min(b.y) - reach).floor().max(0.0) as usize
-                    ..((a.y.max(b.y) + reach).ceil().max(0.0) as usize).min(height);
-                for (x, y) in rows.flat_map(|y| columns.clone().map(move |x| (x, y))) {
-                    let middle = MmPoint::new(x as f32 + 0.5, y as f32 + 0.5);
-                    is_line[y * width + x] |= nearest_on_segment(middle, a, b).0 <= reach;
-                }
+                set_along(&mut is_line, self.size, [to_cells(a), to_cells(b)], reach);
             }
         }
         Areas { parts: of_labels(&is_line, self.size, Connectivity::Four), is_line, size: self.size }

@@ -1,9 +1,10 @@
 //! A part of a picture, cell by cell.
 
 use super::grid::RegionGrid;
+use crate::geom::cells::{edge_cells, filled};
 use crate::geom::distance::squared_distances;
 use crate::geom::polygon::row_inside;
-use crate::units::{PxPoint, Size};
+use crate::units::PxPoint;
 
 /// Some cells of a picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -163,30 +164,6 @@ impl Mask {
     pub fn cells(&self) -> usize {
         self.is_in.iter().filter(|is_in| **is_in).count()
     }
-}
-
-/// The cells along the edge of a grid.
-fn edge_cells(size: Size) -> impl Iterator<Item = usize> {
-    let (width, height) = (size.width as usize, size.height as usize);
-    let rows = (0..width).flat_map(move |x| [x, (height - 1) * width + x]);
-    rows.chain((0..height).flat_map(move |y| [y * width, y * width + width - 1]))
-}
-
-/// The cells that can be reached from some through open ones, side by side.
-fn filled(size: Size, from: impl IntoIterator<Item = usize>, is_open: impl Fn(usize) -> bool) -> Vec<bool> {
-    let (width, height) = (size.width as usize, size.height as usize);
-    let mut is_in = vec![false; size.len()];
-    let mut todo: Vec<usize> = from.into_iter().collect();
-    while let Some(cell) = todo.pop() {
-        if !is_open(cell) || std::mem::replace(&mut is_in[cell], true) {
-            continue;
-        }
-        let (x, y) = (cell % width, cell / width);
-        let beside = [(x > 0, cell.wrapping_sub(1)), (x + 1 < width, cell + 1)];
-        let above = [(y > 0, cell.wrapping_sub(width)), (y + 1 < height, cell + width)];
-        todo.extend(beside.into_iter().chain(above).filter(|(is_there, _)| *is_there).map(|(_, cell)| cell));
-    }
-    is_in
 }
 
 #[cfg(test)]
