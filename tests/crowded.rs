@@ -194,3 +194,27 @@ fn a_window_in_a_wall_is_told() {
     assert!(is_told("#39f"));
     assert!(!is_told("#000"), "drawn twice");
 }
+
+#[test]
+fn a_coast_is_whole_in_the_overview_though_a_lake_beside_it_is_clearer() {
+    let (columns, rows) = ([60, 255, 450, 645, 840], [90, 300, 510]);
+    let fills = ["#b7dba5", "#f4e29b", "#e8b4a0", "#c7b6dd"];
+    let mut drawn = "<g stroke='#444' stroke-width='2'>".to_owned();
+    for (row, y) in rows.windows(2).enumerate() {
+        for (column, x) in columns.windows(2).enumerate() {
+            let fill = fills[(column + 2 * row) % 4];
+            write!(drawn, "<path d='M{} {}H{}V{}H{}Z' fill='{fill}'/>", x[0], y[0], x[1], y[1], x[0]).expect("text");
+        }
+    }
+    // 12 units, less than 2 mm, before the coast of the last country
+    drawn += "</g><path d='M700 440H770V498H700Z' fill='#9bc'/>";
+    let level = (12..=168).map(|k| 5.0 * k as f32).flat_map(|x| [(x, 90.0), (x, 510.0)]);
+    let upright = (18..=102).map(|k| 5.0 * k as f32).flat_map(|y| [(60.0, y), (840.0, y)]);
+    let coast: Vec<(f32, f32)> = level.chain(upright).collect();
+    let drawing = page_of(&drawn);
+    let overview = drawing.page.overview.as_ref().expect("it has one");
+    let share = share_drawn(&coast, overview.place, &overview.lines);
+    assert!(share >= 0.999, "{share} of the coast is drawn");
+    let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("the overview leaves out"));
+    assert!(told.is_some_and(|told| told.starts_with("the overview leaves out 1 closed shape")));
+}

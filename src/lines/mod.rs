@@ -34,6 +34,7 @@ mod tears;
 mod ticks;
 mod vertex;
 mod weight;
+mod whole;
 
 #[cfg(test)]
 mod tests;

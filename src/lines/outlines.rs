@@ -28,6 +28,8 @@ pub(super) enum Rank {
     Faint,
     /// Any line.
     Ordinary,
+    /// A line of a drawing on the outline of the whole, where that goes before what lies inside it.
+    Whole,
     /// An outline of a region, or what is left of one. That of the main thing, which is chosen before others, is one of
     /// these.
     Outline,

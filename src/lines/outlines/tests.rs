@@ -38,6 +38,8 @@ fn a_line_that_is_partly_an_edge_is_a_stroke_if_most_of_it_is() {
 
 #[test]
 fn what_comes_first_is_greater() {
+    let of_drawing = [Rank::Faint, Rank::Ordinary, Rank::Whole, Rank::Axis, Rank::Person];
+    assert!(of_drawing.is_sorted());
     let order = [Rank::Faint, Rank::Ordinary, Rank::Outline, Rank::Untorn, Rank::Subject, Rank::Person];
     assert!(order.is_sorted());
     assert_eq!(order.map(Rank::is_outline), [false, false, true, false, true, false]);
