@@ -149,7 +149,7 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             format!("{note} (--set figure.ground=true)")
         }
         Note::NotOnPage(_, Reason::PaperEdge, _) => format!("{note} (--crop, --keep-ground)"),
-        Note::NotOnPage(_, Reason::FirstNotInOverview, _) => {
+        Note::NotOnPage(_, Reason::FirstNotInOverview | Reason::ThingNotInOverview, _) => {
             format!("{note} (--subject with this place, or --simplify 5)")
         }
         Note::TooDense { .. } if making.has_sheets() => match making.larger() {

@@ -179,6 +179,8 @@ reasons! {
     NoRoomForSubject => "no-room-for-subject",
     /// The overview lacks most of the outline that comes first in the figure.
     FirstNotInOverview => "first-not-in-overview",
+    /// The overview lacks most of the outlines of other large things of the figure.
+    ThingNotInOverview => "thing-not-in-overview",
     /// The outline of a subject is erased.
     SubjectErased => "subject-erased",
     /// Lines of a page are too short for another one or too near to others.

@@ -246,8 +246,8 @@ fn told_of_drawn(
     left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).collect()
 }
 
-/// What the maker is told of areas of the figure, of lines between its shapes, and of the first of its regions, that
-/// the overview lacks, and of one with nothing in it.
+/// What the maker is told of areas of the figure, of lines between its shapes, and of the first and the large ones of
+/// its regions, that the overview lacks, and of one with nothing in it.
 fn told_of_shapes(
     (edges, regions, decisions): (&Edges, Option<&Chosen>, &Decisions),
     lines: &[Line],
@@ -257,8 +257,8 @@ fn told_of_shapes(
 ) -> impl Iterator<Item = Note> {
     let areas = areas_of_overview::told(edges, lines, overview, layout, plan);
     let all = told_without_overview(overview, edges, lines, layout).into_iter().chain(areas);
-    let thing = thing_of_overview::told(edges, (regions, decisions), lines, overview, layout, plan);
-    all.chain(links_of_overview::told(edges, lines, overview, layout, plan)).chain(thing)
+    let things = thing_of_overview::told(edges, (regions, decisions), lines, overview, layout, plan);
+    all.chain(links_of_overview::told(edges, lines, overview, layout, plan)).chain(things)
 }
 
 /// What the maker is told of lines that a person drew: of what runs beside those that are added or is open there, of

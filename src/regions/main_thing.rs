@@ -24,9 +24,8 @@ pub(super) fn main_thing(tree: &Tree, mm_per_cell: f32, least_share: f32) -> Opt
     let saliencies: Vec<f64> = tree.nodes.iter().map(|node| saliency(node, cells, mm_per_cell)).collect();
     let least = f64::from(least_share) * saliencies.iter().copied().fold(0.0, f64::max);
     let stands_out = |((node, saliency), centre): ((&Node, &f64), [f64; 2])| {
-        let on_picture_edge = node.picture_edge / (node.outline.length + node.picture_edge).max(1.0);
         let from_middle = centre.iter().map(|at| (at - 0.5).powi(2)).sum::<f64>();
-        let may_be = *saliency > 0.0 && *saliency >= least && on_picture_edge <= ON_PICTURE_EDGE;
+        let may_be = *saliency > 0.0 && *saliency >= least && node.on_picture_edge() <= ON_PICTURE_EDGE;
         may_be.then(|| {
             saliency
                 * node.outline.clearness().powi(CLEAR)

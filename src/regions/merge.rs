@@ -33,6 +33,13 @@ pub(super) struct Node {
     pub(super) height: f64,
 }
 
+impl Node {
+    /// The share of its outline that lies on the edge of the picture, 0..=1.
+    pub(super) fn on_picture_edge(&self) -> f64 {
+        self.picture_edge / (self.outline.length + self.picture_edge).max(1.0)
+    }
+}
+
 /// An edge of the region adjacency graph: the arc between two regions that are yet to be merged.
 struct Adjacency {
     ends: [u32; 2],

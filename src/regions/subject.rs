@@ -64,6 +64,13 @@ impl Tree {
         best.filter(|&best| share(best) > 0.0)
     }
 
+    /// Whether a region has this share of the picture or more, and no more than that share of its outline on the edge
+    /// of the picture.
+    pub fn is_thing(&self, region: u32, [least_area, most_on_edge]: [f64; 2]) -> bool {
+        let node = &self.nodes[region as usize];
+        node.area >= least_area * self.basin.len() as f64 && node.on_picture_edge() <= most_on_edge
+    }
+
     /// The cells of some regions.
     pub fn mask(&self, regions: &[u32]) -> Mask {
         let is_in = |basin: &u32| regions.iter().any(|&region| self.has(region, *basin));

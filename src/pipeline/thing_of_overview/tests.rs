@@ -25,8 +25,8 @@ fn an_outline_of_the_figure_that_the_overview_lacks_is_told_with_its_place() {
     let small = MmRect::new(layout.figure.min, layout.figure.min + layout.figure.size().to_vector() * 0.5);
     let told = |of_figure: usize, of_overview: usize| {
         let overview = (small, lines(of_overview, small));
-        let note = told_of(&thing, SIZE, &lines(of_figure, layout.figure), &overview, &layout, &plan);
-        note.map(|note| note.to_string())
+        let outlines = BothOutlines::of(SIZE, &lines(of_figure, layout.figure), &overview, &layout, &plan);
+        outlines.lacking(&thing).map(|thing| told_of_first(thing).to_string())
     };
     assert_eq!(told(4, 4), None);
     assert_eq!(told(4, 3), None, "three of four sides are enough to be known");
@@ -36,5 +36,17 @@ fn an_outline_of_the_figure_that_the_overview_lacks_is_told_with_its_place() {
     assert!(lacks.contains("lines.shapes = 5"), "{lacks}");
     // lines beside it are those of something else
     let overview = (small, lines(4, small.translate(MmVector::new(2.5, 2.5))));
-    assert!(told_of(&thing, SIZE, &lines(4, layout.figure), &overview, &layout, &plan).is_some());
+    let outlines = BothOutlines::of(SIZE, &lines(4, layout.figure), &overview, &layout, &plan);
+    assert!(outlines.lacking(&thing).is_some());
+}
+
+#[test]
+fn other_large_things_are_told_with_their_places() {
+    let thing = |at: [f32; 2]| Lacking { at, share: 0.2 };
+    let told = |things: &[Lacking]| told_of_others(things).map(|note| note.to_string());
+    assert_eq!(told(&[]), None);
+    let one = told(&[thing([70.4, 20.0])]).expect("one is lacking");
+    assert!(one.contains("the outline of a large thing of the figure, at 70%,20%, in the overview"), "{one}");
+    let four = told(&[10.0, 20.0, 30.0, 40.0].map(|x| thing([x, 50.0]))).expect("four are lacking");
+    assert!(four.contains("of 4 large things of the figure, at 10%,50%, 20%,50%, 30%,50% and 1 more, in"), "{four}");
 }

@@ -123,3 +123,13 @@ fn a_mask_of_two_regions_has_the_cells_of_both() {
     assert_eq!(cells(&[a, b]), cells(&[a]) + cells(&[b]));
     assert_eq!(cells(&[]), 0);
 }
+
+#[test]
+fn a_thing_has_its_share_of_the_picture_and_lies_away_from_its_edge() {
+    let tree = tree(&[(60.0, 45.0, 32.0, 60.0)]);
+    let disc = tree.subject_at(PxPoint::new(60.0, 45.0), MM_PER_PX, &[]).expect("the disc");
+    // three tenths of the picture
+    assert_eq!([0.2, 0.4].map(|least| tree.is_thing(disc, [least, 0.0])), [true, false]);
+    let whole = tree.nodes.len() as u32 - 1;
+    assert_eq!([0.25, 1.01].map(|on_edge| tree.is_thing(whole, [0.2, on_edge])), [false, true]);
+}
