@@ -77,6 +77,9 @@ impl LineCandidates {
         let contours = polylines.len();
         let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();
         polylines.extend(of_regions);
+        if is_overview {
+            lead_on::put_corners(&mut polylines, area, params);
+        }
         lead_on::extend(&mut polylines, area, params.bridged_gap());
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let ranks = ranks(&polylines, &of_outlines, area, params);

@@ -7,8 +7,8 @@
 //!      |                |
 //! ```
 
-use super::params::HEADING;
-use super::vertex::{SPACING, Tip, Vertex};
+use super::params::{HEADING, Params};
+use super::vertex::{CORNER_ARMS, SPACING, Tip, Vertex, nearby};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::heading_of_end;
@@ -24,6 +24,15 @@ const STEEP: f32 = 0.64;
 const SAME: f32 = 1e-3;
 /// A line is extended to itself only where the loop is at least this many gaps long.
 const ROUND: f32 = 4.0;
+/// A corner of a ring is put on a line that is so far before it or behind it, mm: about half a line's width. In bitmaps
+/// strokes that meet grow together, and lie off their places there.
+const CORNER_REACH: f32 = 0.5;
+/// What lies beyond the line then, or so near before it, mm, goes.
+const AT_LINE: f32 = 0.05;
+/// How many vertices on either side of a corner that may be.
+const BESIDE_CORNER: isize = 3;
+/// How far beyond its ends a segment is still met, as a share of its length: a place between two is met by one of them.
+const VERTEX: f32 = 1e-3;
 
 /// Extends ends over gaps of at most `gap` millimetres to what lies before them.
 pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {
@@ -66,6 +75,72 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
             polyline.closed = true;
         }
     }
+}
+
+/// Puts the corners of rings that reach just beyond another line on that, and in bitmaps those that nearly reach it:
+/// those of a triangle on the circle around it. Where they are off it, the two are no more than near to one another,
+/// and one would have to give way.
+pub(super) fn put_corners(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
+    let segments = nearby(polylines.iter(), area, params);
+    for (number, ring) in polylines.iter_mut().enumerate().filter(|(_, line)| line.closed) {
+        let is_other = |segment: &Segment| segment.line as usize != number;
+        // what a path has before a line is meant
+        let is_exact = ring.vertices.iter().any(|vertex| vertex.source.is_exact());
+        let places: Vec<MmPoint> = ring.vertices.iter().map(|vertex| vertex.at).collect();
+        let mut stays = vec![true; places.len()];
+        let mut put: Vec<MmPoint> = Vec::new();
+        for corner in ring.view().corners_of_ring() {
+            // a corner may be found at two vertices
+            let is_new = put.iter().all(|before| (*before - places[corner]).length() >= CORNER_ARMS[1]);
+            let target = if is_new { before_corner(ring, corner, &segments, is_other) } else { None };
+            let is_beyond = |(to, heading): &(MmPoint, MmVector)| (*to - places[corner]).dot(*heading) < 0.0;
+            let Some((to, heading)) = target.filter(|target| !is_exact || is_beyond(target)) else { continue };
+            for step in [1, -1] {
+                let beside = (1..=BESIDE_CORNER).filter_map(|k| ring.view().next(corner, k * step));
+                let beyond = beside.take_while(|&i| (places[i] - to).dot(heading) > -AT_LINE);
+                beyond.for_each(|i| stays[i] = false);
+            }
+            stays[corner] = true;
+            ring.vertices[corner].at = to;
+            put.push(to);
+        }
+        if !put.is_empty() {
+            let mut stays = stays.into_iter();
+            ring.vertices.retain(|_| stays.next().unwrap_or(true));
+            ring.fill();
+        }
+    }
+}
+
+/// The nearest place of the segments that `is_other` lets pass, straight before the corner of a ring or behind it, and
+/// the direction in which the corner points; none if it would meet it flat.
+fn before_corner(
+    ring: &Polyline<Vertex>,
+    corner: usize,
+    segments: &Nearby,
+    is_other: impl Fn(&Segment) -> bool,
+) -> Option<(MmPoint, MmVector)> {
+    let tip = ring.vertices[corner].at;
+    let arm = |step: isize| {
+        let along = (1..ring.vertices.len() as isize).filter_map(|k| ring.view().next(corner, k * step));
+        let mut away = along.map(|i| ring.vertices[i].at - tip);
+        away.find(|arm| arm.length() >= HEADING)?.try_normalize()
+    };
+    let heading = (-(arm(1)? + arm(-1)?)).try_normalize()?;
+    let (from, to) = (tip - heading * CORNER_REACH, tip + heading * CORNER_REACH);
+    let mut hit: Option<(f32, MmPoint)> = None;
+    segments.around(from.min(to), from.max(to), 0.0, |segment| {
+        let over = (segment.b - segment.a) * VERTEX;
+        let is_steep = over.try_normalize().is_some_and(|along| along.dot(heading).abs() <= STEEP);
+        let place = crossing((from, to), (segment.a - over, segment.b + over));
+        if let Some(at) = place.filter(|_| is_steep && is_other(segment)) {
+            let distance = (at - tip).length();
+            if hit.is_none_or(|(least, _)| distance < least) {
+                hit = Some((distance, at));
+            }
+        }
+    });
+    hit.map(|(_, at)| (at, heading))
 }
 
 /// The direction in which an end leaves its line, over the last `span` millimetres.
