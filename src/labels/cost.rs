@@ -66,8 +66,8 @@ const OFF_THE_ROW: f32 = 1.8;
 const LEADER: f32 = 10.0;
 /// For a leader line from a sentence, which names nothing: rather an abbreviation in its place.
 const FROM_SENTENCE: f32 = 1.5 * ABBREVIATED;
-/// For a label outside of the room of a plan in which its text stands: there it names what lies around the house, so
-/// rather an abbreviation in the room.
+/// For a label outside of the room of a plan in which its text stands: there it names what lies around the house, or
+/// the next room, so rather an abbreviation in the room.
 const OUT_OF_ROOM: f32 = 1.2 * ABBREVIATED;
 /// For a leader line across other lines, along which a finger may go astray: more than an abbreviation, which is only
 /// slower.
@@ -133,7 +133,8 @@ pub(super) fn cost(
         }
     };
     let from_sentence = if around.is_sentence && attachment.leader().is_some() { FROM_SENTENCE } else { 0.0 };
-    let out_of_room = if !attachment.crosses() && around.is_out_of_room(place) { OUT_OF_ROOM } else { 0.0 };
+    let is_out = || around.is_out_of_room(place) || around.is_beyond_door(place, attachment.leader());
+    let out_of_room = if !attachment.crosses() && is_out() { OUT_OF_ROOM } else { 0.0 };
     let leader = leader + from_sentence + out_of_room;
     let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };
     // on the side where its text stood

@@ -1,5 +1,6 @@
 //! Which places of a figure are free of lines, and how many glyphs of textures a place would cost.
 
+mod doors;
 mod leader_lines;
 mod sight;
 mod squares;
@@ -80,6 +81,8 @@ pub(super) struct Room {
     angles: Vec<Angle>,
     /// Small rings, which stand for points.
     rings: Vec<SmallRing>,
+    /// Doors in walls, each from one side to the other.
+    doors: Vec<[MmPoint; 2]>,
 }
 
 impl Room {
@@ -102,8 +105,9 @@ impl Room {
         let angles = angles::of(others.iter().map(|(line, _)| *line));
         let (taken, grid) = (near(others, true), near(of_grid, false));
         let (rings, strong) = (named_points::rings(lines), room.strong(lines, least_strength));
+        let doors = room.doors_of(lines, least_strength);
         let textures = textures.iter().map(|of| of.glyphs.iter().map(|glyph| glyph.at).collect()).collect();
-        Self { angles, rings, strong, taken, grid, textures, is_drawn: true, ..room }
+        Self { angles, rings, doors, strong, taken, grid, textures, is_drawn: true, ..room }
     }
 
     /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
@@ -154,6 +158,7 @@ impl Room {
             strong: None,
             angles,
             rings,
+            doors: Vec::new(),
             is_drawn: false,
         }
     }

@@ -302,6 +302,15 @@ impl<'a> Surroundings<'a> {
         is_of_room && self.room.is_parted_from_text(nearest, self.anchor, self.beside) && self.is_open(place)
     }
 
+    /// Whether the way from a label in a place to its text, which lines shut in, leads through a door, or the label lies
+    /// in one: it would be the name of the next room.
+    pub(super) fn is_beyond_door(&self, place: MmRect, leader: Option<[MmPoint; 2]>) -> bool {
+        let [from, to] = leader.unwrap_or([self.anchor, self.anchor]);
+        let from = from.clamp(place.min, place.max);
+        let is_named = self.is_shut_in() && self.angle.is_none() && self.scale.is_none();
+        is_named && (self.room.leads_through_door(from, to) || self.room.is_in_door(place))
+    }
+
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text
     /// that stands in none.
     pub(super) fn is_in_cell_or_open(&self, place: MmRect) -> bool {

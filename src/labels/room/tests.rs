@@ -159,3 +159,40 @@ fn lines_that_a_leader_line_crosses_are_counted() {
     assert_eq!([crossed(15.0, 0.0), crossed(30.0, 0.0), crossed(50.0, 0.0), crossed(70.0, 0.0)], [0, 1, 2, 3]);
     assert_eq!(crossed(61.0, 4.0), 2, "where it ends it may");
 }
+
+#[test]
+fn a_way_through_a_door_is_known() {
+    let line = |points: &[(f32, f32)], closed: bool| {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength: 50.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] }
+    };
+    let walls = line(&[(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)], true);
+    // a door in the middle of a wall, one in the corner of a room, and a shelf
+    let middle = [line(&[(50.0, 10.0), (50.0, 30.0)], false), line(&[(50.0, 42.0), (50.0, 90.0)], false)];
+    let corner = line(&[(50.0, 60.0), (76.0, 60.0)], false);
+    let shelf = line(&[(20.0, 82.0), (20.0, 76.0)], false);
+    let [first, second] = middle;
+    let room = Room::new(&[walls, first, second, corner, shelf], &[], &params());
+    let leads = |from: (f32, f32), to: (f32, f32)| room.leads_through_door(from.into(), to.into());
+    assert!(leads((30.0, 30.0), (70.0, 40.0)) && leads((70.0, 40.0), (30.0, 30.0)));
+    assert!(leads((82.0, 50.0), (82.0, 70.0)), "between a wall and another one");
+    assert!(!leads((30.0, 30.0), (48.0, 36.0)), "in front of the door");
+    assert!(!leads((15.0, 79.0), (25.0, 90.0)), "behind a shelf, which is too short for a wall");
+    let is_in = |x: f32, y: f32| {
+        let low = MmPoint::new(x, y);
+        room.is_in_door(MmRect::new(low, low + MmVector::new(20.0, 6.0)))
+    };
+    assert!(is_in(40.0, 33.0) && !is_in(20.0, 33.0));
+}
+
+#[test]
+fn where_a_wall_ends_at_another_is_no_door() {
+    let line = |points: &[(f32, f32)]| {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength: 50.0, runs: vec![Run::stroke(1.0, points)] }
+    };
+    let [level, upright] = [line(&[(10.0, 50.0), (90.0, 50.0)]), line(&[(50.0, 90.0), (50.0, 50.0)])];
+    let beyond = line(&[(10.0, 38.0), (90.0, 38.0)]);
+    let room = Room::new(&[level, upright, beyond], &[], &params());
+    assert!(!room.leads_through_door(MmPoint::new(30.0, 44.0), MmPoint::new(70.0, 44.0)));
+}
