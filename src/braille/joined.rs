@@ -46,13 +46,16 @@ pub(super) fn spaces(text: &[char]) -> Vec<usize> {
 /// as its braille.
 pub(super) fn blanks(text: &str, cells: &[u8]) -> Vec<usize> {
     let text: Vec<char> = text.chars().collect();
-    let of_text = || text.iter().enumerate().filter(|(_, letter)| **letter == ' ').map(|(at, _)| at);
-    let blanks: Vec<usize> = (0..cells.len()).filter(|&at| cells[at] == 0).collect();
-    if blanks.len() != of_text().count() {
-        return Vec::new();
-    }
     let joined = spaces(&text);
-    of_text().zip(blanks).filter(|(space, _)| joined.contains(space)).map(|(_, blank)| blank).collect()
+    let blanks = blanks_of_spaces(&text, cells).unwrap_or_default();
+    blanks.into_iter().filter(|(space, _)| joined.contains(space)).map(|(_, blank)| blank).collect()
+}
+
+/// The spaces of such a text, each with its blank; none if there are not as many of both.
+pub(super) fn blanks_of_spaces(text: &[char], cells: &[u8]) -> Option<Vec<(usize, usize)>> {
+    let spaces: Vec<usize> = (0..text.len()).filter(|&at| text[at] == ' ').collect();
+    let blanks: Vec<usize> = (0..cells.len()).filter(|&at| cells[at] == 0).collect();
+    (spaces.len() == blanks.len()).then(|| spaces.into_iter().zip(blanks).collect())
 }
 
 /// Whether a word stays on the line of the one before it.
@@ -82,10 +85,11 @@ fn is_number(word: &[char]) -> bool {
     digits > 0 && word.last().is_some_and(char::is_ascii_digit) && word.len() - digits <= digits
 }
 
-/// Whether three digits go on with a number, as in 12 000.
+/// Whether three digits go on with a number, as in 12 000 or 1:25 000.
 fn is_group(before: &[char], after: &[char]) -> bool {
     let is_three = after.len() >= 3 && after[..3].iter().all(char::is_ascii_digit);
-    is_three && after.get(3).is_none_or(|next| !next.is_ascii_digit()) && before.len() <= 3
+    let first = before.iter().rev().take_while(|digit| digit.is_ascii_digit()).count();
+    is_three && after.get(3).is_none_or(|next| !next.is_ascii_digit()) && first <= 3
 }
 
 /// Whether a word is a unit, perhaps with a power and with punctuation behind it.

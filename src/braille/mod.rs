@@ -13,6 +13,7 @@ mod characters;
 mod code;
 mod divide;
 mod formula;
+mod grouped;
 mod joined;
 mod neighbours;
 mod numbers;

@@ -8,7 +8,7 @@
 //! word key Key                         a word of the key, in the language
 //! number 3456                          digits follow
 //! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
-//! group 5                              between groups of three digits
+//! group 5                              between groups of digits; "thousands" behind it: of three digits only
 //! address 6-46                         before an address of mail or of the net
 //! continuation 5                       at the end of a line behind which an address goes on
 //! in-address / 256                     characters of addresses with cells of their own, in pairs
@@ -35,7 +35,7 @@
 
 use std::collections::BTreeMap;
 
-use super::table::{AfterNumber, CapitalPassage, Capitals, Ordinals, Script, SignRule, Table};
+use super::table::{AfterNumber, CapitalPassage, Capitals, Group, Ordinals, Script, SignRule, Table};
 
 /// A table, or what is wrong with its text and on which line.
 pub(super) fn table(text: &str) -> Result<Table, String> {
@@ -64,7 +64,10 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
         }
         "number" => table.number = cells(part(0)?)?,
         "digits" => table.digits = ten(&parts)?,
-        "group" => table.group = Some(cells(part(0)?)?),
+        "group" => {
+            let of_thousands_only = parts.get(1) == Some(&"thousands");
+            table.group = Some(Group { cells: cells(part(0)?)?, of_thousands_only });
+        }
         "address" => table.address = Some(cells(part(0)?)?),
         "letter-after-number" => {
             let before_capitals = parts.get(1) == Some(&"any");

@@ -19,8 +19,8 @@ pub struct Table {
     pub(super) in_address: BTreeMap<char, Vec<u8>>,
     /// Says at the end of a line that an address goes on in the next.
     pub(super) continuation: Option<u8>,
-    /// Joins groups of three digits; a blank where a code has none.
-    pub(super) group: Option<Vec<u8>>,
+    /// Joins groups of digits of one number; a blank where a code has none.
+    pub(super) group: Option<Group>,
     /// Says that a letter after digits is one, where it could be taken for a digit.
     pub(super) letter_after_number: Option<AfterNumber>,
     /// Numbers that stand higher than the line; none where a code has none.
@@ -48,6 +48,14 @@ impl Table {
     pub fn word<'a>(&'a self, name: &'a str) -> &'a str {
         self.words.get(name).map_or(name, String::as_str)
     }
+}
+
+/// What joins groups of digits that print parts by blanks.
+#[derive(Debug, Clone)]
+pub(super) struct Group {
+    pub(super) cells: Vec<u8>,
+    /// Whether only groups of three digits are joined, and not those of telephone numbers.
+    pub(super) of_thousands_only: bool,
 }
 
 /// A sign before letters that follow digits.

@@ -41,9 +41,18 @@ pub(super) fn is_in_number(text: &[char], i: usize) -> bool {
         is_international || has_zero || has_code || is_isbn || groups == [3, 3, 4] && is_called_one(before)
     };
     // a list of hours has none of three
-    let has_long = groups.iter().any(|group| *group >= 3);
+    let has_long = groups.iter().any(|group| *group >= 3) || is_in_pairs(&number, &groups);
     let is_as_long = code.len() + digits >= FEWEST_DIGITS && digits <= MOST_DIGITS;
     is_of_number(i) && has_long && is_as_long && begins()
+}
+
+/// Whether a number is five pairs of digits, as in France (01 44 49 35 35). Pairs in even steps are a list.
+fn is_in_pairs(number: &[char], groups: &[usize]) -> bool {
+    let value =
+        |pair: &[char]| pair.iter().filter_map(|digit| digit.to_digit(10)).fold(0, |sum, digit| 10 * sum + digit);
+    let pairs: Vec<u32> = number.split(|letter| *letter == ' ').map(value).collect();
+    let is_list = pairs.windows(3).all(|of| of[1] + of[1] == of[0] + of[2]);
+    *groups == [2; 5] && number.starts_with(&['0']) && !is_list
 }
 
 /// Whether the last word of a text calls what follows the number of a telephone.

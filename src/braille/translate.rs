@@ -4,12 +4,12 @@ use super::address;
 use super::capitals::{self, CapitalContext};
 use super::characters::{characters, is_accent, is_raised_letter, on_line, simpler};
 use super::divide;
+use super::grouped;
 use super::joined;
 use super::neighbours::Neighbours;
 use super::numbers::{self, Written};
 use super::quotes;
-use super::table::{SignRule, Table};
-use super::telephone;
+use super::table::{Group, SignRule, Table};
 
 /// A text in braille.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -298,14 +298,10 @@ impl<'t> Writer<'t> {
     }
 
     fn space(&mut self, i: usize) {
-        match &self.table.group {
-            Some(group)
-                if self.number == Number::GoesOn
-                    && (is_group(self.text, i) || telephone::is_in_number(self.text, i)) =>
-            {
-                self.out.cells.extend(group);
-            }
-            _ => {
+        let goes_on = |group: &&Group| self.number == Number::GoesOn && grouped::is_in_number(group, self.text, i);
+        match self.table.group.as_ref().filter(goes_on) {
+            Some(group) => self.out.cells.extend(&group.cells),
+            None => {
                 self.out.cells.push(0);
                 self.number = Number::None;
             }
@@ -353,13 +349,6 @@ const MINUS: char = '\u{2212}';
 
 /// What is no letter, in place of a sign.
 const NO_LETTER: char = '\u{2423}';
-
-/// Whether the space at `i` parts groups of three digits of one number, as in 12 000.
-fn is_group(text: &[char], i: usize) -> bool {
-    let digits = |side: &mut dyn Iterator<Item = &char>| side.take_while(|letter| letter.is_ascii_digit()).count();
-    let before = digits(&mut text[..i].iter().rev());
-    (1..=3).contains(&before) && digits(&mut text[i + 1..].iter()) == 3
-}
 
 /// Whether a hyphen stands between two letters.
 fn is_hyphen_in_word(text: &[char], i: usize) -> bool {

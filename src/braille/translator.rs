@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 use super::characters::composed;
+use super::grouped;
 use super::joined;
 use super::table::Table;
 use super::translate::Braille;
@@ -81,6 +82,10 @@ fn by_other(other: &Translate, text: &str, table: Option<&Table>) -> Result<Brai
     if cells.iter().any(|cell| *cell >= 64) {
         return Err("cells of eight dots".into());
     }
+    let cells = match table {
+        Some(table) => grouped::join(table, &plain, cells),
+        None => cells,
+    };
     let joined = joined::blanks(&plain, &cells);
     Ok(Braille { cells, joined, ..Braille::default() })
 }

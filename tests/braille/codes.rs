@@ -274,6 +274,13 @@ fn rules_of_the_codes() {
         ("nl", "4,99 €", "⠼⠙⠂⠊⠊⠀⠑⠥⠗⠕"),
         // behind digits a sign that has the cell of one has that of letters before it, as other currencies do
         ("nl", "5¢, 50 ¢", "⠼⠑⠠⠉⠂⠀⠼⠑⠚⠀⠉"),
+        // groups of digits that a blank of any width parts are one number
+        ("fr", "36 000, 36\u{202f}000", "⠠⠩⠫⠄⠼⠼⠼⠂⠀⠠⠩⠫⠄⠼⠼⠼"),
+        ("fr", "01 44 49 35 35", "⠠⠼⠡⠄⠹⠹⠄⠹⠪⠄⠩⠱⠄⠩⠱"),
+        ("de", "1 048 576 km", "⠼⠁⠄⠚⠙⠓⠄⠑⠛⠋⠀⠅⠍"),
+        ("es", "3\u{a0}802\u{a0}197", "⠼⠉⠄⠓⠚⠃⠄⠁⠊⠛"),
+        ("nl", "1 297 381 euro", "⠼⠁⠲⠃⠊⠛⠲⠉⠓⠁⠀⠑⠥⠗⠕"),
+        ("sv", "100 000 000", "⠼⠁⠚⠚⠄⠚⠚⠚⠄⠚⠚⠚"),
         // numbers of an order; a raised o before C is one of degrees
         ("es", "1.º, 2.ª, 12.º", "⠼⠂⠕⠂⠀⠼⠆⠁⠂⠀⠼⠂⠆⠕"),
         ("pt", "1º, 10ª, 20 ºC", "⠼⠂⠕⠂⠀⠼⠂⠴⠁⠂⠀⠼⠃⠚⠀⠴⠨⠉"),

@@ -21,6 +21,8 @@ fn equations_and_measures_stay_on_one_line() {
         ("AB - CD", "AB_-_CD"),
         ("Leeds - Bradford - York", "Leeds - Bradford - York"),
         ("12 000 people", "12_000 people"),
+        ("map 1:25 000", "map 1:25_000"),
+        ("1789 100 men", "1789 100 men"),
         ("\u{20ac} 5 or 5 \u{20ac}", "\u{20ac}_5 or 5_\u{20ac}"),
         ("3 apples", "3 apples"),
         ("Area 12", "Area 12"),
