@@ -121,18 +121,22 @@ fn has_caret(text: &str) -> bool {
 /// Most letters of what has a power: two variables, as in mc^2.
 const MOST_LETTERS: usize = 2;
 
-/// Whether a term is of symbols of elements with indices only, as CO\u{2082}: what a finger reads as one name. An index
-/// of chemistry is a count from 2 on, so that V\u{2081} is a variable, and a single element has one in its molecule.
+/// Whether a term is of symbols of elements with indices and charges only, as CO\u{2082} and Na\u{207a}: what a finger
+/// reads as one name; so is an electron. An index of chemistry is a count from 2 on, so that V\u{2081} is a variable,
+/// and a single element has one in its molecule, or a charge.
 fn is_of_chemistry(term: &str) -> bool {
     let letters: Vec<char> = term.chars().collect();
-    let (mut symbols, mut at) = (Vec::new(), 0);
+    let (mut symbols, mut at, mut has_charge) = (Vec::new(), 0, false);
     while at < letters.len() {
         let index: String = letters[at..].iter().copied().take_while(|c| is_raised_or_lowered(*c)).collect();
         if !index.is_empty() {
-            let is_count = index.chars().all(|c| matches!(c, '\u{2080}'..='\u{2089}'));
-            if !is_count || index.starts_with('\u{2080}') || index == "\u{2081}" {
+            let charge = index.trim_start_matches(|c: char| matches!(c, '\u{2080}'..='\u{2089}'));
+            let count = &index[..index.len() - charge.len()];
+            let is_known = charge.is_empty() || is_charge(charge);
+            if !is_known || count.starts_with('\u{2080}') || count == "\u{2081}" {
                 return false;
             }
+            has_charge |= !charge.is_empty();
             at += index.chars().count();
         } else if letters[at].is_alphabetic() {
             let is_long = letters.get(at + 1).is_some_and(|next| next.is_lowercase() && !is_raised_or_lowered(*next));
@@ -143,9 +147,17 @@ fn is_of_chemistry(term: &str) -> bool {
             at += 1;
         }
     }
-    let is_element = |symbol: &String| ELEMENTS.split_whitespace().any(|element| element == symbol);
-    let is_name = |symbol: &String| symbols.len() > 1 || MOLECULES.contains(&symbol.as_str());
+    let is_electron = |symbol: &String| has_charge && symbol == "e";
+    let is_element =
+        |symbol: &String| ELEMENTS.split_whitespace().any(|element| element == symbol) || is_electron(symbol);
+    let is_name = |symbol: &String| symbols.len() > 1 || has_charge || MOLECULES.contains(&symbol.as_str());
     !symbols.is_empty() && symbols.iter().all(|symbol| is_element(symbol) && is_name(symbol))
+}
+
+/// Whether raised signs are a charge: a plus or a minus, perhaps behind a number.
+fn is_charge(signs: &str) -> bool {
+    let number = signs.strip_suffix(['\u{207a}', '\u{207b}']);
+    number.is_some_and(|number| number.chars().all(|c| is_script(c) && c != '\u{207b}'))
 }
 
 fn has_bracketed_fraction(text: &str) -> bool {

@@ -42,6 +42,52 @@ pub(super) fn script(table: &Table, text: &[char], i: usize) -> Option<Written> 
     Some(Written { length, cells, ends_in_digits, is_on_line: false })
 }
 
+/// The charge of an ion that begins at `i`, a raised sign perhaps with a number before it, if the code has such. A sum
+/// or a negative number is none.
+pub(super) fn charge(table: &Table, text: &[char], i: usize) -> Option<Written> {
+    let charges = table.charges.as_ref()?;
+    let digits: Vec<u32> = text[i..].iter().map_while(|&digit| raised(digit)).collect();
+    let at = i + digits.len();
+    let sign = match *text.get(at)? {
+        RAISED_PLUS => charges.plus.as_slice(),
+        RAISED_MINUS => charges.minus.as_slice(),
+        _ => return None,
+    };
+    let goes_on = text.get(at + 1).is_some_and(|&next| next == RAISED_PLUS || raised_or_minus(next));
+    let is_behind = i > 0 && (text[i - 1].is_alphanumeric() || matches!(text[i - 1], ')' | ']'));
+    if goes_on || !is_behind {
+        return None;
+    }
+    let cells = if digits.is_empty() {
+        [charges.before_one.as_slice(), sign].concat()
+    } else {
+        let number = of_digits(table, table.superscript.as_ref()?, &digits);
+        [charges.before.as_slice(), number.as_slice(), sign, charges.after.as_slice()].concat()
+    };
+    Some(Written { length: at + 1 - i, cells, ends_in_digits: false, is_on_line: false })
+}
+
+/// A raised or lowered sign without a number beside it, on the line: as in Na+.
+pub(super) fn sign_on_line(before: Option<char>, sign: char, after: Option<char>) -> Option<char> {
+    let on_line = match sign {
+        RAISED_PLUS | LOWERED_PLUS => '+',
+        RAISED_MINUS | LOWERED_MINUS => '\u{2212}',
+        _ => return None,
+    };
+    let is_number = |beside: char| raised(beside).is_some() || lowered(beside).is_some();
+    let is_alone = ![before, after].into_iter().flatten().any(is_number);
+    is_alone.then_some(on_line)
+}
+
+/// A text with such signs on the line, and which these were.
+pub(super) fn with_signs_on_line(text: &str) -> (String, Vec<char>) {
+    let letters: Vec<char> = text.chars().collect();
+    let at = |at: Option<usize>| at.and_then(|at| letters.get(at)).copied();
+    let on_line = |i: usize| sign_on_line(at(i.checked_sub(1)), letters[i], at(Some(i + 1)));
+    let signs = (0..letters.len()).filter(|&i| on_line(i).is_some()).map(|i| letters[i]).collect();
+    ((0..letters.len()).map(|i| on_line(i).unwrap_or(letters[i])).collect(), signs)
+}
+
 /// The number of an order that begins at `i`, such as `1.\u{ba}`, if the code has such.
 pub(super) fn ordinal(table: &Table, text: &[char], i: usize) -> Option<Written> {
     let Ordinals { digits } = table.ordinals.as_ref()?;
@@ -72,7 +118,10 @@ pub fn power(signs: &str) -> Option<i32> {
     Some(if digits.len() < signs.len() { -number } else { number })
 }
 
+const RAISED_PLUS: char = '\u{207a}';
 const RAISED_MINUS: char = '\u{207b}';
+const LOWERED_PLUS: char = '\u{208a}';
+const LOWERED_MINUS: char = '\u{208b}';
 const MASCULINE: &char = &'\u{ba}';
 const FEMININE: &char = &'\u{aa}';
 

@@ -16,6 +16,8 @@
 //! superscript 34 356 2 23 25 256 26 235 2356 236 35    before raised numbers, and their digits 0 to 9 if these are
 //!                                      not behind the sign of numbers; "subscript": the same of lowered numbers
 //! superscript-minus 34-36              before negative ones; a second word stands after them
+//! charge 56-35 5-235 5-36              before the sign of a charge alone, and the signs of plus and minus there
+//! charges 56-35-126 345                before and after the number and the sign of a charge
 //! ordinal-digits 356 2 23 25 256 26 235 2356 236 35    of numbers of an order, such as 1.º
 //! capital 6                            before one
 //! capital-word 6-6
@@ -118,6 +120,14 @@ fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), Str
         ("superscript-minus", [before, after @ ..]) => {
             let after = after.first().map_or(Ok(Vec::new()), |dots| cells(dots))?;
             table.superscript.get_or_insert_default().minus = Some((cells(before)?, after));
+        }
+        ("charge", [before, plus, minus]) => {
+            let charges = table.charges.get_or_insert_default();
+            (charges.before_one, charges.plus, charges.minus) = (cells(before)?, cells(plus)?, cells(minus)?);
+        }
+        ("charges", [before, after]) => {
+            let charges = table.charges.get_or_insert_default();
+            (charges.before, charges.after) = (cells(before)?, cells(after)?);
         }
         ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),

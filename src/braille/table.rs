@@ -27,6 +27,8 @@ pub struct Table {
     pub(super) superscript: Option<Script>,
     /// Those that stand lower; written on the line where a code has none.
     pub(super) subscript: Option<Script>,
+    /// Charges of ions; none where no rule for them is known.
+    pub(super) charges: Option<Charges>,
     /// Numbers of an order, such as the first.
     pub(super) ordinals: Option<Ordinals>,
     /// None for codes that do not write capitals.
@@ -74,6 +76,18 @@ pub(super) struct Script {
     pub(super) digits: Vec<u8>,
     /// What is written before and after the digits of a negative number; none where it is not known.
     pub(super) minus: Option<(Vec<u8>, Vec<u8>)>,
+}
+
+/// How a code writes the charges of ions, as in Na\u{207a} and Ca\u{b2}\u{207a}.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Charges {
+    /// Before a sign alone, and before a number and its sign.
+    pub(super) before_one: Vec<u8>,
+    pub(super) before: Vec<u8>,
+    /// After a number and its sign.
+    pub(super) after: Vec<u8>,
+    pub(super) plus: Vec<u8>,
+    pub(super) minus: Vec<u8>,
 }
 
 /// How a code writes numbers of an order that end in a raised letter.

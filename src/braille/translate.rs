@@ -9,7 +9,7 @@ use super::joined;
 use super::neighbours::Neighbours;
 use super::numbers::{self, Written};
 use super::quotes;
-use super::table::{Group, SignRule, Table};
+use super::table::{AfterNumber, Group, SignRule, Table};
 
 /// A text in braille.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -126,14 +126,18 @@ impl Table {
             let letter = before.find(|(letter, _)| !is_accent(*letter))?;
             return (letter.0.is_alphabetic() && is_written(letter)).then(String::new);
         }
+        let beside = |at: Option<usize>| at.and_then(|at| text.get(at)).map(|(character, _)| *character);
+        let sign = numbers::sign_on_line(beside(i.checked_sub(1)), character, beside(Some(i + 1)));
         let others = if is_raised_letter(character) {
             numbers::is_of_order(text, i).then(|| on_line(character)).flatten()?.to_string()
         } else {
-            simpler(character)?
+            sign.map(String::from).or_else(|| simpler(character))?
         };
         let has = |other: char| {
             let is_letter = small(other).is_some_and(|small| self.letters.contains_key(&small));
-            other.is_ascii_digit() || other == ' ' || is_letter || self.signs.contains_key(&other.to_string())
+            let sign = other.to_string();
+            let is_sign = |sign: &str| self.signs.contains_key(sign);
+            other.is_ascii_digit() || other == ' ' || is_letter || is_sign(&sign) || same_as(&sign).is_some_and(is_sign)
         };
         // a fraction behind a whole number is not to be read as its digits
         let follows_digit = i > 0 && text[i - 1].0.is_ascii_digit();
@@ -253,8 +257,8 @@ impl<'t> Writer<'t> {
             self.out.cells.extend(table.digits.get(digit as usize));
             return 1;
         }
-        if let Some(written) = numbers::script(table, self.text, i) {
-            return self.put(&written);
+        if let Some(written) = numbers::charge(table, self.text, i).or_else(|| numbers::script(table, self.text, i)) {
+            return self.put_higher(written);
         }
         if let Some((length, rule, rules)) = self.sign(i) {
             if rule.joins_left && self.out.cells.last() == Some(&0) {
@@ -295,6 +299,19 @@ impl<'t> Writer<'t> {
         self.out.has_script_on_line |= written.is_on_line;
         self.number = if written.ends_in_digits { Number::Ended } else { Number::None };
         written.length
+    }
+
+    /// Writes one that is raised or lowered: where a number sign before it in this word says that letters stand for
+    /// themselves, it needs no other sign for that.
+    fn put_higher(&mut self, mut written: Written) -> usize {
+        let of_word = self.out.cells.rsplit(|cell| ENDS_LETTERS.contains(cell)).next().unwrap_or_default();
+        let is_said = of_word.windows(self.table.number.len()).any(|cells| cells == self.table.number);
+        if let Some(AfterNumber { sign, .. }) = self.table.letter_after_number.as_ref().filter(|_| is_said)
+            && written.cells.starts_with(sign)
+        {
+            written.cells.drain(..sign.len());
+        }
+        self.put(&written)
     }
 
     fn space(&mut self, i: usize) {
@@ -343,6 +360,9 @@ fn after_sign(rule: &SignRule, table: &Table) -> Number {
         false => Number::None,
     }
 }
+
+/// A blank, and a hyphen or the end of a dash (dots 3 and 6): behind these letters need their sign again.
+const ENDS_LETTERS: [u8; 2] = [0, 0b10_0100];
 
 /// The sign of minus.
 const MINUS: char = '\u{2212}';

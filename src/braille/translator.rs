@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use super::characters::composed;
 use super::grouped;
 use super::joined;
+use super::numbers;
 use super::table::Table;
 use super::translate::Braille;
 
@@ -74,9 +75,12 @@ impl<'a> Translator<'a> {
 fn by_other(other: &Translate, text: &str, table: Option<&Table>) -> Result<Braille, String> {
     let plain = composed(text).split_whitespace().collect::<Vec<_>>().join(" ");
     let with_minus = table.map(|table| table.with_minus(&plain)).filter(|with| *with != plain);
-    let cells = match with_minus.and_then(|with| other(&with).ok()) {
-        Some(cells) => cells,
-        None => other(&plain)?,
+    let (on_line, signs) = numbers::with_signs_on_line(&plain);
+    let (cells, simplified) = match with_minus.and_then(|with| other(&with).ok()).map_or_else(|| other(&plain), Ok) {
+        Ok(cells) => (cells, Vec::new()),
+        // a raised plus, as that of an ion, is known to few
+        Err(why) if signs.is_empty() => return Err(why),
+        Err(why) => (other(&on_line).map_err(|_| why)?, signs),
     };
     // a cell of eight dots has no place on a page
     if cells.iter().any(|cell| *cell >= 64) {
@@ -87,7 +91,7 @@ fn by_other(other: &Translate, text: &str, table: Option<&Table>) -> Result<Brai
         None => cells,
     };
     let joined = joined::blanks(&plain, &cells);
-    Ok(Braille { cells, joined, ..Braille::default() })
+    Ok(Braille { cells, joined, simplified, ..Braille::default() })
 }
 
 #[cfg(test)]

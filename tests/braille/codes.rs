@@ -286,7 +286,15 @@ fn rules_of_the_codes() {
         ("pt", "1º, 10ª, 20 ºC", "⠼⠂⠕⠂⠀⠼⠂⠴⠁⠂⠀⠼⠃⠚⠀⠴⠨⠉"),
         // numbers that stand lower and higher
         ("en", "CO₂, H₂O, x₁₂", "⠠⠠⠉⠕⠰⠢⠼⠃⠂⠀⠠⠓⠰⠢⠼⠃⠠⠕⠂⠀⠭⠰⠢⠼⠁⠃"),
-        ("en", "x⁴, 10⁻³", "⠭⠰⠔⠼⠙⠂⠀⠼⠁⠚⠰⠔⠣⠐⠤⠼⠉⠜"),
+        ("en", "x⁴, 10⁻³", "⠭⠰⠔⠼⠙⠂⠀⠼⠁⠚⠔⠣⠐⠤⠼⠉⠜"),
+        // UEB 6.5.2: behind a number no sign of grade 1 up to the next blank, hyphen or dash
+        ("en", "H₂SO₄, 10², (5-m²)", "⠠⠓⠰⠢⠼⠃⠠⠠⠎⠕⠢⠼⠙⠂⠀⠼⠁⠚⠔⠼⠃⠂⠀⠐⠣⠼⠑⠤⠍⠰⠔⠼⠃⠐⠜"),
+        // charges of ions, as the notations of chemistry have them
+        ("en", "H⁺, Ca²⁺, SO₄²⁻", "⠠⠓⠰⠔⠐⠖⠂⠀⠠⠉⠁⠰⠔⠣⠼⠃⠐⠖⠜⠂⠀⠠⠠⠎⠕⠰⠢⠼⠙⠔⠣⠼⠃⠐⠤⠜"),
+        ("fr", "H⁺, O²⁻, e⁻", "⠨⠓⠈⠖⠂⠀⠨⠕⠈⠰⠣⠤⠆⠂⠀⠑⠈⠤"),
+        ("sv", "SO₄²⁻, H⁺", "⠠⠠⠎⠕⠣⠼⠙⠘⠬⠼⠃⠤⠱⠂⠀⠠⠓⠬⠲"),
+        // elsewhere a sign alone stands on the line, which is told
+        ("es", "Na⁺, Cl⁻", "⠨⠝⠁⠖⠂⠀⠨⠉⠇⠤"),
         ("de", "CO₂, 10⁻³ m²", "⠉⠕⠡⠆⠠⠂⠀⠼⠁⠚⠌⠤⠒⠀⠍⠌⠆"),
         ("fr", "CO₂, x⁴", "⠨⠨⠉⠕⠢⠣⠂⠀⠭⠈⠹"),
         ("es", "CO₂", "⠨⠨⠉⠕⠌⠼⠃"),

@@ -25,6 +25,7 @@ fn formulas_are_more_than_arithmetic() {
         "P\u{2081}V\u{2081} = P\u{2082}V\u{2082}",
         "F\u{2081} = F\u{2082}",
         "V\u{2082} = 5 l",
+        "x\u{207a} + 1",
         "v = v\u{2080} + at",
         "x\u{2081}\u{b7}x\u{2082}",
         "x\u{2081} \u{b7} x\u{2082}",
@@ -81,6 +82,9 @@ fn arithmetic_units_and_chemistry_are_none() {
         "Ca(OH)\u{2082} + CO\u{2082} = CaCO\u{2083} + H\u{2082}O",
         "CuSO\u{2084}\u{b7}5H\u{2082}O",
         "CO\u{2082}-free, x = 5",
+        "Na\u{207a} + Cl\u{207b}",
+        "2Na \u{2192} 2Na\u{207a} + 2e\u{207b}",
+        "Ca\u{b2}\u{207a} + SO\u{2084}\u{b2}\u{207b} = CaSO\u{2084}",
         "",
     ] {
         assert!(!is_formula(text), "{text}");

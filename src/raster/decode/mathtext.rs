@@ -2,7 +2,7 @@
 //! `$\mathdefault{10^{-3}}$`, `$x_1$`, `30 $\mu$g`. TeX writes them alike.
 
 use super::names::letter_named;
-use super::texts::{scripted, with_signs_on_line};
+use super::texts::scripted;
 
 /// A text with its formulas read.
 pub(super) struct Formula {
@@ -36,7 +36,7 @@ pub(super) fn read(text: &str) -> Option<Formula> {
             }
         }
     }
-    let string = with_signs_on_line(&all.string).split_whitespace().collect::<Vec<_>>().join(" ");
+    let string = all.string.split_whitespace().collect::<Vec<_>>().join(" ");
     Some(Formula { string, ..all })
 }
 

@@ -355,23 +355,7 @@ fn joined(pieces: &[Piece]) -> String {
         let on_line = before.filter(|_| script.is_some()).map_or(piece, |[_, on_line]| on_line);
         before = Some([piece, on_line]);
     }
-    with_signs_on_line(&all)
-}
-
-/// A text in which raised and lowered signs without a number stand on the line, as in Na+, which says the same: no
-/// table of braille has cells for them.
-pub(super) fn with_signs_on_line(text: &str) -> String {
-    let all: Vec<char> = text.chars().collect();
-    let is_number = |at: Option<usize>| {
-        let sign = at.and_then(|at| all.get(at));
-        sign.is_some_and(|sign| DIGITS.iter().any(|(_, raised, lowered)| sign == raised || sign == lowered))
-    };
-    let on_line = |(i, &sign): (usize, &char)| {
-        let known = SIGNS.iter().find(|(_, raised, lowered)| sign == *raised || sign == *lowered);
-        let is_alone = !is_number(i.checked_sub(1)) && !is_number(i.checked_add(1));
-        known.filter(|_| is_alone).map_or(sign, |(own, ..)| *own)
-    };
-    all.iter().enumerate().map(on_line).collect()
+    all
 }
 
 /// How far to the right and how far up a piece begins from another, if that is known.

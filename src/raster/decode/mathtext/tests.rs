@@ -18,7 +18,7 @@ fn formulas_of_one_line_are_read() {
     assert_eq!(said("$x_1^2$, $H_2O$"), is("x\u{2081}\u{b2}, H\u{2082}O", 7));
     assert_eq!(said(r"30 $\mu$g, 25$\,^\circ$C"), is("30 \u{3bc}g, 25\u{b0}C", 9));
     assert_eq!(said(r"$\times\mathdefault{10^{5}}\mathdefault{}$"), is("\u{d7}10\u{2075}", 4));
-    assert_eq!(said(r"$2^n$, $e^{-x}$, $Na^+$, $v_\mathrm{max}$"), is("2^n , e^(\u{2212}x) , Na+, v max", 15));
+    assert_eq!(said(r"$2^n$, $e^{-x}$, $Na^+$, $v_\mathrm{max}$"), is("2^n , e^(\u{2212}x) , Na\u{207a}, v max", 15));
     assert_eq!(said(r"$\alpha \leq \Omega$ in \%"), None, "a backslash outside of formulas");
     assert_eq!(said(r"$\alpha \leq 5\%$"), is("\u{3b1}\u{2264}5%", 4));
 }

@@ -104,9 +104,9 @@ fn numbers_of_a_fraction_are_no_powers() {
 }
 
 #[test]
-fn raised_signs_without_a_number_are_on_the_line() {
-    assert_eq!(pieces(&[("Na", 0.0, 0.0, 10.0), ("+", 13.0, -4.0, 7.0)]), "Na+");
-    assert_eq!(pieces(&[("Cl", 0.0, 0.0, 10.0), ("-", 11.0, -4.0, 7.0)]), "Cl\u{2212}");
+fn raised_signs_are_charges() {
+    assert_eq!(pieces(&[("Na", 0.0, 0.0, 10.0), ("+", 13.0, -4.0, 7.0)]), "Na\u{207a}");
+    assert_eq!(pieces(&[("Cl", 0.0, 0.0, 10.0), ("-", 11.0, -4.0, 7.0)]), "Cl\u{207b}");
     assert_eq!(pieces(&[("Ca", 0.0, 0.0, 10.0), ("2+", 13.0, -4.0, 7.0)]), "Ca\u{b2}\u{207a}");
 }
 
