@@ -20,7 +20,7 @@ use super::job::{
 };
 use super::outlined::{self, LettersAsPaths};
 use super::texts::short;
-use super::{filters, paths, texts};
+use super::{filters, paths, place_names, texts};
 use crate::raster::crop::PixelPart;
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
@@ -68,7 +68,7 @@ pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decode
         found.extend(letters.unwrap_or_default());
         let (seen, unseen) = seen_of(found, &with_texts, &tree, target);
         texts::told_unseen(&unseen).into_iter().for_each(|told| left_out.add(Reason::NotSeen, told));
-        texts::sentences(seen)
+        place_names::joined(texts::sentences(seen), || paths::of_tree(&tree, target.transform))
     };
     drawn(&tree, options, texts).map(|decoded| with_notes(decoded, left_out))
 }

@@ -23,6 +23,7 @@ mod outlined;
 mod paths;
 #[cfg(feature = "pdf")]
 mod pdf;
+mod place_names;
 mod png;
 mod rows;
 mod scans;

@@ -70,6 +70,10 @@ pub(super) fn sentences(texts: Vec<DrawnText>) -> Vec<DrawnText> {
         match (joined.last_mut(), line) {
             (Some(last), Some(above)) if goes_on(last, above, &text) => {
                 match last.string.strip_suffix('-') {
+                    // of La Chaux-de-Fonds the hyphen is one of the name
+                    Some(begun) if has_hyphen(begun.split(' ').next_back(), text.string.split(' ').next()) => {
+                        last.string.push_str(&text.string);
+                    }
                     Some(begun) => last.string = format!("{begun}{}", text.string),
                     None => last.string = format!("{} {}", last.string, text.string),
                 }
@@ -82,10 +86,15 @@ pub(super) fn sentences(texts: Vec<DrawnText>) -> Vec<DrawnText> {
     joined
 }
 
+/// Whether one of these words has a hyphen.
+fn has_hyphen(before: Option<&str>, after: Option<&str>) -> bool {
+    [before, after].into_iter().flatten().any(|word| word.contains('-'))
+}
+
 /// Lines of a paragraph are so far apart, in sizes of their font (the usual leading is 1.2).
-const LEADING: std::ops::RangeInclusive<f32> = 0.9..=1.45;
+pub(super) const LEADING: std::ops::RangeInclusive<f32> = 0.9..=1.45;
 /// Their beginnings or their middles are in line within this, in sizes of their font.
-const IN_LINE: f32 = 0.35;
+pub(super) const IN_LINE: f32 = 0.35;
 
 /// Whether a text goes on with the sentence of `text`, whose last line is `above` it.
 fn goes_on(text: &DrawnText, (min, max): (PxPoint, PxPoint), next: &DrawnText) -> bool {

@@ -20,6 +20,8 @@ fn lines_of_a_sentence_are_one_text() {
     assert_eq!((joined[0].min, joined[0].max), (lines[0].min, PxPoint::new(130.0, 82.0)));
     let divided = [text("A spider-", 10.0, 10.0), text("ling", 10.0, 34.0)];
     assert_eq!(strings(divided.to_vec()), ["A spiderling"]);
+    let town = [text("La Chaux-", 10.0, 10.0), text("de-Fonds", 10.0, 34.0)];
+    assert_eq!(strings(town.to_vec()), ["La Chaux-de-Fonds"]);
 }
 
 #[test]

@@ -1,0 +1,46 @@
+//! Tests of `place_names`.
+
+use resvg::tiny_skia::{PathBuilder, Rect};
+
+use super::*;
+use crate::raster::vector::PaintedPath;
+
+fn text(string: &str, x: f32, y: f32) -> DrawnText {
+    let (min, max) = (PxPoint::new(x, y), PxPoint::new(x + 12.0 * string.chars().count() as f32, y + 24.0));
+    DrawnText { string: string.to_owned(), min, max, angle: 0.0, size: 20.0, hidden: false }
+}
+
+/// The texts with discs of 12 px in these middles.
+fn strings(texts: &[DrawnText], discs: &[(f32, f32)]) -> Vec<String> {
+    let disc = |&(x, y): &(f32, f32)| {
+        let place = Rect::from_xywh(x - 6.0, y - 6.0, 12.0, 12.0).expect("a box");
+        PaintedPath::filled(PathBuilder::from_oval(place).expect("a disc"))
+    };
+    let drawing = VectorDrawing { paths: discs.iter().map(disc).collect(), ..VectorDrawing::default() };
+    joined(texts.to_vec(), || Some(drawing)).into_iter().map(|text| text.string).collect()
+}
+
+#[test]
+fn two_lines_beside_one_sign_are_one_name() {
+    let name = [text("Saint", 110.0, 100.0), text("Gallen", 110.0, 124.0)];
+    let texts = [&[text("Bern", 300.0, 90.0)][..], &name, &[text("Chur", 110.0, 220.0)]].concat();
+    assert_eq!(strings(&texts, &[(96.0, 120.0), (290.0, 100.0)]), ["Bern", "Saint Gallen", "Chur"]);
+    assert_eq!(strings(&texts, &[]).len(), 4, "without a sign");
+    assert_eq!(strings(&texts, &[(96.0, 110.0), (96.0, 136.0)]).len(), 4, "each has its own");
+    assert_eq!(strings(&texts, &[(60.0, 120.0)]).len(), 4, "too far off");
+    let hyphen = [text("Baden-", 110.0, 100.0), text("Baden", 110.0, 124.0)];
+    assert_eq!(strings(&hyphen, &[(96.0, 120.0)]), ["Baden-Baden"]);
+}
+
+#[test]
+fn lists_and_numbers_are_several_texts() {
+    let discs = [(96.0, 120.0)];
+    let three = [text("Saint", 110.0, 100.0), text("Gallen", 110.0, 124.0), text("Chur", 110.0, 148.0)];
+    assert_eq!(strings(&three, &discs).len(), 3);
+    let number = [text("Bern", 110.0, 100.0), text("134 000", 110.0, 124.0)];
+    assert_eq!(strings(&number, &discs).len(), 2);
+    let aside = [text("Saint", 110.0, 100.0), text("Gallen", 140.0, 124.0)];
+    assert_eq!(strings(&aside, &discs).len(), 2);
+    let nearer = [text("Saint", 110.0, 100.0), text("Gallen", 110.0, 124.0), text("Bern", 36.0, 108.0)];
+    assert_eq!(strings(&nearer, &discs).len(), 3, "the sign is that of another");
+}
