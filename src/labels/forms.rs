@@ -146,6 +146,22 @@ pub(super) fn of(
     texts.iter().zip(short).map(of_text).collect()
 }
 
+/// Takes away the lines that divide a word where one of the two would be a splinter: on a display, where few cells have
+/// room, "An-" and "imals" take as much of it as an abbreviation with its blank, and are read no faster.
+pub(super) fn without_splinters(forms: &mut [Result<Forms, Unplaced>]) {
+    let is_divided = |form: &Form| form.kind == FormKind::TwoLines(Division::InWord);
+    let is_splinter = |form: &Form| form.lines.iter().zip(FEWEST_OF_DIVIDED).any(|(line, fewest)| line.len() < fewest);
+    for forms in forms.iter_mut().flatten() {
+        // one without an abbreviation keeps them
+        if forms.forms.iter().any(|form| form.kind == FormKind::Short) {
+            forms.forms.retain(|form| !is_divided(form) || !is_splinter(form));
+        }
+    }
+}
+
+/// Fewest cells of the first line of a divided word, with its hyphen, and of the second. Chosen by us.
+const FEWEST_OF_DIVIDED: [usize; 2] = [5, 4];
+
 /// Whether a text says something else without this character: letters, numbers, signs of mathematics and currencies and
 /// arrows do, ornaments and pictures do not.
 fn says_something(character: char) -> bool {
@@ -158,3 +174,6 @@ fn says_something(character: char) -> bool {
     // a letter without its accent is another letter
     is_sign || is_of_formula(character) || is_accent(character) || character.is_alphanumeric()
 }
+
+#[cfg(test)]
+mod tests;

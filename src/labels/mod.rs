@@ -182,7 +182,7 @@ fn place_rows_first<'a>(
     params: &'a Params,
 ) -> RowsPlaced<'a> {
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let mut forms = forms::of(&texts, &params.written, translator);
+    let mut forms = forms_of(&texts, translator, params);
     let mut around = around(wanted, &forms, room, cells, params);
     let (groups, of_tables) = groups_of(wanted, &mut forms, &around, translator);
     of_tables.into_iter().for_each(|label| around[label].is_in_table = true);
@@ -204,6 +204,16 @@ fn place_rows_first<'a>(
     rows
 }
 
+/// What each text can be written as on this page.
+fn forms_of(texts: &[&str], translator: &Translator<'_>, params: &Params) -> Vec<Result<Forms, Unplaced>> {
+    let mut forms = forms::of(texts, &params.written, translator);
+    // on a pin display, where leader lines may not cross others, few cells have room
+    if !params.may_cross {
+        forms::without_splinters(&mut forms);
+    }
+    forms
+}
+
 /// Points of what ticks of axes will be longer by than in the drawing, so that they are `least` mm long.
 fn longer_ticks(
     wanted: &[Wanted],
@@ -214,7 +224,7 @@ fn longer_ticks(
     least: f32,
 ) -> Vec<MmPoint> {
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let mut forms = forms::of(&texts, &params.written, translator);
+    let mut forms = forms_of(&texts, translator, params);
     let around = around(wanted, &forms, room, cells, params);
     ticks::longer(&groups_of(wanted, &mut forms, &around, translator).0, wanted, room, least)
 }

@@ -1,0 +1,23 @@
+//! Tests of `forms`.
+
+use super::*;
+use crate::braille::Code;
+
+/// Whether each of these words may be divided.
+fn are_divided(words: &[&str], on_display: bool) -> Vec<bool> {
+    let table = Code::of_language("en").and_then(Code::table);
+    let translator = Translator::new(table, None).expect("a table");
+    let mut all = of(words, &[], &translator);
+    if on_display {
+        without_splinters(&mut all);
+    }
+    let is_divided = |form: &Form| form.kind == FormKind::TwoLines(Division::InWord);
+    all.iter().map(|of| of.as_ref().is_ok_and(|of| of.forms.iter().any(is_divided))).collect()
+}
+
+#[test]
+fn no_splinter_of_a_word_stands_in_a_line_of_a_display() {
+    let words = ["Animals", "evaporation"];
+    assert_eq!(are_divided(&words, false), [true, true]);
+    assert_eq!(are_divided(&words, true), [false, true]);
+}
