@@ -381,7 +381,7 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>)
         && outline().is_some_and(|blank| blank < SHORTEST_LEADER && leads_into_one(blank))
         && has_middle()
         && around.is_own(place)
-        && around.is_open(place)
+        && (around.is_open(place) && !around.is_before_others(place, chord))
 }
 
 /// The leader line of a label in the open to such an outline: it ends there, and crosses nothing.

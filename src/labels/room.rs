@@ -364,6 +364,14 @@ impl Room {
         (0..FINE_RAYS).filter_map(met).collect()
     }
 
+    /// Where a way from a place in this direction leads into a shape behind the first line within `reach` mm, but for
+    /// gridlines: a place `behind` mm further on, off all lines, which others shut in.
+    pub(super) fn into_shape(&self, at: MmPoint, direction: MmVector, [reach, behind]: [f32; 2]) -> Option<MmPoint> {
+        let ink = self.strong.as_ref().unwrap_or(&self.ink);
+        let inside = at + direction * (self.first_in(ink, at, direction, reach)? + behind);
+        (!ink.holds(inside, &self.squares) && self.is_in_room(inside, FURTHEST_OUTLINE)).then_some(inside)
+    }
+
     /// Whether lines around a point shut it in: it is seen from beyond `reach` mm through narrow gaps at most, such as
     /// the doors of a room.
     pub(super) fn is_in_room(&self, at: MmPoint, reach: f32) -> bool {

@@ -40,6 +40,8 @@ const FARTHEST_ARC: f32 = 25.0;
 const OFF_LINE: f32 = 2.5;
 /// So far behind the side of a line is its other side, mm: more than the widest.
 const BEHIND_LINE: f32 = 4.0;
+/// Places along the side of a label from which the shapes before it are looked for.
+const PLACES_OF_SIDE: u32 = 9;
 /// Print in a cell of a table reaches beyond its lines by at most this, mm: lines are moved, and are broader.
 const AROUND_CELL: f32 = 2.0;
 /// Most of the texture of a sector that a label may take: what leaves less than two thirds of one is told of.
@@ -302,8 +304,27 @@ impl<'a> Surroundings<'a> {
         is_of_room && self.room.is_parted_from_text(nearest, self.anchor, self.beside) && self.is_open(place)
     }
 
-    /// Whether the way from a label in a place to its text, which lines shut in, leads through a door, or the label lies
-    /// in one: it would be the name of the next room.
+    /// Whether a label that stands outside beside its shape, which is in this straight direction, reaches before other
+    /// shapes by more than half as much as before its own: above two lands of a map it would be the name of both. The
+    /// textures of a pie tell its sectors apart.
+    pub(super) fn is_before_others(&self, place: MmRect, towards: MmVector) -> bool {
+        let (low, high) = (place.min, place.max);
+        let (from, to) = match (towards.x > 0.0, towards.x < 0.0, towards.y > 0.0) {
+            (true, ..) => (MmPoint::new(high.x, low.y), high),
+            (_, true, _) => (low, MmPoint::new(low.x, high.y)),
+            (.., true) => (MmPoint::new(low.x, high.y), high),
+            _ => (low, MmPoint::new(high.x, low.y)),
+        };
+        let Some(direction) = towards.try_normalize().filter(|_| self.texture.is_none()) else { return false };
+        let places = (0..PLACES_OF_SIDE).map(|place| from.lerp(to, (place as f32 + 0.5) / PLACES_OF_SIDE as f32));
+        let inside: Vec<MmPoint> =
+            places.filter_map(|at| self.room.into_shape(at, direction, [NEAR, BEHIND_LINE])).collect();
+        let others = inside.iter().filter(|at| self.room.is_parted_from_text(**at, self.anchor, 0.0)).count();
+        3 * others > inside.len()
+    }
+
+    /// Whether the way from a label in a place to its text, which lines shut in, leads through a door, or the label
+    /// lies in one: it would be the name of the next room.
     pub(super) fn is_beyond_door(&self, place: MmRect, leader: Option<[MmPoint; 2]>) -> bool {
         let [from, to] = leader.unwrap_or([self.anchor, self.anchor]);
         let from = from.clamp(place.min, place.max);
@@ -434,3 +455,6 @@ fn is_squared_paper(cell: MmRect, wanted: &[Wanted], room: &Room) -> bool {
     let has_text = |of: &MmRect| wanted.iter().any(|label| of.contains(label.anchor.center()));
     !boxes.is_empty() && !boxes.iter().any(has_text)
 }
+
+#[cfg(test)]
+mod tests;
