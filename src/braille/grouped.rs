@@ -16,6 +16,14 @@ fn is_of_thousands(text: &[char], i: usize) -> bool {
     (1..=3).contains(&before) && digits(&mut text[i + 1..].iter()) == 3
 }
 
+/// Whether a text has such a number, and its code leaves the blanks in it: as two lines it would be two numbers.
+pub fn is_in_groups(text: &str, cells: &[u8]) -> bool {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let letters: Vec<char> = words.join(" ").chars().collect();
+    let has_groups = (0..letters.len()).any(|at| letters[at] == ' ' && is_of_thousands(&letters, at));
+    has_groups && cells.iter().filter(|cell| **cell == 0).count() + 1 == words.len()
+}
+
 /// The cells that another translator gives for a text, with the groups of its numbers joined as the table of its code
 /// joins them: it may leave them numbers by themselves, each with the sign of one.
 pub(super) fn join(table: &Table, text: &str, mut cells: Vec<u8>) -> Vec<u8> {

@@ -29,6 +29,7 @@ pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
 pub use characters::{characters, is_accent, is_greek, is_of_formula};
 pub use code::{Code, Grade};
 pub use formula::{is_formula, is_raised_or_lowered};
+pub use grouped::is_in_groups;
 pub use numbers::{is_script, power};
 pub use table::Table;
 pub use translate::{Braille, Lacking, unicode};

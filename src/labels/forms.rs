@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use super::abbreviate;
 use super::placed::{Unplaced, WrittenLabel};
-use crate::braille::{Braille, Divide, Lacking, Translator, in_two, in_two_at_any_blank, is_accent, is_of_formula};
+use crate::braille::{
+    Braille, Divide, Lacking, Translator, in_two, in_two_at_any_blank, is_accent, is_in_groups, is_of_formula,
+};
 use crate::page::cells::CellGrid;
 use crate::units::MmVector;
 
@@ -131,7 +133,8 @@ pub(super) fn of(
         if length > LONG {
             let whole = in_two(braille, Divide::Never);
             let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
-            let torn = if whole.is_none() { in_two_at_any_blank(braille) } else { None };
+            let is_whole = whole.is_some() || is_in_groups(text, &braille.cells);
+            let torn = if is_whole { None } else { in_two_at_any_blank(braille) };
             forms.extend(torn.map(|lines| two(lines, Division::InEquation)));
             forms.extend(whole.map(|lines| two(lines, Division::BetweenWords)));
             forms.extend(divided.map(|lines| two(lines, Division::InWord)));
