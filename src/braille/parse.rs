@@ -18,6 +18,7 @@
 //! superscript-minus 34-36              before negative ones; a second word stands after them
 //! charge 56-35 5-235 5-36              before the sign of a charge alone, and the signs of plus and minus there
 //! charges 56-35-126 345                before and after the number and the sign of a charge
+//! formulas uncontracted                in contracted braille, too, as by this table
 //! ordinal-digits 356 2 23 25 256 26 235 2356 236 35    of numbers of an order, such as 1.º
 //! capital 6                            before one
 //! capital-word 6-6
@@ -129,6 +130,7 @@ fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), Str
             let charges = table.charges.get_or_insert_default();
             (charges.before, charges.after) = (cells(before)?, cells(after)?);
         }
+        ("formulas", ["uncontracted"]) => table.formulas_are_uncontracted = true,
         ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),
     }

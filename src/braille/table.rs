@@ -29,6 +29,8 @@ pub struct Table {
     pub(super) subscript: Option<Script>,
     /// Charges of ions; none where no rule for them is known.
     pub(super) charges: Option<Charges>,
+    /// Whether formulas have no contractions, so that those of a text in contracted braille are as in this table.
+    pub(super) formulas_are_uncontracted: bool,
     /// Numbers of an order, such as the first.
     pub(super) ordinals: Option<Ordinals>,
     /// None for codes that do not write capitals.

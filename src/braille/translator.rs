@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 use super::characters::composed;
+use super::formula::is_raised_or_lowered;
 use super::grouped;
 use super::joined;
 use super::numbers;
@@ -74,24 +75,61 @@ impl<'a> Translator<'a> {
 /// the other translator has no cells for that.
 fn by_other(other: &Translate, text: &str, table: Option<&Table>) -> Result<Braille, String> {
     let plain = composed(text).split_whitespace().collect::<Vec<_>>().join(" ");
-    let with_minus = table.map(|table| table.with_minus(&plain)).filter(|with| *with != plain);
-    let (on_line, signs) = numbers::with_signs_on_line(&plain);
-    let (cells, simplified) = match with_minus.and_then(|with| other(&with).ok()).map_or_else(|| other(&plain), Ok) {
-        Ok(cells) => (cells, Vec::new()),
-        // a raised plus, as that of an ion, is known to few
-        Err(why) if signs.is_empty() => return Err(why),
-        Err(why) => (other(&on_line).map_err(|_| why)?, signs),
+    all_by_other(other, &plain, table).or_else(|why| {
+        let own = table.filter(|table| table.formulas_are_uncontracted);
+        let formulas = own.and_then(|table| beside_formulas(other, &plain, table));
+        formulas.or_else(|| with_signs_on_line(other, &plain, table)).ok_or(why)
+    })
+}
+
+/// A text in which a raised or lowered plus or minus alone, as that of an ion, stands on the line; none without such.
+fn with_signs_on_line(other: &Translate, plain: &str, table: Option<&Table>) -> Option<Braille> {
+    let (on_line, simplified) = numbers::with_signs_on_line(plain);
+    if simplified.is_empty() {
+        return None;
+    }
+    Some(Braille { simplified, ..all_by_other(other, &on_line, table).ok()? })
+}
+
+/// A text in which words with raised or lowered signs, as H\u{2082}O, are written by the table of its code, and the
+/// others by another translator, which knows no such signs; none if either cannot, or there are no such words.
+fn beside_formulas(other: &Translate, plain: &str, table: &Table) -> Option<Braille> {
+    let is_formula = |word: &&str| word.contains(is_raised_or_lowered);
+    let words: Vec<&str> = plain.split(' ').collect();
+    if !words.iter().any(is_formula) {
+        return None;
+    }
+    let mut all = Braille::default();
+    for part in words.chunk_by(|a, b| !is_formula(a) && !is_formula(b)) {
+        let own = match part {
+            [word] if is_formula(word) => Some(table.translate(word)).filter(|own| own.lacking.is_empty())?,
+            words => all_by_other(other, &words.join(" "), Some(table)).ok()?,
+        };
+        all.cells.extend((!all.cells.is_empty()).then_some(0));
+        all.cells.extend(own.cells);
+        all.simplified.extend(own.simplified);
+    }
+    all.joined = joined::blanks(plain, &all.cells);
+    Some(all)
+}
+
+/// A text that another translator writes as a whole.
+fn all_by_other(other: &Translate, plain: &str, table: Option<&Table>) -> Result<Braille, String> {
+    let with_minus = table.map(|table| table.with_minus(plain)).filter(|with| *with != plain);
+    let cells = match with_minus.and_then(|with| other(&with).ok()) {
+        Some(cells) => cells,
+        None => other(plain)?,
     };
     // a cell of eight dots has no place on a page
     if cells.iter().any(|cell| *cell >= 64) {
         return Err("cells of eight dots".into());
     }
     let cells = match table {
-        Some(table) => grouped::join(table, &plain, cells),
+        Some(table) => grouped::join(table, plain, cells),
         None => cells,
     };
-    let joined = joined::blanks(&plain, &cells);
-    Ok(Braille { cells, joined, simplified, ..Braille::default() })
+    let joined = joined::blanks(plain, &cells);
+    Ok(Braille { cells, joined, ..Braille::default() })
 }
 
 #[cfg(test)]

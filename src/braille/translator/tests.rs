@@ -22,6 +22,27 @@ fn another_translator_is_asked_once_for_each_text() {
     assert_eq!(asked.load(Ordering::Relaxed), 2);
 }
 
+/// liblouis 3.24 knows no lowered numbers.
+#[test]
+fn english_formulas_are_written_beside_contracted_words() {
+    let other = |text: &str| {
+        let cells: Vec<u8> = text.chars().map(|letter| u8::from(letter != ' ')).collect();
+        if text.is_ascii() { Ok(cells) } else { Err("no cells".to_owned()) }
+    };
+    let written = |language: &str, text: &str| {
+        let table = Code::of_language(language).and_then(Code::table);
+        let translator = Translator::new(table, Some(&other)).expect("there is another");
+        translator.translate(text).map(|braille| braille.unicode())
+    };
+    assert_eq!(written("en", "of H\u{2082}O, 3 l").as_deref(), Ok("⠁⠁⠀⠠⠓⠰⠢⠼⠃⠠⠕⠂⠀⠁⠀⠁"));
+    assert_eq!(written("en", "10\u{207b}\u{b3} m").as_deref(), Ok("⠼⠁⠚⠔⠣⠐⠤⠼⠉⠜⠀⠁"));
+    assert_eq!(written("en", "Na\u{207a}").as_deref(), Ok("⠠⠝⠁⠰⠔⠐⠖"));
+    assert_eq!(written("fr", "Na\u{207a}").as_deref(), Ok("⠁⠁⠁"), "on the line");
+    assert_eq!(written("en", "\u{65e5} H\u{2082}O"), Err("no cells".to_owned()));
+    // its contracted braille has signs before letters for which no source was found
+    assert_eq!(written("de", "H\u{2082}O"), Err("no cells".to_owned()));
+}
+
 #[test]
 fn cells_of_eight_dots_are_refused() {
     let other = |_: &str| Ok(vec![1, 64]);
