@@ -133,7 +133,7 @@ pub(super) fn cost(
         }
     };
     let from_sentence = if around.is_sentence && attachment.leader().is_some() { FROM_SENTENCE } else { 0.0 };
-    let is_out = || around.is_out_of_room(place) || around.is_beyond_door(place, attachment.leader());
+    let is_out = || around.is_out_of_room(place) || around.is_beyond_door(label.anchor, place, attachment.leader());
     let out_of_room = if !attachment.crosses() && is_out() { OUT_OF_ROOM } else { 0.0 };
     let leader = leader + from_sentence + out_of_room;
     let grid = if room.interrupts_grid(place) { ON_A_GRID } else { 0.0 };

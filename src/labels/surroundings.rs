@@ -324,12 +324,14 @@ impl<'a> Surroundings<'a> {
     }
 
     /// Whether the way from a label in a place to its text, which lines shut in, leads through a door, or the label
-    /// lies in one: it would be the name of the next room.
-    pub(super) fn is_beyond_door(&self, place: MmRect, leader: Option<[MmPoint; 2]>) -> bool {
+    /// lies in one: it would be the name of the next room. A text whose print lies in one names that, or a line that
+    /// ends there.
+    pub(super) fn is_beyond_door(&self, print: MmRect, place: MmRect, leader: Option<[MmPoint; 2]>) -> bool {
         let [from, to] = leader.unwrap_or([self.anchor, self.anchor]);
         let from = from.clamp(place.min, place.max);
-        let is_named = self.is_shut_in() && self.angle.is_none() && self.scale.is_none();
-        is_named && (self.room.leads_through_door(from, to) || self.room.is_in_door(place))
+        let is_of_room = self.is_shut_in() && self.angle.is_none() && self.scale.is_none();
+        let is_beyond = self.room.leads_through_door(from, to) || self.room.is_in_door(place);
+        is_of_room && is_beyond && !self.room.is_in_door(print)
     }
 
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text

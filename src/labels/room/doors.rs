@@ -13,6 +13,8 @@ const WIDEST: f32 = 20.0;
 /// furniture.
 const STRAIGHT: f32 = 8.0;
 const BENT: f32 = 1.3;
+/// It runs across or down, but for so much of its length: a line that slants is none of a house, such as a curve.
+const ASKEW: f32 = 0.06;
 /// A line that lies so near to the end on either side, mm, is met by it there.
 const BESIDE: f32 = 2.5;
 
@@ -58,5 +60,5 @@ fn end_of<'a>(mut points: impl Iterator<Item = &'a MmPoint> + Clone) -> Option<(
     let back = *points.clone().find(|&at| !is_near(at))?;
     let is_straight = points.take_while(|&at| is_near(at)).all(|at| nearest_on_segment(*at, end, back).0 <= BENT);
     let onwards = (end - back).try_normalize().filter(|_| is_straight)?;
-    Some((end, onwards))
+    (onwards.x.abs().min(onwards.y.abs()) <= ASKEW).then_some((end, onwards))
 }

@@ -171,13 +171,15 @@ fn a_way_through_a_door_is_known() {
     let middle = [line(&[(50.0, 10.0), (50.0, 30.0)], false), line(&[(50.0, 42.0), (50.0, 90.0)], false)];
     let corner = line(&[(50.0, 60.0), (76.0, 60.0)], false);
     let shelf = line(&[(20.0, 82.0), (20.0, 76.0)], false);
+    let curve = line(&[(80.0, 34.0), (70.0, 22.0)], false);
     let [first, second] = middle;
-    let room = Room::new(&[walls, first, second, corner, shelf], &[], &params());
+    let room = Room::new(&[walls, first, second, corner, shelf, curve], &[], &params());
     let leads = |from: (f32, f32), to: (f32, f32)| room.leads_through_door(from.into(), to.into());
     assert!(leads((30.0, 30.0), (70.0, 40.0)) && leads((70.0, 40.0), (30.0, 30.0)));
     assert!(leads((82.0, 50.0), (82.0, 70.0)), "between a wall and another one");
     assert!(!leads((30.0, 30.0), (48.0, 36.0)), "in front of the door");
     assert!(!leads((15.0, 79.0), (25.0, 90.0)), "behind a shelf, which is too short for a wall");
+    assert!(!leads((60.0, 18.0), (70.0, 14.0)), "behind a curve");
     let is_in = |x: f32, y: f32| {
         let low = MmPoint::new(x, y);
         room.is_in_door(MmRect::new(low, low + MmVector::new(20.0, 6.0)))
