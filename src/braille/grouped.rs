@@ -1,5 +1,7 @@
 //! Numbers whose groups of digits print parts by blanks, as 12 000: in braille they are one number.
 
+use std::iter::successors;
+
 use super::joined;
 use super::table::{Group, Table};
 use super::telephone;
@@ -9,12 +11,38 @@ pub(super) fn is_in_number(group: &Group, text: &[char], i: usize) -> bool {
     is_of_thousands(text, i) || !group.of_thousands_only && telephone::is_in_number(text, i)
 }
 
-/// Whether the space at `i` parts groups of three digits of one number.
+/// Whether the space at `i` parts groups of three digits of one number, which begins with no zero. Groups in even steps,
+/// as 100 200 300, are a list, and of 0,5 100 the first is a fraction.
 fn is_of_thousands(text: &[char], i: usize) -> bool {
-    let digits = |side: &mut dyn Iterator<Item = &char>| side.take_while(|letter| letter.is_ascii_digit()).count();
-    let before = digits(&mut text[..i].iter().rev());
-    (1..=3).contains(&before) && digits(&mut text[i + 1..].iter()) == 3
+    if !parts_digits(text, i) {
+        return false;
+    }
+    let is_next = |at: &usize| text.get(*at) == Some(&' ') && parts_digits(text, *at);
+    let first = successors(Some(i), |at| at.checked_sub(1 + DIGITS).filter(is_next)).last().unwrap_or(i);
+    let blanks = successors(Some(first), |at| Some(at + 1 + DIGITS).filter(is_next));
+    let begin = first - digits(text[..first].iter().rev());
+    let value =
+        |digits: &[char]| digits.iter().filter_map(|digit| digit.to_digit(10)).fold(0, |sum, own| 10 * sum + own);
+    let mut values = vec![value(&text[begin..first])];
+    values.extend(blanks.map(|at| value(&text[at + 1..=at + DIGITS])));
+    let is_even = |of: &[u32]| of[0] != of[1] && of[1] + of[1] == of[0] + of[2];
+    let is_list = values.len() > 2 && values.windows(3).all(is_even);
+    let is_fraction = first - begin < DIGITS && text[..begin].last().is_some_and(|before| matches!(before, ',' | '.'));
+    !is_list && !is_fraction && text[begin] != '0'
 }
+
+/// Whether one to three digits stand before a space, and three behind it.
+fn parts_digits(text: &[char], i: usize) -> bool {
+    (1..=DIGITS).contains(&digits(text[..i].iter().rev())) && digits(text[i + 1..].iter()) == DIGITS
+}
+
+/// How many digits there are up to the first other sign.
+fn digits<'a>(letters: impl Iterator<Item = &'a char>) -> usize {
+    letters.take_while(|letter| letter.is_ascii_digit()).count()
+}
+
+/// Digits of a group.
+const DIGITS: usize = 3;
 
 /// Whether a text has such a number, and its code leaves the blanks in it: as two lines it would be two numbers.
 pub fn is_in_groups(text: &str, cells: &[u8]) -> bool {
