@@ -154,6 +154,7 @@ impl Outlines {
                 contrast: [0.0; 3],
                 width: 0.0,
                 stroke: 0.0,
+                bar: 0.0,
                 source: FoundIn::Pixels,
                 displaced: MmVector::zero(),
             };

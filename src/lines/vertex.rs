@@ -30,6 +30,8 @@ pub(super) struct Vertex {
     pub(super) width: f32,
     /// Width of the stroke in whose middle it is, mm; 0 on an edge.
     pub(super) stroke: f32,
+    /// Width of the thin area in whose middle it is, as of a wall that is a filled rectangle, mm; 0 elsewhere.
+    pub(super) bar: f32,
     /// Where it was found.
     pub(super) source: FoundIn,
     /// How far being displaced by itself (`clearance/displace`) has moved it in all rounds.
@@ -71,6 +73,7 @@ impl Vertex {
         contrast: [0.0; 3],
         width: 0.0,
         stroke: 0.0,
+        bar: 0.0,
         source: FoundIn::Pixels,
         displaced: MmVector::new(0.0, 0.0),
     };
@@ -92,6 +95,7 @@ impl Blend for Vertex {
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i], share)),
             width: mix(self.width, other.width, share),
             stroke: mix(self.stroke, other.stroke, share),
+            bar: mix(self.bar, other.bar, share),
             source: if self.source == other.source { self.source } else { FoundIn::Pixels },
             displaced: self.displaced.lerp(other.displaced, share),
         }
@@ -218,6 +222,7 @@ impl Polyline<Vertex> {
             contrast: p.contrast,
             width: 0.0,
             stroke: kind.stroke.unwrap_or(0.0) * transform.mm_per_px(),
+            bar: 0.0,
             source,
             displaced: MmVector::zero(),
         };
@@ -236,7 +241,17 @@ impl Polyline<Vertex> {
 
     /// Mean width of the stroke whose middle the line is, mm; none of an edge.
     pub(super) fn stroke(&self) -> Option<f32> {
-        let widths = || self.vertices.iter().map(|vertex| vertex.stroke).filter(|width| *width > 0.0);
+        self.mean_width(|vertex| vertex.stroke)
+    }
+
+    /// The same also of a thin area whose middle the line is.
+    pub(super) fn breadth(&self) -> Option<f32> {
+        self.mean_width(|vertex| vertex.stroke.max(vertex.bar))
+    }
+
+    /// Mean of a width that most of the vertices have.
+    fn mean_width(&self, width: impl Fn(&Vertex) -> f32) -> Option<f32> {
+        let widths = || self.vertices.iter().map(&width).filter(|width| *width > 0.0);
         let count = widths().count();
         (2 * count > self.vertices.len()).then(|| widths().sum::<f32>() / count as f32)
     }

@@ -332,6 +332,7 @@ impl HeadPlaces<'_> {
             contrast: [0.0; 3],
             width,
             stroke: 0.0,
+            bar: 0.0,
             source: FoundIn::Vector,
             displaced: MmVector::zero(),
         };

@@ -12,6 +12,8 @@ fn a_thin_bar_becomes_one_line_as_long_as_it_wherever_its_ring_begins() {
         assert!(!line.closed && (line.length() - 40.0).abs() < 0.5, "{} from vertex {start}", line.length());
         let off = line.vertices.iter().map(|vertex| (vertex.at.y - 21.5).abs()).fold(0.0, f32::max);
         assert!(off < 0.1, "{off} from vertex {start}");
+        let breadth = line.breadth().expect("it is the middle of the bar");
+        assert!((breadth - 3.0).abs() < 0.2 && line.stroke().is_none(), "{breadth} from vertex {start}");
     }
 }
 

@@ -78,8 +78,8 @@ fn shifted(polyline: &Polyline<Vertex>, assignment: &Assignment, indices: &[usiz
     for (((vertex, [distance]), normal), own) in part.vertices.iter_mut().zip(smoothed).zip(normals).zip(&distances) {
         vertex.at += normal * distance;
         // The middle has the same colour on both sides, so it goes on from either side of the stroke.
-        if own.is_some() {
-            vertex.contrast = [0.0; 3];
+        if let Some(own) = own {
+            (vertex.contrast, vertex.bar) = ([0.0; 3], 2.0 * own.abs());
         }
     }
     let looped: HashSet<usize> = gaps.iter().flat_map(|gap| cut_loop(&mut part, gap)).collect();

@@ -20,6 +20,7 @@ mod queue;
 mod self_distance;
 mod shift;
 mod split;
+mod walls;
 
 pub(super) use apart::move_apart;
 pub(crate) use bases::HIGHEST_STACK;

@@ -244,6 +244,7 @@ fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Ve
         contrast: [0.0; 3],
         width: params.width_max,
         stroke: 0.0,
+        bar: 0.0,
         source: FoundIn::Vector,
         displaced: MmVector::zero(),
     };
