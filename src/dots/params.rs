@@ -15,8 +15,9 @@ pub struct Params {
     pub line_gap: u32,
     /// Height of a colour step from which a line is heavy: two dots wide or, on a device with heights, higher.
     pub heavy_from: f32,
-    /// Whether a level and upright line, such as the outline of a bar, has its second row along all of it or not at
-    /// all, as in vector drawings: of a wall that is broad in part a finger does not know where it is.
+    /// Whether a line that is level and upright for the most part, such as the outline of a bar or a wall with a door,
+    /// has its second row along all of it or not at all, as in drawings: of a wall that is broad in part a finger does
+    /// not know where it is.
     pub whole_rows: bool,
     /// Whether the device has heights.
     pub has_heights: bool,

@@ -25,7 +25,7 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
         drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, kind: SignKind::Arrowhead }));
         return drawn;
     };
-    let params = dots::Params { whole_rows: is_of_paths(edges), ..plan.dots(medium) };
+    let params = dots::Params { whole_rows: edges.of_drawing(), ..plan.dots(medium) };
     let press = |drawn: &Lines| dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
     let (mut lines, mut shown) = press(&drawn);
     let least_strength = plan.lines().least_strength;
@@ -102,11 +102,6 @@ fn gone_line(line: &Line) -> LostLine {
     let path = line.own_path();
     let (extent, length, form) = (extent(line), line.length(), lost_form(&path));
     LostLine { extent, length, closed: false, is_faint: false, form }
-}
-
-/// Whether contours are the paths of a vector drawing, each of one strength: those in pixels are stronger in parts.
-fn is_of_paths(edges: &Edges) -> bool {
-    edges.of_drawing() && edges.chains.iter().all(|chain| chain.kind.exact)
 }
 
 /// The lines without a squared grid, and how they are pressed, if there is one that is torn among those `pressed`, or

@@ -11,6 +11,9 @@ use crate::lines::Line;
 
 /// So many steps of an outline of a bar go aslant at most: at a corner, or where two of its parts lie a step apart.
 const MOST_ASLANT: usize = 4;
+/// One of so many steps of walls may, as the arc of a door may be one line with them. Chosen by us: of a circle every
+/// second or third does.
+const ASLANT_OF_WALLS: usize = 6;
 
 /// Share of a line along which a second row is that is to be whole, and the steps between two of its dots: at a corner
 /// one may be missing.
@@ -20,9 +23,17 @@ const AT_CORNER: i32 = 2;
 impl RowPiece {
     /// Whether it is level and upright all along, as the outline of a bar, an axis or a box is.
     fn is_of_bar(&self) -> bool {
-        let steps = self.cells.windows(2);
-        let aslant = steps.filter(|pair| pair[0][0] != pair[1][0] && pair[0][1] != pair[1][1]).count();
-        aslant <= MOST_ASLANT
+        self.aslant() <= MOST_ASLANT
+    }
+
+    /// Whether it is so for the most part, as walls with a door are.
+    fn is_of_walls(&self) -> bool {
+        self.is_of_bar() || ASLANT_OF_WALLS * self.aslant() <= self.cells.len()
+    }
+
+    /// How many of its steps go aslant.
+    fn aslant(&self) -> usize {
+        self.cells.windows(2).filter(|pair| pair[0][0] != pair[1][0] && pair[0][1] != pair[1][1]).count()
     }
 }
 
@@ -65,7 +76,7 @@ impl OccupiedDots {
         inside: impl Fn(GridDot) -> bool,
     ) -> Vec<GridDot> {
         let own = self.second_row((number, piece), least, &inside);
-        if !params.whole_rows || !piece.is_of_bar() {
+        if !params.whole_rows || !piece.is_of_walls() {
             return own;
         }
         let others = || {

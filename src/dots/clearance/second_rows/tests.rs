@@ -36,6 +36,24 @@ fn a_second_row_that_is_to_be_whole_is_on_the_side_that_has_room_or_nowhere() {
 }
 
 #[test]
+fn walls_that_are_one_line_with_the_arc_of_a_door_have_a_whole_second_row_or_none() {
+    let params =
+        Params { diameter: 1.5, line_gap: 1, heavy_from: 9.0, whole_rows: true, min_length: 5.0, ..Params::TEST };
+    let length = |aslant: i32| {
+        let arc = (1..=aslant).map(|k| [29 + k, k]);
+        let wall = row(0, 0..30).into_iter().chain(arc).chain((1..8).map(|k| [29 + aslant, aslant + k]));
+        let cells: Vec<GridDot> = wall.collect();
+        let mut taken = taken(std::slice::from_ref(&cells), 1);
+        // lines that end beside it above and below
+        [[12, 2], [7, -2]].into_iter().for_each(|end| taken.take(end, 1));
+        taken.wider_side((0, &RowPiece::cut_out(cells)), 3, &params, |_| true).len()
+    };
+    assert_eq!(length(6), 0, "6 of 43 dots");
+    // it is no wall, and has its second row in parts
+    assert!(length(20) > 20);
+}
+
+#[test]
 fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
     let strength = |number: usize| [90.0, 80.0, 75.0, 50.0, 45.0][number];
     let rows = |with: &[usize]| {
