@@ -12,7 +12,8 @@
 //! ```
 //!
 //! A sharp corner keeps its dot, though the dots on both sides of it touch, as other lines may end there. One that is
-//! sharper still would be a clot of dots.
+//! sharper still would be a clot of dots. The corner of a box or a bar gets its dot wherever it lies: its sides may end
+//! just before the middles of the column and the row that meet there.
 
 use std::ops::RangeInclusive;
 
@@ -41,9 +42,11 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Rasteris
     if !closed {
         cells.extend(points.first().map(|&at| nearest(at)));
     }
-    for pair in points.windows(2) {
+    for (i, pair) in points.windows(2).enumerate() {
         crossed(pair[0], pair[1], &mut cells);
-        cells.extend(Some(nearest(pair[1])).filter(|corner| sharp.contains(corner)));
+        let after = points.get(i + 2).or(if closed { points.get(1) } else { None });
+        let is_of_box = after.is_some_and(|&after| is_of_box(pair[0], pair[1], after));
+        cells.extend(Some(nearest(pair[1])).filter(|corner| is_of_box || sharp.contains(corner)));
     }
     if !closed {
         cells.extend(points.last().map(|&at| nearest(at)));
@@ -55,6 +58,20 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Rasteris
     cells.dedup();
     let cells = smooth(thin(connected(cells, closed), closed, &sharp), closed, &sharp);
     Rasterised { cells, sharp }
+}
+
+/// The sides of a box are at least so many steps long, and this share of that off level or upright, at most.
+const SIDE_OF_BOX: f32 = 2.0;
+const OFF_LEVEL: f32 = 0.1;
+
+/// Whether a corner is one between a level side and an upright one.
+fn is_of_box(before: GridPoint, corner: GridPoint, after: GridPoint) -> bool {
+    let way = |from: GridPoint, to: GridPoint| [to[0] - from[0], to[1] - from[1]];
+    let is_along = |way: [f32; 2], axis: usize| {
+        way[axis].abs() >= SIDE_OF_BOX && way[1 - axis].abs() <= OFF_LEVEL * way[axis].abs()
+    };
+    let (to, on) = (way(before, corner), way(corner, after));
+    (0..2).any(|axis| is_along(to, axis) && is_along(on, 1 - axis))
 }
 
 /// The sides of a corner are taken over so many steps of the grid.

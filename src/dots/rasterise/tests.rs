@@ -70,6 +70,23 @@ fn a_rectangle_keeps_its_corners() {
 }
 
 #[test]
+fn a_box_has_all_its_corners_wherever_it_lies() {
+    for (dx, dy) in (0..10).flat_map(|i| (0..10).map(move |k| (0.1 * i as f32, 0.1 * k as f32))) {
+        let (first, last) = ([10.0 + dx, 10.0 + dy], [20.3 + dx, 16.4 + dy]);
+        let corners = [[first[0], first[1]], [last[0], first[1]], [last[0], last[1]], [first[0], last[1]]];
+        let vertices = corners.map(|[x, y]| at(x, y)).to_vec();
+        for closed in [true, false] {
+            let cells = rasterise(Polyline { vertices: vertices.clone(), closed }.view(), &grid()).cells;
+            let missing = corners.iter().find(|corner| {
+                let [x, y] = **corner;
+                !cells.contains(&nearest(to_grid(at(x, y), &grid())))
+            });
+            assert!(missing.is_none(), "{missing:?} of {dx}, {dy}: {cells:?}");
+        }
+    }
+}
+
+#[test]
 fn a_sharp_corner_keeps_its_dot() {
     // 65 degrees, as where a coast meets a border, in all directions and begun at any of its corners
     for degrees in (0..360).step_by(7) {
