@@ -25,6 +25,8 @@ pub struct Params {
     /// How much more there should be on the left and on the right where there is room, as on a grid the dots of a line
     /// that stand where those of a next cell would are read as a letter.
     pub more_aside: f32,
+    /// The same of numbers along an axis, whose ticks end beside them: as much or more.
+    pub off_ticks: f32,
     /// Whether all dots are those of cells, so that a line right beside a label is read as its letters.
     pub among_cells: bool,
     /// Blank between lines.
@@ -66,6 +68,7 @@ impl Params {
             least_texture: 0.0,
             clearance: 3.0,
             more_aside: 0.0,
+            off_ticks: 0.0,
             among_cells: false,
             line_gap: 3.2,
             least_strength: 7.0,

@@ -8,7 +8,7 @@ use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::cost::LIKE_A_CELL;
 use super::forms::{Form, FormKind};
 use super::groups::{Group, GroupDirection, OF_AN_AXIS};
-use super::placed::{Attachment, PlacedAs};
+use super::placed::{Attachment, Params, PlacedAs};
 use super::spacing::{LEAST_ABOVE, Spacing};
 use super::surroundings::{OFF_LEVEL, OFF_TICK};
 use super::ticks;
@@ -212,6 +212,20 @@ struct Offset {
     aside: f32,
 }
 
+/// Each offset with the blank beside labels with which it is tried, in the order of what both cost: that of numbers
+/// keeps the dots of their axis from being read as a digit. The second blank is to be rather than the first.
+fn with_blanks(offsets: impl Iterator<Item = f32>, [more, most]: [f32; 2]) -> Vec<Offset> {
+    let blanks: &[(f32, f32)] = match more > 0.0 {
+        true if most > more => &[(most, 0.0), (more, LIKE_A_CELL), (0.0, 2.0 * LIKE_A_CELL)],
+        true => &[(more, 0.0), (0.0, LIKE_A_CELL)],
+        false => &[(0.0, 0.0)],
+    };
+    let with_each = |mm: f32| blanks.iter().map(move |&(aside, cost)| (mm.abs() + cost, Offset { mm, aside }));
+    let mut all: Vec<(f32, Offset)> = offsets.flat_map(with_each).collect();
+    all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    all.into_iter().map(|(_, offset)| offset).collect()
+}
+
 /// The labels of a group, each in one form, of which a common place is looked for.
 struct RowOfLabels<'a> {
     group: &'a Group,
@@ -267,24 +281,15 @@ impl<'a> RowOfLabels<'a> {
         // offsets below are tried before those above
         let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != GroupDirection::BelowPoints;
         let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
-        let offsets = self.with_blanks(offsets);
+        // words stand beside the ends of lines that lead to them
+        let Params { more_aside, off_ticks, .. } = *self.context.params;
+        let asides = if self.group.steps.is_some() { [more_aside, off_ticks] } else { [0.0; 2] };
+        let offsets = with_blanks(offsets, asides);
         starts.into_iter().find_map(|start| {
             let at_anchors = || offsets.iter().find_map(|&offset| self.at(start, offset, |_| 0.0));
             at_anchors()
                 .or_else(|| offsets.iter().find_map(|&offset| self.at(start, offset, |number| self.along[number].1)))
         })
-    }
-
-    /// Each offset with the blank beside labels with which it is tried, in the order of what both cost: that of numbers
-    /// keeps the dots of their axis from being read as a digit.
-    fn with_blanks(&self, offsets: impl Iterator<Item = f32>) -> Vec<Offset> {
-        // words stand beside the ends of lines that lead to them
-        let more = if self.group.steps.is_some() { self.context.params.more_aside } else { 0.0 };
-        let blanks: &[(f32, f32)] = if more > 0.0 { &[(more, 0.0), (0.0, LIKE_A_CELL)] } else { &[(0.0, 0.0)] };
-        let with_each = |mm: f32| blanks.iter().map(move |&(aside, cost)| (mm.abs() + cost, Offset { mm, aside }));
-        let mut all: Vec<(f32, Offset)> = offsets.flat_map(with_each).collect();
-        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-        all.into_iter().map(|(_, offset)| offset).collect()
     }
 
     /// All labels with the row this far from its start, each moved along the row by as much as `reach` of its number

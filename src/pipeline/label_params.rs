@@ -72,6 +72,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         Medium::Dots(dots) => SQRT_2 * (dots.pitch + dots.diameter()) + SQUARES,
     };
     let (tiles, lines) = (tiles.to_vec(), plan.lines());
+    let [more_aside, off_ticks] = asides(layout, plan);
     Params {
         area,
         tiles,
@@ -80,7 +81,8 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
         written: Vec::new(),
         blocked: Vec::new(),
         clearance: CLEARANCE,
-        more_aside: more_aside(layout, plan),
+        more_aside,
+        off_ticks,
         among_cells: matches!(&layout.medium, Medium::Dots(dots) if dots.device.cell_dots().is_some()),
         line_gap: lines.min_gap,
         least_strength: lines.least_strength,
@@ -98,14 +100,16 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
 
 /// How much more blank than the clearance there is to be between a label and a line beside it, mm: as much as keeps the
 /// dots of the line off the first column of a next cell. Where the line is cells itself, a whole cell: one beside the
-/// label would be read as a letter of it.
-fn more_aside(layout: &Layout, plan: &Plan) -> f32 {
-    match &layout.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => {
-            let size = CellGrid::of(&layout.medium, plan.profile().braille.cell).size();
-            let columns = if dots.device.cell_dots().is_some() { size.cell } else { size.cell - size.dot };
-            (columns + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0)
-        }
+/// label would be read as a letter of it. The second is that of numbers beside ticks: on pins, where the two dots of a
+/// tick are as those of a letter, a whole cell too.
+fn asides(layout: &Layout, plan: &Plan) -> [f32; 2] {
+    let Medium::Dots(dots) = &layout.medium else { return [0.0; 2] };
+    let size = CellGrid::of(&layout.medium, plan.profile().braille.cell).size();
+    let beyond = |columns: f32| (columns + 0.5 * dots.pitch - dots.diameter() - CLEARANCE).max(0.0);
+    let (most, whole) = (beyond(size.cell - size.dot), beyond(size.cell));
+    match (dots.device.cell_dots().is_some(), dots.device.takes_paper()) {
+        (true, _) => [whole; 2],
+        (false, true) => [most; 2],
+        (false, false) => [most, whole],
     }
 }
