@@ -316,7 +316,7 @@ fn attachment(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Optio
             return Some(Attachment::Leader(segment));
         }
     }
-    if !params.may_cross || is_open() {
+    if is_open() || !params.may_cross && !around.leads_into_shape(label, nearest) {
         return None;
     }
     let segment = leader_from(nearest, around.tip, around.leader_off())?;

@@ -36,6 +36,9 @@ const AT_VERTEX: f32 = 6.0;
 const THICKEST_ARC: f32 = 3.0;
 /// Farthest that an arc lies from where the legs of its angle meet, mm: lines beyond are others.
 const FARTHEST_ARC: f32 = 25.0;
+/// A shape that reaches no further than this around the end of a leader line is what that names, mm: broader than a
+/// fingertip, so that the end is found in it. Chosen by us.
+const FURTHEST_SIDE: f32 = 20.0;
 /// So far from its middle one is beside a line, mm: more than half of the widest.
 const OFF_LINE: f32 = 2.5;
 /// So far behind the side of a line is its other side, mm: more than the widest.
@@ -387,6 +390,15 @@ impl<'a> Surroundings<'a> {
             let to_side = |i: usize| segment_distance((from, to), (corners[i], corners[(i + 1) % 4]));
             !place.contains(from) && (0..4).all(|side| to_side(side) >= far)
         })
+    }
+
+    /// Whether a leader line from a place leads into a small shape in which that of the drawing ended, as into the lens
+    /// of an eye, and crosses the outline of that and nothing else: so it may lead there too where lines are not to be
+    /// crossed.
+    pub(super) fn leads_into_shape(&self, label: &Wanted, from: MmPoint) -> bool {
+        label.lost_leader.is_some()
+            && self.room.only_line(from, self.tip, self.params.widest_outline).is_some()
+            && self.room.shut_in(self.tip, FURTHEST_SIDE).is_some()
     }
 
     /// Over or under how many points of others a label of a point stands that lies above or below its own: as near to

@@ -33,3 +33,33 @@ fn a_label_above_two_lands_is_before_both() {
     assert!(!is_before(&both, 30.0, 78.0), "a little above the other");
     assert!(!is_before(&[outline], 30.0, 110.0), "above a box by itself");
 }
+
+/// A box, 14 mm wide and 32 mm high, with its middle at 100, 100, as the lens of an eye, and an upright line right of
+/// it.
+fn lens(line_at: f32) -> Room {
+    let line = |points: &[(f32, f32)]| {
+        let points = points.iter().map(|&at| MmPoint::from(at)).collect();
+        Line { strength: 50.0, runs: vec![Run::stroke(1.0, points)] }
+    };
+    let around = [(93.0, 84.0), (107.0, 84.0), (107.0, 116.0), (93.0, 116.0), (93.0, 84.0)];
+    let lines = [line(&around), line(&[(line_at, 60.0), (line_at, 140.0)])];
+    Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0))))
+}
+
+#[test]
+fn a_leader_line_may_lead_into_its_small_shape_and_across_nothing_else() {
+    let leads = |line_at: f32, tip: (f32, f32), lost_leader: Option<MmPoint>| {
+        let (room, tip) = (lens(line_at), MmPoint::from(tip));
+        let params = Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)));
+        let anchor = MmRect::new(tip, tip);
+        let label = Wanted { text: "lens".to_owned(), anchor, lost_leader, kept_leader: None, is_nameless: false };
+        let wanted = [label];
+        let at = LabelsAt { wanted: &wanted, anchors: &[anchor] };
+        Surroundings::of(0, at, 20.0, &room, &params).leads_into_shape(&wanted[0], MmPoint::new(125.0, 100.0))
+    };
+    let lost = Some(MmPoint::new(40.0, 100.0));
+    assert!(leads(160.0, (100.0, 100.0), lost));
+    assert!(!leads(115.0, (100.0, 100.0), lost), "another line lies between");
+    assert!(!leads(115.0, (110.0, 160.0), lost), "in the open");
+    assert!(!leads(160.0, (100.0, 100.0), None), "the drawing has no leader line to it");
+}
