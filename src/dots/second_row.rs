@@ -23,8 +23,9 @@ pub(super) fn on_grid(cells: &[GridDot], closed: bool) -> Vec<(usize, GridDot)> 
         let [dx, dy] = [after[0] - before[0], after[1] - before[1]];
         let cell = if dx.abs() >= dy.abs() { [x, y + turn * dx.signum()] } else { [x - turn * dy.signum(), y] };
         if let Some(&(_, last)) = out.last() {
-            // around the outside of a corner
-            out.extend(between(last, cell).map(|cell| (i, cell)));
+            // around the outside of a corner, where of two dots that are as near one is the corner of the line itself
+            let other = |at: GridDot| [0, 1].map(|axis| last[axis] + cell[axis] - at[axis]);
+            out.extend(between(last, cell).map(|at| (i, if cells.contains(&at) { other(at) } else { at })));
         }
         out.push((i, cell));
     }

@@ -28,6 +28,15 @@ fn a_line_is_two_dots_wide_around_corners() {
 }
 
 #[test]
+fn both_corners_of_a_bar_are_alike() {
+    let (up, down) = ((1..4).rev().map(|y| [0, y]), (1..4).map(|y| [4, y]));
+    let bar: Vec<GridDot> = up.chain((0..5).map(|x| [x, 0])).chain(down).collect();
+    let back: Vec<GridDot> = bar.iter().rev().copied().collect();
+    assert_eq!(drawn(&bar, false), "#####\n#ooo#\n#o.o#\n#o.o#\n");
+    assert_eq!(drawn(&back, false), ".ooooo.\no#####o\no#...#o\no#...#o\no#...#o\n");
+}
+
+#[test]
 fn a_ring_has_its_second_row_inside_whichever_way_it_runs() {
     let side = |from: GridDot, step: GridDot| (0..5).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
     let ring: Vec<GridDot> = side([0, 0], [1, 0])
