@@ -1,7 +1,7 @@
 //! The second rows of heavy lines on a grid. They come last, those of the strongest first, and only where they keep the
 //! gap from all other lines, so that no line is cut for the sake of another's width.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::on_grid::{DrawnPiece, OccupiedDots, RowPiece};
 use crate::dots::grid_dot::{GridBox, GridDot, distance};
@@ -14,6 +14,10 @@ const MOST_ASLANT: usize = 4;
 /// One of so many steps of walls may, as the arc of a door may be one line with them. Chosen by us: of a circle every
 /// second or third does.
 const ASLANT_OF_WALLS: usize = 6;
+
+/// Outside of an outline with two corners a row has so many dots more than inside, at least: six, and three at one
+/// corner.
+const ROUND_BAR: usize = 5;
 
 /// Share of a line along which a second row is that is to be whole, and the steps between two of its dots: at a corner
 /// one may be missing.
@@ -29,6 +33,20 @@ impl RowPiece {
     /// Whether it is so for the most part, as walls with a door are.
     fn is_of_walls(&self) -> bool {
         self.is_of_bar() || ASLANT_OF_WALLS * self.aslant() <= self.cells.len()
+    }
+
+    /// Of the outline of a bar, whether its second row has dots outside; none of what does not go round three sides.
+    fn has_outside(&self, row: &[GridDot]) -> Option<bool> {
+        let back: Vec<GridDot> = self.cells.iter().rev().copied().collect();
+        let [own, others] = [&self.cells, &back].map(|cells| second_row::on_grid(cells, self.closed).len());
+        if self.closed || row.is_empty() || own.abs_diff(others) < ROUND_BAR {
+            return None;
+        }
+        let is_beyond = |cell: &GridDot, axis: usize| {
+            let own = || self.cells.iter().map(move |own| own[axis]);
+            own().all(|own| own < cell[axis]) || own().all(|own| own > cell[axis])
+        };
+        Some(row.iter().any(|cell| (0..2).any(|axis| is_beyond(cell, axis))))
     }
 
     /// How many of its steps go aslant.
@@ -62,6 +80,7 @@ impl OccupiedDots {
         if params.whole_rows {
             let of_bars: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_bar()).collect();
             alike(&of_bars, &mut rows, |number| line_of(number).strength);
+            on_one_side(&of_bars, &mut rows, drawn, |number| line_of(number).strength);
         }
         rows
     }
@@ -124,17 +143,43 @@ impl OccupiedDots {
 /// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
 /// would be taken for lines of another kind. The lines come by their strength.
 fn alike(by_strength: &[usize], rows: &mut [Option<Vec<GridDot>>], strength: impl Fn(usize) -> f32) {
-    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
-    let is_near = |a: &usize, b: &usize| {
-        let [a, b] = [a, b].map(|number| strength(*number));
-        a.max(b) <= ABOUT_AS_STRONG * a.min(b)
-    };
-    for lines in heavy.chunk_by(is_near) {
+    for lines in about_as_strong(by_strength, rows, strength) {
         let has_row = |number: &&usize| rows[**number].as_ref().is_some_and(|row| !row.is_empty());
         if (lines.iter().filter(has_row).count() as f32) < MOST_OF_THEM * lines.len() as f32 {
             lines.iter().for_each(|&number| rows[number] = None);
         }
     }
+}
+
+/// Takes second rows away where of lines that are about as strong some bars have theirs inside and others outside: the
+/// ends of these lie a row further on, beside the tick or the gridline at which they end in the drawing.
+fn on_one_side(
+    by_strength: &[usize],
+    rows: &mut [Option<Vec<GridDot>>],
+    drawn: &[DrawnPiece],
+    strength: impl Fn(usize) -> f32,
+) {
+    for lines in about_as_strong(by_strength, rows, strength) {
+        let has_outside = |&number: &usize| rows[number].as_ref().and_then(|row| drawn[number].piece.has_outside(row));
+        let sides: BTreeSet<bool> = lines.iter().filter_map(has_outside).collect();
+        if sides.len() > 1 {
+            lines.iter().for_each(|&number| rows[number] = None);
+        }
+    }
+}
+
+/// The lines with second rows, those together that are about as strong.
+fn about_as_strong(
+    by_strength: &[usize],
+    rows: &[Option<Vec<GridDot>>],
+    strength: impl Fn(usize) -> f32,
+) -> Vec<Vec<usize>> {
+    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
+    let is_near = |a: &usize, b: &usize| {
+        let [a, b] = [a, b].map(|number| strength(*number));
+        a.max(b) <= ABOUT_AS_STRONG * a.min(b)
+    };
+    heavy.chunk_by(is_near).map(<[usize]>::to_vec).collect()
 }
 
 /// Lines of which the stronger is so many times as strong as the other, at most, are about as strong: bars of several

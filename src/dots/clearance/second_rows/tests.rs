@@ -66,3 +66,28 @@ fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
     assert_eq!(rows(&[0, 1, 3, 4]), [3, 4], "one of three has no room");
     assert_eq!(rows(&[0, 1, 2, 3]), [0, 1, 2]);
 }
+
+#[test]
+fn bars_have_their_second_rows_all_inside_or_all_outside() {
+    let bar = |x: i32| -> Vec<GridDot> {
+        let (up, down) = ((1..9).rev().map(move |y| [x, y]), (1..9).map(move |y| [x + 6, y]));
+        up.chain((0..7).map(move |k| [x + k, 0])).chain(down).collect()
+    };
+    let row_of = |cells: Vec<GridDot>| -> Vec<GridDot> {
+        second_row::on_grid(&cells, false).into_iter().map(|(_, cell)| cell).collect()
+    };
+    let inside = |x: i32| row_of(bar(x));
+    let outside = |x: i32| row_of(bar(x).into_iter().rev().collect());
+    let drawn = [0, 20].map(|x| DrawnPiece { line: 0, piece: RowPiece::cut_out(bar(x)) });
+    let left = |rows: [Vec<GridDot>; 2]| {
+        let mut rows: Vec<Option<Vec<GridDot>>> = rows.into_iter().map(Some).collect();
+        on_one_side(&[0, 1], &mut rows, &drawn, |_| 90.0);
+        rows.iter().flatten().count()
+    };
+    assert_eq!(left([inside(0), inside(20)]), 2);
+    assert_eq!(left([outside(0), outside(20)]), 2);
+    assert_eq!(left([inside(0), outside(20)]), 0);
+    // walls have no inside
+    let walls = [0, 20].map(|x| DrawnPiece { line: 0, piece: RowPiece::cut_out(row(0, x..x + 12)) });
+    assert_eq!(walls.map(|wall| wall.piece.has_outside(&row(1, 0..12))), [None; 2]);
+}
