@@ -17,8 +17,12 @@ use crate::raster::lab::pixel;
 use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 use crate::{About, Note, Reason};
 
-/// Sides of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
+/// Short side of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
 const PATCH: std::ops::RangeInclusive<f32> = 1.5..=12.0;
+/// Its long side and its area at most, mm and mm2: the patches of Matplotlib are three times as wide as high, and in a
+/// chart that is small before it is drawn across the sheet they are 17 mm wide. What is larger may have a texture.
+const LONGEST_PATCH: f32 = 24.0;
+const LARGEST_PATCH: f32 = 144.0;
 /// Farthest that the word of a patch lies from it, mm: print stands up to half of its own width beside it.
 const FARTHEST_WORD: f32 = 8.0;
 /// Colours nearer than this are one (perceptual; 2 can just be told apart side by side).
@@ -85,7 +89,7 @@ pub(super) fn entries(
         // in a legend in one line a patch has the word of another on its other side
         let beside = texts.iter().filter(|text| text.is_read() && is_beside(place, text.place));
         let text = beside.min_by(|a, b| gap(place, a.place).total_cmp(&gap(place, b.place)));
-        let is_patch = PATCH.contains(&place.width()) && PATCH.contains(&place.height());
+        let is_patch = may_be_patch(place);
         let known = |(other, of, _): &(&Text, MmRect, usize)| {
             text.is_some_and(|text| std::ptr::eq(*other, text)) || of.contains(place.center())
         };
@@ -112,6 +116,12 @@ pub(super) fn entries(
     };
     let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
+}
+
+/// Whether a shape is as large as a patch.
+fn may_be_patch(place: MmRect) -> bool {
+    let (short, long) = (place.width().min(place.height()), place.width().max(place.height()));
+    PATCH.contains(&short) && long <= LONGEST_PATCH && short * long <= LARGEST_PATCH
 }
 
 /// Whether a line ends at a small shape or goes through it: then it is a point of a curve, and the word beside it a
