@@ -78,9 +78,14 @@ impl OccupiedDots {
             rows[number] = Some(second);
         }
         if params.whole_rows {
-            let of_bars: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_bar()).collect();
-            alike(&of_bars, &mut rows, |number| line_of(number).strength);
-            on_one_side(&of_bars, &mut rows, drawn, |number| line_of(number).strength);
+            let strength = |number: usize| line_of(number).strength;
+            let is_of_bar = |number: usize| drawn[number].piece.is_of_bar();
+            let of_walls: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_walls()).collect();
+            let of_bars: Vec<usize> = of_walls.iter().copied().filter(|&of| is_of_bar(of)).collect();
+            let together = about_as_strong(&of_walls, &rows, strength);
+            alike(&of_bars, &mut rows, strength);
+            on_one_side(&of_bars, &mut rows, drawn, strength);
+            as_others(&together, &mut rows, is_of_bar);
         }
         rows
     }
@@ -164,6 +169,18 @@ fn on_one_side(
         let sides: BTreeSet<bool> = lines.iter().filter_map(has_outside).collect();
         if sides.len() > 1 {
             lines.iter().for_each(|&number| rows[number] = None);
+        }
+    }
+}
+
+/// Takes second rows away from walls that are one line with the arc of a door where no bar or wall that is as strong
+/// has one.
+fn as_others(together: &[Vec<usize>], rows: &mut [Option<Vec<GridDot>>], is_of_bar: impl Fn(usize) -> bool) {
+    for lines in together {
+        let (of_bars, others): (Vec<usize>, Vec<usize>) = lines.iter().partition(|&&number| is_of_bar(number));
+        let has_none = |number: &usize| rows[*number].as_ref().is_none_or(Vec::is_empty);
+        if !of_bars.is_empty() && of_bars.iter().all(has_none) {
+            others.into_iter().for_each(|number| rows[number] = None);
         }
     }
 }

@@ -91,3 +91,16 @@ fn bars_have_their_second_rows_all_inside_or_all_outside() {
     let walls = [0, 20].map(|x| DrawnPiece { line: 0, piece: RowPiece::cut_out(row(0, x..x + 12)) });
     assert_eq!(walls.map(|wall| wall.piece.has_outside(&row(1, 0..12))), [None; 2]);
 }
+
+#[test]
+fn walls_with_doors_have_second_rows_where_other_walls_have() {
+    let left = |rows: [Option<Vec<GridDot>>; 3]| {
+        let mut rows = rows.to_vec();
+        as_others(&[vec![0, 1], vec![2]], &mut rows, |number| number == 0);
+        rows.into_iter().flatten().filter(|row| !row.is_empty()).count()
+    };
+    let some = || Some(row(0, 0..9));
+    assert_eq!(left([some(), some(), some()]), 3);
+    assert_eq!(left([None, some(), some()]), 1, "the third is about as strong as no other");
+    assert_eq!(left([Some(Vec::new()), some(), None]), 0);
+}
