@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use super::clearance::LEVEL;
 use super::faint::is_faint;
-use super::params::Params;
+use super::params::{PagePart, Params};
 use super::vertex::{Vertex, nearby};
 use crate::geom::form::{Form, OpenForm, SLACK, from_to};
+use crate::geom::nearby::Segment;
 use crate::geom::ninths::{NAMES, most_of, ninth};
 use crate::geom::polyline::{self, Polyline};
 use crate::units::{MmPoint, MmRect};
@@ -55,6 +56,15 @@ pub struct LostLine {
     pub form: Option<LostForm>,
 }
 
+impl LostLine {
+    fn of(line: &Polyline<Vertex>) -> Self {
+        let path: Vec<MmPoint> = line.vertices.iter().map(|vertex| vertex.at).collect();
+        let form = if line.closed { None } else { lost_form(&path) };
+        let extent = MmRect::from_points(&path);
+        Self { extent, length: line.length(), closed: line.closed, is_faint: is_faint(line), form }
+    }
+}
+
 /// What an open line is that is not drawn: its form, and from where to where it leads, in words or none.
 pub(super) type LostForm = (Form, &'static str);
 
@@ -67,7 +77,13 @@ pub(crate) fn lost_form(path: &[MmPoint]) -> Option<LostForm> {
 /// A line of which less than this share is drawn is gone.
 pub const GONE: f32 = 0.2;
 
-/// Which of these lines are gone, where those of `drawn` stand for them: each piece for the line that is nearest to it.
+/// A piece that is drawn stands for no line that it crosses, as the ring of a lamp the cross in it: their directions
+/// differ by at most 60 degrees. Chosen by us: what is moved aside or round a corner differs by less for nearly all of
+/// its length. The cosine.
+const STANDS_ALONG: f32 = 0.5;
+
+/// Which of these lines are gone, where those of `drawn` stand for them: each piece for the line along it that is
+/// nearest to it.
 pub(super) fn gone<'a>(
     lines: &[&Polyline<Vertex>],
     drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
@@ -77,18 +93,15 @@ pub(super) fn gone<'a>(
     let near = nearby(lines.iter().copied(), area, params);
     let mut kept = vec![0.0; lines.len()];
     for (a, b) in drawn.flat_map(Polyline::segments) {
-        if let Some((_, _, segment)) = near.nearest(a.at.lerp(b.at, 0.5), params.farthest_moved(), |_| true) {
+        let way = (b.at - a.at).try_normalize().unwrap_or_default();
+        let is_along =
+            |other: &Segment| way.dot((other.b - other.a).try_normalize().unwrap_or_default()).abs() >= STANDS_ALONG;
+        if let Some((_, _, segment)) = near.nearest(a.at.lerp(b.at, 0.5), params.farthest_moved(), is_along) {
             kept[segment.line as usize] += (b.at - a.at).length();
         }
     }
-    let lines = lines.iter().zip(kept).map(|(line, kept)| (line, line.length(), kept));
-    let gone = lines.filter(|(_, length, kept)| *kept < GONE * length).map(|(line, length, _)| {
-        let path: Vec<MmPoint> = line.vertices.iter().map(|vertex| vertex.at).collect();
-        let form = if line.closed { None } else { lost_form(&path) };
-        let extent = MmRect::from_points(&path);
-        LostLine { extent, length, closed: line.closed, is_faint: is_faint(line), form }
-    });
-    gone.collect()
+    let gone = lines.iter().zip(kept).filter(|(line, kept)| *kept < GONE * line.length());
+    gone.map(|(line, _)| LostLine::of(line)).collect()
 }
 
 /// Shortest gap in a closed line by which it is felt as open, mm: more than a finger slips over, as on a dashed line.
@@ -238,11 +251,28 @@ impl Lost {
     }
 
     /// Adds lines that were to be drawn, and are not after all.
-    pub(super) fn add(&mut self, lines: &[Polyline<Vertex>], area: MmRect) {
+    pub(super) fn add<'a>(&mut self, lines: impl IntoIterator<Item = &'a Polyline<Vertex>>, area: MmRect) {
         let mut more = LossTally::new(area);
-        lines.iter().for_each(|line| more.add_where(line, |_| true));
+        lines.into_iter().for_each(|line| more.add_where(line, |_| true));
         self.lost += more.length();
         self.by_place.iter_mut().zip(more.lengths).for_each(|(of, more)| *of += more);
+    }
+
+    /// Adds lines of a drawing that lie in a hollow point, where nothing is drawn, each with the middle of that. Two
+    /// are the strokes of a cross, as in the sign of a lamp, also if one of them is gone already; one alone is a tick
+    /// behind its point, which nobody misses.
+    pub(super) fn add_crosses(&mut self, hidden: &[(MmPoint, &Polyline<Vertex>)], area: MmRect, params: &Params) {
+        if !params.of_drawing || params.part != PagePart::Figure {
+            return;
+        }
+        let strokes = |at: MmPoint| {
+            let gone = self.gone.iter().filter(|line| (line.extent.center() - at).length() <= STANDS);
+            gone.count() + hidden.iter().filter(|(of, _)| *of == at).count()
+        };
+        let of_crosses = hidden.iter().filter(|(at, _)| strokes(*at) >= 2).map(|(_, line)| *line);
+        let of_crosses: Vec<&Polyline<Vertex>> = of_crosses.collect();
+        self.add(of_crosses.iter().copied(), area);
+        self.gone.extend(of_crosses.into_iter().map(LostLine::of));
     }
 
     /// The same if of what is drawn only a share is kept after all.

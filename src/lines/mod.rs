@@ -133,6 +133,7 @@ pub fn draw_with(
         let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
         let points = points::draw(points, &polylines, area, &params);
         lost.add(&points.stubs(&polylines, &params), area);
+        lost.add_crosses(&points.hidden(&polylines, &params), area, &params);
         let heads = arrowheads::draw(&mut marks.heads, &polylines, &points.discs, area, &params);
         (points, heads)
     };

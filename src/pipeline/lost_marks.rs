@@ -95,6 +95,7 @@ pub(super) fn find(
     };
     let gridlines = LazyCell::new(|| gridlines_of(edges, transform));
     let pieces = LazyCell::new(|| undrawn(edges, transform, &index));
+    let crosses = LazyCell::new(|| strokes_of_crosses(short_strokes(edges, transform, least), lines));
     for chain in edges.chains.iter().filter(|chain| !chain.closed && !chain.kind.added) {
         let points = points(chain);
         let length = PolylineRef { vertices: &points, closed: false }.length();
@@ -103,7 +104,8 @@ pub(super) fn find(
         if is_handed_on(middle, handed_on) {
             continue;
         }
-        if cover.hides(&points, chain.kind) {
+        let is_of_cross = chain.kind.exact && crosses.contains(&[first, last]);
+        if !is_of_cross && cover.hides(&points, chain.kind) {
             boxes.push(MmRect::from_points(&points));
             continue;
         }
@@ -114,7 +116,7 @@ pub(super) fn find(
         }
         let ends = [first, last].map(|end| line_at(end, ENDS_ON));
         let crossed = line_at(points[points.len() / 2], DRAWN);
-        let other = || is_other(&points, chain.kind, (ends, crossed)).then_some(MarkKind::Stroke);
+        let other = || (is_of_cross || is_other(&points, chain.kind, (ends, crossed))).then_some(MarkKind::Stroke);
         let Some(kind) = kind(&points, length, (ends, crossed)).or_else(other) else { continue };
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
@@ -148,6 +150,33 @@ fn short_strokes(edges: &Edges, transform: &PageTransform, longest: f32) -> Vec<
     let ends = |chain: &ChainRange| Some(straight_ends(edges.chain(chain))?.map(|end| transform.to_mm(end)));
     let all = edges.chains.iter().filter_map(ends);
     all.filter(|[from, to]| (SHORTEST_TICK..longest).contains(&(*to - *from).length())).collect()
+}
+
+/// The middle of a cross lies so near to that of its ring, mm: a ring may be moved a little.
+const IN_MIDDLE: f32 = 2.0;
+/// A stroke of a cross is as long as its ring is broad, but for this share: a small ring may be drawn larger.
+const LONG_IN_RING: f32 = 0.5;
+
+/// Those of these strokes that are a cross in a small ring among `lines`, as in the sign of a lamp: two of about one
+/// middle. One alone is a tick behind a hollow point.
+fn strokes_of_crosses(strokes: Vec<[MmPoint; 2]>, lines: &[Line]) -> Vec<[MmPoint; 2]> {
+    let rings: Vec<MmRect> = lines.iter().filter(|line| is_small_ring(line)).map(extent).collect();
+    let is_in_ring = |[from, to]: &[MmPoint; 2]| {
+        let (middle, length) = (from.lerp(*to, 0.5), (*to - *from).length());
+        let holds = |ring: &MmRect| {
+            let is_long = length >= LONG_IN_RING * ring.width() && length <= ring.width() + 2.0 * DRAWN;
+            is_long && (ring.center() - middle).length() <= IN_MIDDLE
+        };
+        rings.iter().any(holds)
+    };
+    let strokes: Vec<[MmPoint; 2]> = strokes.into_iter().filter(is_in_ring).collect();
+    let crosses = |[a, b]: [MmPoint; 2], [c, d]: [MmPoint; 2]| {
+        let (one, other) = (b - a, d - c);
+        let is_across = one.cross(other).abs() >= ALONG * one.length() * other.length();
+        is_across && (a.lerp(b, 0.5) - c.lerp(d, 0.5)).length() <= DRAWN
+    };
+    let is_crossed = |stroke: &&[MmPoint; 2]| strokes.iter().any(|other| crosses(**stroke, *other));
+    strokes.iter().filter(is_crossed).copied().collect()
 }
 
 /// Whether a tick has enough fellows for a scale among these strokes.

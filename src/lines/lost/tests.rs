@@ -55,6 +55,28 @@ fn a_triangle_that_is_closed_has_no_gap_at_its_tip() {
     assert_eq!(gaps_of(&[most, other]), 1, "another closed line does not close it");
 }
 
+/// A lamp of 10.8 mm, whose ring is drawn 0.2 mm farther in.
+#[test]
+fn the_ring_of_a_lamp_does_not_stand_for_the_cross_in_it() {
+    let at = |degrees: f32, radius: f32| {
+        let (y, x) = degrees.to_radians().sin_cos();
+        (50.0 + radius * x, 40.0 + radius * y)
+    };
+    let ring = |radius: f32| {
+        let vertex = |k: u16| line(at(37.5 + 15.0 * f32::from(k), radius), at(52.5 + 15.0 * f32::from(k), radius));
+        Polyline { vertices: (0..24).map(|k| vertex(k).vertices[0]).collect(), closed: true }
+    };
+    let strokes = [(45.0, 225.0), (135.0, 315.0)].map(|(from, to)| line(at(from, 5.4), at(to, 5.4)));
+    let (area, own) = (MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 70.0)), ring(5.4));
+    let gone_beside = |drawn: &[Polyline<Vertex>]| {
+        let lines = [&own, &strokes[0], &strokes[1]];
+        gone(&lines, drawn.iter(), area, &Params::TEST).iter().map(|line| line.closed).collect::<Vec<_>>()
+    };
+    assert_eq!(gone_beside(&[ring(5.2)]), [false, false], "both strokes of the cross");
+    let [one, other] = strokes.clone();
+    assert!(gone_beside(&[ring(5.2), one, other]).is_empty());
+}
+
 #[test]
 fn what_is_lost_is_told_with_its_length_and_its_place() {
     let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));

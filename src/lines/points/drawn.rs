@@ -288,6 +288,25 @@ impl DrawnPoints {
         all.iter().enumerate().flat_map(stubs).collect()
     }
 
+    /// Those of these lines that lie in a hollow point as a whole, so that nothing of them is drawn, each with the
+    /// middle of that.
+    pub(in crate::lines) fn hidden<'l>(
+        &self,
+        lines: &[&'l Polyline<Vertex>],
+        params: &Params,
+    ) -> Vec<(MmPoint, &'l Polyline<Vertex>)> {
+        let hole_of = |line: &Polyline<Vertex>| {
+            // what sticks out for less than a gap is not drawn either
+            let is_in = |(at, radius): &&(MmPoint, f32)| {
+                line.vertices.iter().all(|vertex| (vertex.at - *at).length() < radius + params.min_gap)
+                    && line.distance(*at) <= PASSES * radius
+            };
+            self.holes.iter().find(is_in).map(|(at, _)| *at)
+        };
+        let open = lines.iter().filter(|line| !line.closed && !is_faint(line));
+        open.filter_map(|line| hole_of(line).map(|at| (at, *line))).collect()
+    }
+
     /// Whether a part of a line, cut at a hollow point, is too short for a line and leads to nothing else.
     fn is_stub(&self, part: &Polyline<Vertex>, number: usize, line: &Polyline<Vertex>, params: &Params) -> bool {
         let Some(lines) = self.lines.as_ref() else { return false };

@@ -1,6 +1,7 @@
 //! Points of drawings: which small rings and discs are points, and how they are drawn.
 
 use super::super::line::{HeavyStrokes, Line};
+use super::super::lost::Lost;
 use super::super::params::LineMedium;
 use super::super::tests::area;
 use super::super::vertex::{FoundIn, SPACING};
@@ -110,6 +111,23 @@ fn of_a_tick_under_a_hollow_point_nothing_sticks_out() {
         drawn.parts(0, &tick, &vec![false; tick.vertices.len()], &PARAMS).len()
     };
     assert_eq!((drawn(8.0), drawn(40.0)), (0, 2));
+}
+
+/// As in the sign of a lamp, whose cross is not drawn either.
+#[test]
+fn two_strokes_in_a_hollow_point_are_a_cross_that_is_told_and_one_is_a_tick_behind_it() {
+    let (at, radius) = (MmPoint::new(50.0, 50.0), 5.0);
+    let drawn = DrawnPoints { holes: vec![(at, radius)], ..DrawnPoints::default() };
+    let stroke = |from: (f32, f32), to: (f32, f32)| line(&[from, to], false, 0.0, FoundIn::Vector);
+    let cross = [stroke((46.5, 46.5), (53.5, 53.5)), stroke((46.5, 53.5), (53.5, 46.5))];
+    let wire = axis(10.0, 90.0);
+    let lost_of = |lines: &[&Polyline<Vertex>]| {
+        let mut lost = Lost::default();
+        lost.add_crosses(&drawn.hidden(lines, &PARAMS), area(), &PARAMS);
+        (lost.gone.len(), lost.lost.round())
+    };
+    assert_eq!(lost_of(&[&wire, &cross[0], &cross[1]]), (2, 20.0));
+    assert_eq!(lost_of(&[&wire, &cross[0]]), (0, 0.0), "a tick behind a point");
 }
 
 #[test]

@@ -147,3 +147,19 @@ fn a_point_hides_the_tick_behind_it_and_not_the_one_beside_it() {
     let arc = [MmPoint::new(52.0, 38.0), MmPoint::new(53.2, 40.0), MmPoint::new(52.0, 42.0)];
     assert!(cover.hides(&arc, exact), "no stroke but a piece of an outline");
 }
+
+/// As in the sign of a lamp.
+#[test]
+fn two_short_strokes_in_a_small_ring_are_a_cross_and_one_is_a_tick_behind_a_point() {
+    let circle = |k: u16| {
+        let (y, x) = (30.0 * f32::from(k)).to_radians().sin_cos();
+        MmPoint::new(40.0 + 3.0 * x, 50.0 + 3.0 * y)
+    };
+    let ring = Line { strength: 40.0, runs: vec![crate::lines::Run::stroke(1.5, (0..=12).map(circle).collect())] };
+    let stroke = |from: (f32, f32), to: (f32, f32)| [MmPoint::from(from), MmPoint::from(to)];
+    let cross = [stroke((38.0, 48.0), (42.0, 52.0)), stroke((38.0, 52.0), (42.0, 48.0))];
+    let elsewhere = stroke((70.0, 48.0), (74.0, 52.0));
+    let found = |strokes: &[[MmPoint; 2]]| strokes_of_crosses(strokes.to_vec(), std::slice::from_ref(&ring));
+    assert_eq!(found(&[cross[0], elsewhere, cross[1]]), cross);
+    assert_eq!(found(&[cross[0], elsewhere]), []);
+}
