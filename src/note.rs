@@ -1,6 +1,7 @@
 //! What the maker of a page or a trace should know and the result survives.
 
 mod about;
+mod harm;
 mod order;
 mod phrases;
 mod reason;

@@ -1,25 +1,25 @@
 //! Tests of `order`.
 
 use super::*;
-use crate::Reason;
 
 #[test]
-fn what_makes_a_page_wrong_is_told_first() {
+fn what_harms_a_reader_most_is_told_first() {
     let lost = |percent: u32| Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false };
-    let told = |about: About| Note::TakenAs(about, Reason::NoSign, String::new());
-    let in_margin = Note::TakenAs(About::Braille, Reason::InMargin, String::new());
+    let missing = |reason: Reason| Note::NotOnPage(About::Lines, reason, String::new());
     let notes = [
         lost(1),
-        told(About::Overview),
-        Note::NotOnPage(About::Areas, Reason::NoSign, String::new()),
+        Note::TakenAs(About::Overview, Reason::NoRoomForLine, String::new()),
+        missing(Reason::LineInPieces),
         lost(30),
+        Note::Abbreviated(Vec::new()),
         Note::EmptyPage,
-        told(About::Leaders),
-        in_margin,
+        Note::TakenAs(About::Leaders, Reason::LeadsToNothing, String::new()),
+        missing(Reason::NoRoomForLine),
+        Note::OfFile(crate::GivenFile::Lines, Box::new(missing(Reason::TooShort))),
     ];
     let mut sorted = notes.to_vec();
     Note::sort(&mut sorted);
-    assert_eq!(sorted, [4, 5, 2, 3, 0, 6, 1].map(|number: usize| notes[number].clone()));
+    assert_eq!(sorted, [5, 6, 7, 8, 2, 3, 4, 1, 0].map(|number: usize| notes[number].clone()));
 }
 
 #[test]
