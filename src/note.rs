@@ -5,6 +5,7 @@ mod harm;
 mod order;
 mod phrases;
 mod reason;
+mod repeats;
 
 use crate::braille::Code;
 use crate::error::id_table;
@@ -27,10 +28,10 @@ pub enum Note {
     #[error("the picture's colour profile could not be used, colours were taken as sRGB: {0}")]
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
-    #[error("left out of the page: {1}")]
+    #[error("left out: {1}")]
     LeftOut(Reason, String),
     /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
-    #[error("left out of the page: {2}")]
+    #[error("left out: {2}")]
     NotOnPage(About, Reason, String),
     /// Something on the page is not in its PNG; says what, why and what to do.
     #[error("not in the PNG: {1}")]
@@ -232,7 +233,7 @@ pub enum Note {
     /// Contours are not drawn, as they lie too close to others for fingers, or are too short in a drawing.
     #[error(
         "{millimetres} mm of contours, {}, were left out, {}: they lie too close to others for fingers, or are too \
-         short; a larger figure, on larger paper if there is any, or only a part of the picture keeps more of them{}",
+         short; a larger figure, or only a part of the picture, keeps more of them{}",
         share_of(*.percent),
         most_in(*.place, "figure"),
         turned(*.is_larger_turned)

@@ -467,6 +467,6 @@ fn the_rays_of_a_sun_that_are_too_short_are_told() {
         "<path d='M60 40H640V440H60Z' fill='none' stroke='#000' stroke-width='3'/><circle cx='330' cy='250' r='20' \
          fill='#fdd017' stroke='#b80' stroke-width='2'/><path d='{rays}' stroke='#b80' stroke-width='3'/>"
     ));
-    let is_told = told(&page).iter().any(|note| note.contains("left out of the page: 8 short lines (the first"));
+    let is_told = told(&page).iter().any(|note| note.contains("left out: 8 short lines (the first"));
     assert!(is_told, "{:#?}", told(&page));
 }

@@ -240,7 +240,7 @@ fn work(
         None => Vec::new(),
     };
     let labels_left_out = notes.iter().filter_map(labels_left_out).collect();
-    let mut notes: Vec<String> = notes.iter().map(|note| remedies::of_note(note, making)).collect();
+    let mut notes = remedies::of_notes(&notes, making);
     let (wrote, page_names) = (wrote(&pages, &previews, &sheets), names_of(&pages));
     let preview_names = names_of(&previews);
     let all: Vec<Piece<'_>> = pages.into_iter().chain(previews).collect();

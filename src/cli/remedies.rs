@@ -1,6 +1,6 @@
 //! What the library says, with the options of this program that help: it does not know them.
 
-use tactograph::{About, Error, Note, Profile, Reason};
+use tactograph::{Error, Note, Profile, Reason};
 
 /// What there is that makes the figure of a picture larger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +15,8 @@ pub(super) struct Larger {
     is_of_width_asked: bool,
     /// The profile of the next larger paper; none of a profile of one's own, whose settings that would not have.
     profile: Option<&'static str>,
+    /// Whether all that was told of this page already.
+    is_told: bool,
 }
 
 /// Profiles of paper, and those of the next larger one.
@@ -26,7 +28,14 @@ impl Larger {
         let next = NEXT_LARGER.into_iter().find(|(name, _)| profile.name == *name);
         let profile = next.map(|(_, larger)| larger);
         let is_on_one_sheet = !is_spread;
-        Self { without_overview: false, turned: false, is_on_one_sheet, is_of_width_asked: false, profile }
+        Self {
+            without_overview: false,
+            turned: false,
+            is_on_one_sheet,
+            is_of_width_asked: false,
+            profile,
+            is_told: false,
+        }
     }
 
     /// The options for it, in parentheses, first what helps most; none where there are none.
@@ -36,11 +45,13 @@ impl Larger {
         let sheets = self.is_on_one_sheet.then(|| SHEETS.to_owned());
         let profile = self.profile.map(|name| format!("--profile {name}"));
         let all: Vec<String> = [overview, turned, sheets, profile].into_iter().flatten().collect();
-        (!all.is_empty() && !self.is_of_width_asked).then(|| format!("({})", all.join(", ")))
+        (!all.is_empty() && !self.is_of_width_asked && !self.is_told).then(|| format!("({})", all.join(", ")))
     }
 }
 
 const SHEETS: &str = "--sheets 2x2";
+/// What the library says where a larger figure has room for what it tells of.
+const LARGER: &str = "make the figure larger";
 const TURNED: &str = "--set page.orientation=landscape";
 
 /// What is made, which says what options there are that help.
@@ -97,6 +108,15 @@ impl Making {
         }
     }
 
+    /// The same where what makes its figure larger was told already.
+    fn told(self) -> Self {
+        match self {
+            Self::Print(larger) => Self::Print(Larger { is_told: true, ..larger }),
+            Self::Embossing(larger) => Self::Embossing(Larger { is_told: true, ..larger }),
+            other => other,
+        }
+    }
+
     /// The options that make its figure larger, in parentheses; none where there are none.
     fn larger(self) -> Option<String> {
         match self {
@@ -135,6 +155,22 @@ pub(super) fn of_error(error: &Error) -> String {
         Error::IsAPage => format!("{error} (tactograph render)"),
         _ => error.to_string(),
     }
+}
+
+/// What is remarked of a page, with the options that help where this is made. Those that make the figure larger are
+/// told once.
+pub(super) fn of_notes(notes: &[Note], making: Making) -> Vec<String> {
+    let mut making = making;
+    let of_next = |note: &Note| {
+        let told = of_note(note, making);
+        let has_options = |options: &String| told.ends_with(options.as_str());
+        // a drawing that is too dense has options of its own for it
+        if matches!(note, Note::TooDense { .. }) || making.larger().as_ref().is_some_and(has_options) {
+            making = making.told();
+        }
+        told
+    };
+    notes.iter().map(of_next).collect()
 }
 
 /// What is remarked, with the option that helps where this is made.
@@ -178,10 +214,6 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Some(options) => format!("{note}; a larger figure has more {options}"),
             None => note.to_string(),
         },
-        Note::NotOnPage(About::Lines, reason, _) if wants_room(*reason) => match making.larger() {
-            Some(options) => format!("{note} {options}"),
-            None => note.to_string(),
-        },
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }
@@ -189,6 +221,10 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::NotOnPage(_, Reason::HeadingNotInFull, _) => format!("{note} (--title TEXT)"),
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),
+        Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told) if told.contains(LARGER) => match making.larger() {
+            Some(options) => format!("{note} {options}"),
+            None => note.to_string(),
+        },
         _ => note.to_string(),
     }
 }
@@ -205,19 +241,6 @@ fn of_fault(note: &Note, reason: Reason, making: Making) -> String {
         }
         _ => note.to_string(),
     }
-}
-
-/// Whether a line is not on a page as there is no room for it, which a larger figure has.
-fn wants_room(reason: Reason) -> bool {
-    matches!(
-        reason,
-        Reason::NoRoomForArrowhead
-            | Reason::NoRoomForTicks
-            | Reason::MarksTooShort
-            | Reason::NoRoomForShape
-            | Reason::NoRoomForLine
-            | Reason::LineInPieces
-    )
 }
 
 #[cfg(test)]

@@ -82,7 +82,7 @@ fn read(
         None => options,
     };
     let drawing = tactograph::render(&bytes, &options).map_err(|error| failed(remedies::of_error(&error)))?;
-    drawing.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note, making)));
+    remedies::of_notes(&drawing.notes, making).iter().for_each(|note| report.note(name, note));
     errors_left(&drawing.page).iter().for_each(|told| report.note(name, told));
     let title = drawing.page.title.clone();
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))

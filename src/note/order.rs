@@ -1,15 +1,19 @@
 //! In which order remarks are told: by the harm to the reader, as a long list is not heard to its end.
 
 use super::harm::Harm;
+use super::repeats::{leave_out, share_remedy};
 use super::{About, Note, Reason};
 
 /// So much of the contours of a drawing is more than a few places where lines meet, percent.
 const MUCH: u32 = 5;
 
 impl Note {
-    /// Remarks in the order in which they are told; those that weigh as much stay in theirs.
-    pub(crate) fn sort(notes: &mut [Self]) {
+    /// Brings remarks into the order in which they are told; those that weigh as much stay in theirs. What several
+    /// would say is said once.
+    pub(crate) fn sort(notes: &mut Vec<Self>) {
+        leave_out(notes);
         notes.sort_by_key(Self::harm);
+        share_remedy(notes);
     }
 
     /// What it means for the reader. Whoever adds a kind says it here, and of a reason in the table of all.

@@ -87,7 +87,7 @@ fn told_of(lost: &[LostLine], strokes: &[ColouredStroke]) -> Option<Note> {
     };
     let colours = Class::ALL.into_iter().filter(|class| *class != Class::Grey);
     let each: Vec<String> = colours.filter_map(of_colour).collect();
-    let why = "there is no room for them beside other lines; say in a label how these go on, or make the figure larger";
+    let why = "there is no room for them beside other lines; make the figure larger, or say in a label how these go on";
     (!each.is_empty())
         .then(|| Note::NotOnPage(About::Lines, Reason::NoRoomForLine, format!("{}: {why}", list(&each, "and"))))
 }

@@ -348,8 +348,26 @@ fn is_around_vertex(points: &[MmPoint], [one, other]: [MmVector; 2]) -> bool {
 
 /// What the maker is told of them.
 pub(super) fn told(lost: &Lost, sheets: Option<&SheetWindows>, plan: &Plan) -> Vec<Note> {
-    let of_scales = lost.scales.iter().map(|scale| told_of_scale(scale, sheets));
-    told_of_marks(&lost.marks, sheets, plan).into_iter().chain(of_scales).collect()
+    let is_gone = |scale: &&LostScale| scale.every == 1 && scale.lost == scale.ticks;
+    let gone: Vec<&LostScale> = lost.scales.iter().filter(is_gone).collect();
+    // those of which nothing is drawn are told together
+    let are_several = gone.len() > 1;
+    let together = are_several.then(|| told_of_gone_scales(&gone, sheets));
+    let each = lost.scales.iter().filter(|scale| !(are_several && is_gone(scale)));
+    let each = each.map(|scale| told_of_scale(scale, sheets));
+    told_of_marks(&lost.marks, sheets, plan).into_iter().chain(together.flatten()).chain(each).collect()
+}
+
+/// What the maker is told of several scales of which no tick is drawn.
+fn told_of_gone_scales(scales: &[&LostScale], sheets: Option<&SheetWindows>) -> Option<Note> {
+    let (first, count) = (scales.first()?.first, scales.len());
+    let ticks: usize = scales.iter().map(|scale| scale.ticks).sum();
+    let told = format!(
+        "all {ticks} ticks of {count} scales, or other marks across a line (the first at {}): there is no room for \
+         fingers between them; make the figure larger",
+        place_in_words(first, sheets)
+    );
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, told))
 }
 
 /// What the maker is told of a scale of which some ticks are not drawn.
@@ -366,11 +384,12 @@ fn told_of_scale(scale: &LostScale, sheets: Option<&SheetWindows>) -> Note {
         }
         _ => format!(
             "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every \
-             {} one that has room is drawn; say so in a label",
+             {} one that has room is drawn",
             ordinal(every)
         ),
     };
-    Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, format!("{told}; a larger figure has more room"))
+    let or_say = if every > 1 { ", or say so in a label" } else { "" };
+    Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, format!("{told}; make the figure larger{or_say}"))
 }
 
 fn ordinal(number: usize) -> String {
@@ -423,8 +442,8 @@ fn told_of_marks(marks: &LostMarks, sheets: Option<&SheetWindows>, plan: &Plan) 
     let (first, all) = (marks.first?, listed(marks)?);
     let (at, least) = (format!("the first at {}", place_in_words(first, sheets)), plan.lines().min_length);
     let why = format!(
-        "marks shorter than {least:.0} mm are too short for fingers; say in a label what they mean, draw them longer, \
-         or make the figure larger"
+        "marks shorter than {least:.0} mm are too short for fingers; make the figure larger, draw them longer, or say \
+         in a label what they mean"
     );
     Some(Note::NotOnPage(About::Lines, Reason::MarksTooShort, format!("{all} ({at}): {why}")))
 }

@@ -183,8 +183,8 @@ pub(super) fn told(
             _ => (format!("{count} arrowheads at ends of lines"), "them", "the lines lead"),
         };
         let why = format!(
-            "there is no room for {them} beside other lines; say in the title or a label which way {line_leads}, or \
-             make the figure larger"
+            "there is no room for {them} beside other lines; make the figure larger, or say in the title or a label \
+             which way {line_leads}"
         );
         Note::NotOnPage(
             About::Lines,
@@ -225,8 +225,8 @@ fn points_of_lines(rings: Vec<LostSign>, lines: &[Line]) -> (Vec<LostSign>, Vec<
 fn told_of_line_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Option<Note> {
     let first = place_in_words(lost.first()?.at, sheets);
     let count = lost.len();
-    let why = "there is no room for all points of a line beside other lines, and it is drawn without them; say in a \
-               label that it has points, or make the figure larger";
+    let why = "there is no room for all points of a line beside other lines, and it is drawn without them; make the \
+               figure larger, or say in a label that it has points";
     let told = format!("{count} points of lines (the first at {first}): {why}");
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, told))
 }
@@ -239,8 +239,8 @@ fn told_of_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Option<No
         count => (format!("{count} points"), "they are"),
     };
     let why = format!(
-        "{they_are} too near to other points or lines for fingers to tell apart; say in a label how many lie there, or \
-         make the figure larger"
+        "{they_are} too near to other points or lines for fingers to tell apart; make the figure larger, or say in a \
+         label how many lie there"
     );
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{points} ({}): {why}", places(lost, sheets))))
 }

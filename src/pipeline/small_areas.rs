@@ -63,8 +63,8 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
     };
     let why = format!("{they_are} smaller than {least} square mm (colours.min_area), in which fingers tell a texture");
     let told = format!(
-        "{areas}, as {why}; say in labels what matters of the colours, as a \
-         key names only those that have a texture on the page, or make the figure larger"
+        "{areas}, as {why}; make the figure larger, or say in labels what matters of the colours, as a key names only \
+         those that have a texture on the page"
     );
     Some((Note::NotOnPage(About::Areas, Reason::AreaTooSmall, told), lost.len()))
 }

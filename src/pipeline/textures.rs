@@ -284,7 +284,7 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layo
     let (texture, they_are) = if bare.len() == 1 { ("texture", "it is") } else { ("textures", "they are") };
     let told = format!(
         "the {texture} of {areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; \
-         say in labels what matters of the colours, make the figure larger, or crop the picture"
+         make the figure larger, crop the picture, or say in labels what matters of the colours"
     );
     Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }

@@ -28,11 +28,7 @@ pub(super) enum Bars {
 
 /// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
 pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
-    // as in the figure is no news
-    let in_overview = in_overview.map(|style| match in_figure.is_some_and(|figure| figure.is_as(style)) {
-        true => BarStyle { torn: style.torn, ..BarStyle::AS_IT_IS },
-        false => style,
-    });
+    let in_overview = in_overview.map(|style| in_figure.map_or(style, |figure| style.beside(figure)));
     let of_figure = in_figure.iter().flat_map(|instead| instead.told(PagePart::Figure));
     of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(PagePart::Overview))).collect()
 }
@@ -41,14 +37,17 @@ impl BarStyle {
     pub(super) const AS_IT_IS: Self =
         Self { bars: Bars::Apart, has_gridlines: true, low: 0, is_at_axis: false, torn: 0 };
 
-    /// Whether bars are drawn in the same way, however much of them is torn.
-    fn is_as(self, other: Self) -> bool {
-        Self { torn: 0, ..self } == Self { torn: 0, ..other }
+    /// What of an overview is told beside its figure: what is so in both is no news.
+    fn beside(self, figure: Self) -> Self {
+        let bars = if self.bars == figure.bars { Bars::Apart } else { self.bars };
+        let low = if self.low == figure.low { 0 } else { self.low };
+        let has_gridlines = self.has_gridlines || !figure.has_gridlines;
+        Self { bars, low, has_gridlines, is_at_axis: self.is_at_axis && !figure.is_at_axis, ..self }
     }
 
     fn told(self, part: PagePart) -> Vec<Note> {
         let (about, place, what_to_do) = match part {
-            PagePart::Figure => (About::Lines, "", "; a larger figure, or one on several sheets, has more"),
+            PagePart::Figure => (About::Lines, "", "; make the figure larger"),
             PagePart::Overview => (About::Overview, "in the overview ", ""),
         };
         let bars = match self.bars {

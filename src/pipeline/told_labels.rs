@@ -245,8 +245,8 @@ pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) ->
         .collect();
     (!texts.is_empty()).then(|| {
         let told = format!(
-            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure \
-             may have it",
+            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; make the figure \
+             larger",
             named(&texts)
         );
         Note::TakenAs(About::Leaders, Reason::CrossesLines, told)

@@ -73,7 +73,7 @@ pub(super) fn is_larger_turned(layout: &Layout) -> bool {
 const WIDE: f32 = 1.2;
 
 /// What the maker is told of contours that are not drawn, and of lines of a drawing that are not whole on the page.
-/// Where what is missing of torn lines is all that is left out but for a little, only these are told.
+/// Where what is missing of these is all that is left out but for a little, only they are told.
 pub(super) fn told_of_lost(
     drawn: &Lines,
     edges: &Edges,
@@ -82,7 +82,7 @@ pub(super) fn told_of_lost(
 ) -> impl Iterator<Item = Note> {
     let (lost, sheets) = (&drawn.lost, Places::of(layout));
     let texts = &of_places(texts, &drawn.lines)[..];
-    let is_all = is_all_of_torn(lost, least_told(&layout.medium, lost.wanted));
+    let is_all = is_told_by_lines(lost, least_told(&layout.medium, lost.wanted));
     let left_out = told_left_out(drawn, edges, layout);
     let left_out = left_out.filter(|note| !(is_all && matches!(note, Note::LinesLeftOut { .. })));
     let whole = told_gone(lost, &drawn.lines, texts, sheets).into_iter().chain(told_gaps(lost, sheets));
@@ -90,10 +90,15 @@ pub(super) fn told_of_lost(
     left_out.into_iter().chain(whole).chain(told_gridlines(lost))
 }
 
-/// Whether what is missing of torn lines is all that is left out, but for less than so much, mm.
-fn is_all_of_torn(lost: &Lost, least: f32) -> bool {
-    let torn: f32 = lost.torn.iter().map(|line| line.length).sum();
-    torn > 0.0 && of_lines(lost) - torn < least
+/// Less than this share of the lines of a drawing is not told once more where lines are told one by one.
+const REST: f32 = 0.05;
+
+/// Whether lines that are told one by one, as gone, open or in pieces, are all that is left out, but for less than so
+/// much, mm, or a small share.
+fn is_told_by_lines(lost: &Lost, least: f32) -> bool {
+    let all = lost.gone.iter().chain(&lost.gaps).chain(&lost.torn);
+    let told: f32 = all.map(|line| line.length).sum();
+    told > 0.0 && of_lines(lost) - told < least.max(REST * lost.wanted)
 }
 
 /// A text stands beside a line no farther from it than this, mm.
@@ -238,7 +243,7 @@ fn told_torn(lost: &Lost, texts: &[Text], sheets: Places<'_>) -> Option<Note> {
 
 /// What the maker is told of a squared grid that is left out as a whole.
 fn told_gridlines(lost: &Lost) -> Option<Note> {
-    let why = "pieces of it would be felt as lines; say the scale in a label, or make the figure larger";
+    let why = "pieces of it would be felt as lines; make the figure larger, or say the scale in a label";
     (lost.gridlines > 0).then(|| {
         Note::NotOnPage(About::Lines, Reason::SquaredGrid, format!("the squared grid, {} lines: {why}", lost.gridlines))
     })

@@ -202,7 +202,7 @@ fn leader_lines_side_by_side_are_whole() {
             };
             let mut runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).chain(&label.leader);
             let has = runs.any(|run| run.points.len() > 1 && leads(&run.points));
-            let lost = told.lines().find(|line| line.contains("left out of the page: the leader line"));
+            let lost = told.lines().find(|line| line.contains("left out: the leader line"));
             let is_told = lost.is_some_and(|line| line.contains(&format!("\"{text}\"")));
             assert!(has || is_told, "{profile}: nothing leads from {text} to its part: {told}");
         }

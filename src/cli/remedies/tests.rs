@@ -112,3 +112,16 @@ fn only_what_makes_this_figure_larger_is_named() {
         assert_eq!(told_of(name, false, false, true), "", "as wide as asked on larger paper, too");
     }
 }
+
+#[test]
+fn what_makes_the_figure_larger_is_told_once() {
+    let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
+    let lost = |about: About| Note::NotOnPage(about, Reason::NoRoomForLine, "1 line; make the figure larger".into());
+    let labels = Note::LabelsLeftOut { texts: vec!["rain".to_owned()], reason: Reason::NoRoomForLabel, why: "no room" };
+    let told = of_notes(&[Note::NoTexts, lost(About::Areas), lost(About::Lines), labels.clone()], making);
+    assert!(told[1].ends_with("make the figure larger (--sheets 2x2, --profile swell-a3)"), "{told:?}");
+    assert_eq!(told[2..], [lost(About::Lines).to_string(), labels.to_string()]);
+    let lines = Note::LinesNotInOverview { percent: 30, place: None };
+    let told = of_notes(&[labels, lines], making);
+    assert!(told[0].contains("--sheets 2x2") && told[1].ends_with("(--no-overview, --sheets 2x2)"), "{told:?}");
+}

@@ -58,7 +58,7 @@ fn what_is_lost_is_counted() {
     let plan = Plan::new(&crate::profile::Profile::named("swell-a4").expect("it is built in")).expect("a plan");
     let marks = LostMarks { corners: 1, first: Some(MmPoint::new(20.0, 30.2)), ticks: 60, ..LostMarks::default() };
     let told = told_of_marks(&marks, None, &plan).expect("a note").to_string();
-    let wanted = "left out of the page: 60 short ticks and 1 mark of a right angle (the first at 20, 30 mm): marks \
+    let wanted = "left out: 60 short ticks and 1 mark of a right angle (the first at 20, 30 mm): marks \
                       shorter than 8 mm";
     assert!(told.starts_with(wanted), "{told}");
     assert_eq!(super::told(&Lost::default(), None, &plan), []);
@@ -76,6 +76,12 @@ fn what_is_lost_is_counted() {
     assert!(
         told(48, 5).contains("48 of the 60 ticks of a scale (the first at 20, 30 mm)")
             && told(48, 5).contains("every 5th")
+    );
+    let of_two = Lost { scales: vec![scale(60, 1), scale(60, 1), scale(2, 1)], ..Lost::default() };
+    let of_two: Vec<String> = super::told(&of_two, None, &plan).iter().map(Note::to_string).collect();
+    assert!(
+        of_two.len() == 2 && of_two[0].contains("all 120 ticks of 2 scales") && of_two[1].contains("2 of the 60"),
+        "{of_two:?}"
     );
     assert!(told(60, 1).contains("all 60 ticks") && told(2, 1).contains("beside other lines"));
 }

@@ -49,7 +49,7 @@ fn the_ground_is_blank_on_pins_and_is_told() {
     let rows = ["YYYYggggYYYY", "YYYggggggYYY", "YYgggyyggYYY", "YYgggyyggYYY", "YYYggggggYYY", "YYYYggggYYYY"];
     let (left, note) = blanked(rows, "dot-pad");
     assert_eq!(left, [0, 30, 4], "the table, the bowl and the ball");
-    let wanted = "left out of the page: the texture of the ground (yellow, 52 percent of the figure), so that \
+    let wanted = "left out: the texture of the ground (yellow, 52 percent of the figure), so that \
                       lines stand out; turn figure.ground on to draw it";
     assert_eq!(note.as_deref(), Some(wanted));
     assert_eq!(blanked(rows, "swell-a4"), (vec![38, 30, 4], None), "paper has room for it");

@@ -1,0 +1,87 @@
+//! What several remarks would say of the same is said once.
+
+use super::{About, Note, Reason};
+
+/// What helps against most of what has no room, as remarks say it.
+const LARGER: &str = "; make the figure larger";
+
+/// Leaves out remarks on an overview that others have in them: where it lacks much of the lines, shapes and areas are
+/// among these; and shapes that it leaves out are among the areas that are not closed in it.
+pub(super) fn leave_out(notes: &mut Vec<Note>) {
+    let is_of_lines = |note: &Note| matches!(note, Note::LinesNotInOverview { .. } | Note::NoRoomForOverview);
+    let is_of_areas = |note: &Note| matches!(note, Note::TakenAs(About::Overview, Reason::AreaNotInOverview, _));
+    // which of few shapes the overview lacks is news
+    let are_few = notes.iter().any(|note| matches!(note, Note::Simplified { .. }));
+    let (lacks_lines, lacks_areas) = (!are_few && notes.iter().any(is_of_lines), notes.iter().any(is_of_areas));
+    notes.retain(|note| match note {
+        Note::ShapesNotInOverview(_) => !lacks_lines && !lacks_areas,
+        Note::NotOnPage(About::Overview, Reason::NoRoomInOverview, _)
+        | Note::TakenAs(About::Overview, Reason::NoRoomInOverview | Reason::AreaNotInOverview, _) => !lacks_lines,
+        _ => true,
+    });
+}
+
+/// Has only the first of these remarks, which are in their order, say that the figure should be larger.
+pub(super) fn share_remedy(notes: &mut [Note]) {
+    let mut is_said = false;
+    for note in notes {
+        let (Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told)) = note else { continue };
+        let Some(shorter) = without_larger(told) else { continue };
+        if is_said {
+            *told = shorter;
+        }
+        is_said = true;
+    }
+}
+
+/// A sentence without its advice to make the figure larger; none of one that has no such advice.
+fn without_larger(told: &str) -> Option<String> {
+    let (what, rest) = told.split_once(LARGER)?;
+    let other = rest.strip_prefix(", or ").or_else(|| rest.strip_prefix(", "));
+    Some(other.map_or_else(|| format!("{what}{rest}"), |other| format!("{what}; {other}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn missing(told: &str) -> Note {
+        Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told.to_owned())
+    }
+
+    #[test]
+    fn what_makes_the_figure_larger_is_said_once() {
+        let mut notes = [
+            "1 line: no room; make the figure larger, or say it in a label",
+            "2 ticks: no room; say it in a label",
+            "3 ticks: no room; make the figure larger, draw them longer, or say it in a label",
+            "4 lines: no room; make the figure larger, or say it in a label",
+            "5 shapes: no room; make the figure larger",
+        ]
+        .map(missing);
+        share_remedy(&mut notes);
+        let wanted = [
+            "1 line: no room; make the figure larger, or say it in a label",
+            "2 ticks: no room; say it in a label",
+            "3 ticks: no room; draw them longer, or say it in a label",
+            "4 lines: no room; say it in a label",
+            "5 shapes: no room",
+        ];
+        assert_eq!(notes, wanted.map(missing));
+    }
+
+    #[test]
+    fn shapes_of_an_overview_are_among_its_lines_and_areas() {
+        let areas = || Note::TakenAs(About::Overview, Reason::AreaNotInOverview, String::new());
+        let links = || Note::NotOnPage(About::Overview, Reason::NoRoomInOverview, String::new());
+        let lines = || Note::LinesNotInOverview { percent: 20, place: None };
+        let left = |mut notes: Vec<Note>| {
+            leave_out(&mut notes);
+            notes
+        };
+        let shapes = Note::ShapesNotInOverview(2);
+        assert_eq!(left(vec![shapes.clone(), links()]), [shapes.clone(), links()]);
+        assert_eq!(left(vec![shapes.clone(), areas(), links()]), [areas(), links()]);
+        assert_eq!(left(vec![shapes, lines(), areas(), links(), missing("a line")]), [lines(), missing("a line")]);
+    }
+}
