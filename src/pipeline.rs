@@ -37,6 +37,7 @@ mod next_cell;
 mod open_rings;
 mod outlines;
 mod overview;
+mod overview_for_words;
 mod paper_edge;
 mod print_words;
 mod progress;
@@ -160,7 +161,8 @@ pub fn convert<'p>(
     convert_with_words(picture, &Words::default(), &Given::default(), request, watch)
 }
 
-/// As [`convert`], with words in braille, and with what a person gives beside the picture.
+/// As [`convert`], with words in braille, and with what a person gives beside the picture. A table whose words have no
+/// room beside its overview has none.
 ///
 /// # Errors
 /// As [`convert`].
@@ -171,7 +173,30 @@ pub fn convert_with_words<'p>(
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
-    let (picture, person) = (picture.into(), FromPerson { given, words });
+    let picture = picture.into();
+    let drawing = convert_as_asked(picture, words, given, request, watch)?;
+    let has_own_words = words.own_texts && drawing.is_larger_without_overview;
+    if !has_own_words || !overview_for_words::lack(&drawing.notes, &drawing.texts) {
+        return Ok(drawing);
+    }
+    let plan = overview_for_words::plan_without(request.plan)?;
+    // stages are told of once
+    let mut without = convert_as_asked(picture, words, given, &request.with_plan(&plan), &mut |_| ())?;
+    let Some(told) = overview_for_words::told(&drawing.notes, &without.notes) else { return Ok(drawing) };
+    without.notes.push(told);
+    Note::sort(&mut without.notes);
+    Ok(without)
+}
+
+/// The page of a picture as the request is.
+fn convert_as_asked<'p>(
+    picture: Picture<'p>,
+    words: &Words<'_>,
+    given: &Given,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Drawing, Error> {
+    let person = FromPerson { given, words };
     let written = WrittenWords::new(words, request.plan);
     let layout_of = |size: Size, overview: OverviewSize| written.layout(size, overview, request);
     let was_narrowed = Cell::new(false);

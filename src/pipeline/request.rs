@@ -228,6 +228,17 @@ pub struct Request<'a> {
     pub cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
+impl<'a> Request<'a> {
+    /// The same with other settings.
+    pub(super) fn with_plan<'b>(&self, plan: &'b Plan) -> Request<'b>
+    where
+        'a: 'b,
+    {
+        let Self { limits, fonts, title, language, fit, cancelled, .. } = *self;
+        Request { plan, limits, fonts, title, language, fit, cancelled }
+    }
+}
+
 impl Request<'_> {
     /// Between two stages: whether to go on.
     ///

@@ -4,7 +4,7 @@ use super::labels::place;
 use super::worksheets::{drawn, notes, svg};
 use tactograph::marks::BrailleText;
 use tactograph::medium::Medium;
-use tactograph::{Drawing, MmPoint, MmRect};
+use tactograph::{Drawing, MmPoint, MmRect, Reason};
 
 const PROFILES: [&str; 3] = ["swell-a4", "index-basic-d", "braillerap"];
 
@@ -49,6 +49,34 @@ fn words_of_a_table_stand_each_for_itself() {
         assert_eq!((((at.x - 20.0) / 200.0) as usize, ((at.y - 20.0) / 80.0) as usize), (2, row), "{number}: {at:?}");
         let is_in_key = key.iter().any(|text| text.ends_with(number));
         assert_eq!(label.abbreviation.is_some(), is_in_key, "{number}: {key:?}");
+    }
+}
+
+/// Its rows are 13 mm high beside the overview, in which braille has no room.
+#[test]
+fn a_table_has_no_overview_where_its_words_need_the_room() {
+    let rows = [
+        ["Planet", "Moons", "Days", "Kind"],
+        ["Mercury", "0", "88", "rock"],
+        ["Venus", "0", "225", "rock"],
+        ["Earth", "1", "365", "rock"],
+        ["Jupiter", "95", "4333", "gas"],
+        ["Saturn", "146", "10759", "gas"],
+    ];
+    let mut marks = "<path d='M60 60H740V420H60ZM60 120H740M60 180H740M60 240H740M60 300H740M60 360H740M240 60V420\
+        M400 60V420M560 60V420' fill='none' stroke='#555' stroke-width='1.2'/>"
+        .to_owned();
+    for (row, words) in rows.iter().enumerate() {
+        for (x, word) in [150, 320, 480, 650].into_iter().zip(words) {
+            let y = 97 + 60 * row;
+            marks += &format!("<text x='{x}' y='{y}' font-size='20' text-anchor='middle'>{word}</text>");
+        }
+    }
+    let drawing = drawn(&svg([800.0, 480.0], &marks), "swell-a4");
+    assert!(drawing.page.overview.is_none(), "{}", notes(&drawing));
+    assert!(drawing.notes.iter().any(|note| note.reason() == Some(Reason::OverviewForWords)), "{}", notes(&drawing));
+    for word in rows.into_iter().flatten() {
+        assert!(label(&drawing, word).is_some(), "{word}: {}", notes(&drawing));
     }
 }
 

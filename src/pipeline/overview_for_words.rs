@@ -1,0 +1,84 @@
+//! A drawing whose words are most of it, as a table, has no overview where that takes the room of most of them: a reader
+//! of a table seeks its words, and the overview has only its lines.
+
+use super::texts::Text;
+use crate::profile::Plan;
+use crate::{About, Error, Note, Reason};
+
+/// So many words are more than one part of a drawing, such as an axis. Chosen by us.
+const LEAST: usize = 6;
+/// Without the overview at most this share of the words that had no room may lack. Chosen by us: where more lack, both
+/// pages lack much, and one has an overview.
+const STILL: f32 = 0.25;
+
+/// Whether half of a drawing's own words or more have no room, as the notes on its page say.
+pub(super) fn lack(notes: &[Note], texts: &[Text]) -> bool {
+    is_most(without_room(notes), texts.iter().filter(|text| text.is_read()).count())
+}
+
+fn is_most(lost: usize, words: usize) -> bool {
+    lost >= LEAST && 2 * lost >= words
+}
+
+/// How many labels are not on a page for want of room.
+fn without_room(notes: &[Note]) -> usize {
+    let lost = notes.iter().map(|note| match note {
+        Note::LabelsLeftOut { texts, reason: Reason::NoRoomForLabel, .. } => texts.len(),
+        _ => 0,
+    });
+    lost.sum()
+}
+
+/// The same settings without an overview.
+///
+/// # Errors
+/// None, as these settings are checked and lack one part.
+pub(super) fn plan_without(plan: &Plan) -> Result<Plan, Error> {
+    let mut profile = plan.profile().clone();
+    profile.set("overview", false)?;
+    Plan::new(&profile)
+}
+
+/// What is told of a page without its overview, where it has most of the words that one `with` it lacks; none where the
+/// latter is as good.
+pub(super) fn told(with: &[Note], without: &[Note]) -> Option<Note> {
+    let (lost, still) = (without_room(with), without_room(without));
+    (still as f32 <= STILL * lost as f32).then(|| {
+        let saved = lost - still;
+        let told = format!(
+            "{saved} words have room only without the overview, so there is none; larger paper or several sheets may \
+             have room for both"
+        );
+        Note::TakenAs(About::Overview, Reason::OverviewForWords, told)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Profile;
+
+    #[test]
+    fn words_are_most_of_a_table_and_not_of_a_chart() {
+        let lost = |count: usize, reason: Reason| {
+            let texts = (0..count).map(|number| number.to_string()).collect();
+            Note::LabelsLeftOut { texts, reason, why: "" }
+        };
+        let notes = [lost(5, Reason::NoRoomForLabel), lost(9, Reason::NumbersThinned), lost(3, Reason::NoRoomForLabel)];
+        assert_eq!(without_room(&notes), 8);
+        let told = |still: usize| told(&notes, &[lost(still, Reason::NoRoomForLabel)]).map(|note| note.to_string());
+        assert!(told(2).is_some_and(|told| told.starts_with("6 words have room only without the overview")));
+        assert_eq!(told(3), None, "both lack much");
+        assert_eq!(
+            [(24, 24), (12, 24), (11, 24), (5, 5)].map(|(lost, words)| is_most(lost, words)),
+            [true, true, false, false]
+        );
+    }
+
+    #[test]
+    fn settings_lose_their_overview() {
+        let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("a plan");
+        let without = plan_without(&plan).expect("a plan");
+        assert!(plan.layout().overview.is_some() && without.layout().overview.is_none());
+    }
+}
