@@ -195,8 +195,9 @@ pub enum Note {
     BackgroundCalmed(u32),
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
     #[error(
-        "abbreviated for want of room: {}",
-        .0.iter().map(|(brief, text)| format!("{brief} for \"{}\"", short(text))).collect::<Vec<_>>().join(", ")
+        "{} abbreviated for want of room: {}",
+        counted(.0.len(), "word"),
+        first_few(.0, MOST_TEXTS, |(brief, text)| format!("{brief} for \"{}\"", short(text)))
     )]
     Abbreviated(Vec<(String, String)>),
     /// A key is asked for, and there is none; says why.

@@ -1,7 +1,7 @@
 //! In which order remarks are told: by the harm to the reader, as a long list is not heard to its end.
 
 use super::harm::Harm;
-use super::repeats::{leave_out, share_remedy};
+use super::repeats::{leave_out, share_origin, share_remedy};
 use super::{About, Note, Reason};
 
 /// So much of the contours of a drawing is more than a few places where lines meet, percent.
@@ -14,6 +14,7 @@ impl Note {
         leave_out(notes);
         notes.sort_by_key(Self::harm);
         share_remedy(notes);
+        share_origin(notes);
     }
 
     /// What it means for the reader. Whoever adds a kind says it here, and of a reason in the table of all.

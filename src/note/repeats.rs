@@ -21,6 +21,22 @@ pub(super) fn leave_out(notes: &mut Vec<Note>) {
     });
 }
 
+/// From where places are counted, as remarks say it.
+const FROM: [&str; 2] = [" from the left and the top of the sheet", " from the left and the top of the display"];
+
+/// Has only the first of these remarks, which are in their order, say from where its place is counted.
+pub(super) fn share_origin(notes: &mut [Note]) {
+    let mut is_said = false;
+    for note in notes {
+        let (Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told)) = note else { continue };
+        let Some(from) = FROM.into_iter().find(|from| told.contains(from)) else { continue };
+        if is_said {
+            *told = told.replace(from, "");
+        }
+        is_said = true;
+    }
+}
+
 /// Has only the first of these remarks, which are in their order, say that the figure should be larger.
 pub(super) fn share_remedy(notes: &mut [Note]) {
     let mut is_said = false;
@@ -68,6 +84,21 @@ mod tests {
             "5 shapes: no room",
         ];
         assert_eq!(notes, wanted.map(missing));
+    }
+
+    #[test]
+    fn from_where_places_are_counted_is_said_once() {
+        let at = |place: &str| missing(&format!("1 line (9 mm long, around {place})"));
+        let mut notes = [
+            missing("2 ticks (at 3, 4 mm)"),
+            at("20, 30 mm from the left and the top of the sheet"),
+            at("20, 40 mm from the left and the top of the sheet"),
+            at("20, 50 mm from the left and the top of sheet a2"),
+        ];
+        let mut wanted = notes.clone();
+        wanted[2] = at("20, 40 mm");
+        share_origin(&mut notes);
+        assert_eq!(notes, wanted);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::unwritten::{Lacks, RefusedTexts, named};
 use crate::geom::polygon::is_inside;
 use crate::labels::{self, Attachment, NEAR, Placed, PlacedAs, Unplaced, Wanted};
 use crate::lines::Line;
-use crate::listing::{first_few, list};
+use crate::listing::{counted, first_few, list};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note, Reason};
@@ -243,14 +243,13 @@ pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) ->
         .filter(|(_, result)| crosses(result))
         .map(|(label, _)| label.text.as_str())
         .collect();
-    (!texts.is_empty()).then(|| {
-        let told = format!(
-            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; make the figure \
-             larger",
-            named(&texts)
-        );
-        Note::TakenAs(About::Leaders, Reason::CrossesLines, told)
-    })
+    let why = "other lines, as there is no room for the label";
+    let told = match texts.len() {
+        0 => return None,
+        1 => format!("the leader line of {} crosses {why} elsewhere; make the figure larger", named(&texts)),
+        count => format!("{count} leader lines cross {why}s elsewhere: {}; make the figure larger", named(&texts)),
+    };
+    Some(Note::TakenAs(About::Leaders, Reason::CrossesLines, told))
 }
 
 /// Tells of labels along an axis that stand beyond the lines, and of numbers whose unit stands with another one.
@@ -262,10 +261,13 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
     let tell = |texts: &[&str], reason: Reason, what: &str| {
         (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, reason, format!("{what}: {}", named(texts))))
     };
-    let in_margin = "labels of a row or column stand in the margin beside the drawing, each in line with its place, as \
-                     there is no room for them there";
+    let beyond = those(|label| label.stands == PlacedAs::InMargin);
+    let in_margin = format!(
+        "{} of a row or column stand in the margin, each in line with its place, as there is no room for them there",
+        counted(beyond.len(), "label")
+    );
     let bare = "of numbers along an axis only one has the unit, as there is no room for it behind each";
-    let of_margin = tell(&those(|label| label.stands == PlacedAs::InMargin), Reason::InMargin, in_margin);
+    let of_margin = tell(&beyond, Reason::InMargin, &in_margin);
     of_margin.into_iter().chain(tell(&those(|label| label.is_bare), Reason::OneUnit, bare)).collect()
 }
 

@@ -223,8 +223,11 @@ fn months_above_a_legend_stay_in_one_form() {
         let short = months.iter().filter(|month| month.abbreviation.is_some()).count();
         assert!(short == 0 || short == 12, "{profile}: two forms in one row");
         // a name of the legend may stand on the other side of its sample
-        let crossing =
-            drawing.notes.iter().map(ToString::to_string).filter(|note| note.contains("crosses other lines"));
+        let crossing = drawing
+            .notes
+            .iter()
+            .map(ToString::to_string)
+            .filter(|note| note.contains(" other lines, as there is no room for the label"));
         let of_legend = "the leader line of \"Temperature\" crosses";
         assert!(crossing.into_iter().all(|note| note.contains(of_legend)), "{profile}: {:?}", drawing.notes);
         // a unit that has no room behind each number stands with one of them
@@ -246,7 +249,13 @@ fn leader_lines_end_at_the_outline_of_a_box() {
         <text x='300' y='206'>Add one to it</text><text x='300' y='346'>Tell the sum</text></g></svg>";
     for profile in ["swell-a4", "index-basic-d", "viewplus-columbia"] {
         let drawing = drawn(svg, profile);
-        assert!(!drawing.notes.iter().any(|note| note.to_string().contains("crosses other lines")), "{profile}");
+        assert!(
+            !drawing
+                .notes
+                .iter()
+                .any(|note| note.to_string().contains(" other lines, as there is no room for the label")),
+            "{profile}"
+        );
         let labels = labels_of(&drawing);
         assert_eq!(labels.len(), 3, "{profile}");
         let figure = drawing.page.figure.place;
