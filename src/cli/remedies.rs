@@ -207,9 +207,11 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::EmptyPage if making.is_of_picture() => format!("{note} (--crop)"),
         Note::AllErased => format!("{note} (--erase, --keep)"),
         Note::TextsLeftOut(_) => format!("{note}; write them in braille with --labels texts"),
-        Note::LinesLeftOut { is_larger_turned: true, .. } if making != Making::Other => {
-            format!("{note} ({TURNED})")
-        }
+        Note::LinesLeftOut { is_larger_turned, .. } => match (making.larger(), making) {
+            (Some(options), _) => format!("{note} {options}"),
+            (None, Making::PageAnew) if *is_larger_turned => format!("{note} ({TURNED})"),
+            (None, _) => note.to_string(),
+        },
         Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making.larger() {
             Some(options) => format!("{note}; a larger figure has more {options}"),
             None => note.to_string(),

@@ -227,9 +227,9 @@ fn told(blanked: &[Lacking], partly: &[Lacking]) -> Note {
     let some = |of: &Lacking| format!("{} of {} {} bars", of.bare, of.bars, of.class.name());
     let each: Vec<String> = blanked.iter().map(all).chain(partly.iter().map(some)).collect();
     let advice = if blanked.len() > 1 {
-        "fingers cannot tell these series apart: write labels at the bars, or make the figure larger"
+        "fingers cannot tell these series apart; make the figure larger, or write labels at the bars"
     } else {
-        "say in labels which these are, or make the figure larger"
+        "make the figure larger, or say in labels which these are"
     };
     let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
     Note::NotOnPage(

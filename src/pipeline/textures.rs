@@ -334,7 +334,7 @@ fn told_bare_on_dots(
     };
     let told = format!(
         "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
-         (dots.texture_rows){or_unlearned}; a larger figure has, or one of a part of the picture"
+         (dots.texture_rows){or_unlearned}; make the figure larger, or crop the picture"
     );
     Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
 }

@@ -145,7 +145,7 @@ fn a_photograph_on_dots_is_told_once_of_areas_without_a_texture() {
     let both = told(&[Class::Blue]);
     assert!(
         both.contains("no room for")
-            && both.ends_with("learn a texture: blue; a larger figure has, or one of a part of the picture"),
+            && both.ends_with("learn a texture: blue; make the figure larger, or crop the picture"),
         "{both}"
     );
 }
