@@ -1,5 +1,5 @@
-//! A drawing whose words are most of it, as a table, has no overview where that takes the room of most of them: a reader
-//! of a table seeks its words, and the overview has only its lines.
+//! A drawing whose words are most of it, as a table, has no overview where that takes the room of most of them: a
+//! reader of a table seeks its words, and the overview has only its lines.
 
 use super::texts::Text;
 use crate::profile::Plan;
