@@ -11,8 +11,8 @@ pub(super) fn is_in_number(group: &Group, text: &[char], i: usize) -> bool {
     is_of_thousands(text, i) || !group.of_thousands_only && telephone::is_in_number(text, i)
 }
 
-/// Whether the space at `i` parts groups of three digits of one number, which begins with no zero. Groups in even steps,
-/// as 100 200 300, are a list, and of 0,5 100 the first is a fraction.
+/// Whether the space at `i` parts groups of three digits of one number, which begins with no zero. Groups in even
+/// steps, as 100 200 300, are a list, and of 0,5 100 the first is a fraction.
 fn is_of_thousands(text: &[char], i: usize) -> bool {
     if !parts_digits(text, i) {
         return false;

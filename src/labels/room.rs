@@ -366,7 +366,12 @@ impl Room {
 
     /// Where a way from a place in this direction leads into a shape behind the first line within `reach` mm, but for
     /// gridlines: a place `behind` mm further on, off all lines, which others shut in.
-    pub(super) fn into_shape(&self, at: MmPoint, direction: MmVector, [reach, behind]: [f32; 2]) -> Option<MmPoint> {
+    pub(super) fn entry_of_shape(
+        &self,
+        at: MmPoint,
+        direction: MmVector,
+        [reach, behind]: [f32; 2],
+    ) -> Option<MmPoint> {
         let ink = self.strong.as_ref().unwrap_or(&self.ink);
         let inside = at + direction * (self.first_in(ink, at, direction, reach)? + behind);
         (!ink.holds(inside, &self.squares) && self.is_in_room(inside, FURTHEST_OUTLINE)).then_some(inside)

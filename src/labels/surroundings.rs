@@ -321,7 +321,7 @@ impl<'a> Surroundings<'a> {
         let Some(direction) = towards.try_normalize().filter(|_| self.texture.is_none()) else { return false };
         let places = (0..PLACES_OF_SIDE).map(|place| from.lerp(to, (place as f32 + 0.5) / PLACES_OF_SIDE as f32));
         let inside: Vec<MmPoint> =
-            places.filter_map(|at| self.room.into_shape(at, direction, [NEAR, BEHIND_LINE])).collect();
+            places.filter_map(|at| self.room.entry_of_shape(at, direction, [NEAR, BEHIND_LINE])).collect();
         let others = inside.iter().filter(|at| self.room.is_parted_from_text(**at, self.anchor, 0.0)).count();
         3 * others > inside.len()
     }

@@ -167,5 +167,5 @@ fn two_short_strokes_in_a_small_ring_are_a_cross_and_one_is_a_tick_behind_a_poin
     let elsewhere = stroke((70.0, 48.0), (74.0, 52.0));
     let found = |strokes: &[[MmPoint; 2]]| strokes_of_crosses(strokes.to_vec(), std::slice::from_ref(&ring));
     assert_eq!(found(&[cross[0], elsewhere, cross[1]]), cross);
-    assert_eq!(found(&[cross[0], elsewhere]), []);
+    assert!(found(&[cross[0], elsewhere]).is_empty(), "one stroke is no cross");
 }
