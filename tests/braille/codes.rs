@@ -336,7 +336,7 @@ fn rules_of_the_codes() {
         ("en", "(-5), x=-3", "⠐⠣⠐⠤⠼⠑⠐⠜⠂⠀⠭⠐⠶⠐⠤⠼⠉"),
         ("en", "5-10, A-4, 3 - 2, 3--5", "⠼⠑⠤⠼⠁⠚⠂⠀⠠⠁⠤⠼⠙⠂⠀⠼⠉⠀⠤⠀⠼⠃⠂⠀⠼⠉⠤⠤⠼⠑"),
         // scales and divisions: a number after spaces has its sign again, as liblouis has it; the dot of times, too
-        ("de", "1 : 50 000", "⠼⠁⠈⠒⠼⠑⠚⠀⠼⠚⠚⠚"),
+        ("de", "1 : 50 000", "⠼⠁⠈⠒⠼⠑⠚⠄⠚⠚⠚"),
         ("de", "12 : 3 = 4", "⠼⠁⠃⠈⠒⠼⠉⠀⠈⠶⠼⠙"),
         ("de", "1: 50", "⠼⠁⠠⠒⠀⠼⠑⠚"),
         ("de", "3 · 4", "⠼⠉⠄⠼⠙"),

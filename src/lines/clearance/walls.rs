@@ -1,5 +1,6 @@
-//! The walls of a plan go before what stands beside them: a bed 4 mm from a wall gives way to it. As a closed outline
-//! it is more salient than a short piece of a wall, of which it would take what lies beside it.
+//! On dots the walls of a plan go before what stands beside them: a bed 4 mm from a wall gives way to it. As a closed
+//! outline it is more salient than a short piece of a wall, of which it would take what lies beside it. On paper both
+//! have room, moved apart. Of what was found in pixels the breadths are too uneven to tell walls.
 //!
 //! Walls are level and upright, and much broader than whatever is not:
 //!
@@ -66,9 +67,13 @@ impl Stroke {
     }
 }
 
-/// The numbers of those lines of a drawing that are the walls of a plan.
+/// The numbers of those lines of a vector drawing that are the walls of a plan; none on paper.
 pub(super) fn walls(lines: &[(Polyline<Vertex>, Rank)], params: &Params) -> Vec<usize> {
-    let drawn = lines.iter().enumerate().filter(|(_, (_, rank))| *rank != Rank::Faint);
+    if !params.on_dots() {
+        return Vec::new();
+    }
+    let is_exact = |line: &Polyline<Vertex>| line.vertices.iter().all(|vertex| vertex.source.is_exact());
+    let drawn = lines.iter().enumerate().filter(|(_, (line, rank))| *rank != Rank::Faint && is_exact(line));
     let strokes: Vec<Stroke> = drawn.filter_map(|(number, (line, _))| Stroke::of(number, line, params)).collect();
     let is_straight = |stroke: &&Stroke| stroke.straight() >= MOSTLY;
     let is_slanted = |stroke: &&Stroke| stroke.straight() < HARDLY && stroke.length >= params.min_length;

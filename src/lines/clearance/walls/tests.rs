@@ -2,15 +2,20 @@
 
 use super::super::tests::{clear_all, polyline};
 use super::*;
+use crate::lines::line::HeavyStrokes;
+use crate::lines::params::LineMedium;
 use crate::lines::tests::area;
+use crate::lines::vertex::FoundIn;
 
-const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
+const DOTS: LineMedium = LineMedium::Dots(HeavyStrokes { from: 100.0, width: 2.5 });
+const PARAMS: Params = Params { of_drawing: true, medium: DOTS, ..Params::TEST };
 
 /// A stroke of this breadth, mm.
 fn stroke(points: &[(f32, f32)], closed: bool, breadth: f32) -> (Polyline<Vertex>, Rank) {
     let mut line = polyline(points, closed);
     for vertex in &mut line.vertices {
         (vertex.contrast, vertex.stroke) = ([0.0; 3], breadth);
+        vertex.source = FoundIn::Vector;
     }
     (line, Rank::Ordinary)
 }
@@ -57,6 +62,10 @@ fn walls_are_much_broader_than_what_is_slanted_and_lie_both_ways() {
     let bars: Vec<_> = [20.0, 40.0, 60.0].map(|x| stroke(&[(x, 20.0), (x, 90.0)], false, 2.0)).to_vec();
     let axis = stroke(&[(10.0, 90.0), (90.0, 90.0)], false, 0.5);
     assert!(walls(&bars.into_iter().chain([axis]).collect::<Vec<_>>(), &PARAMS).is_empty());
+    assert!(walls(&plan(2.0), &Params { medium: LineMedium::Print, ..PARAMS }).is_empty(), "on paper");
+    let mut in_pixels = plan(2.0);
+    in_pixels.iter_mut().flat_map(|(line, _)| &mut line.vertices).for_each(|vertex| vertex.source = FoundIn::Stroke);
+    assert!(walls(&in_pixels, &PARAMS).is_empty(), "in a bitmap");
     // faint lines are none of them
     let faint = plan(2.0).into_iter().map(|(line, _)| (line, Rank::Faint)).collect::<Vec<_>>();
     assert!(walls(&faint, &PARAMS).is_empty());
