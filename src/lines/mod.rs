@@ -62,8 +62,8 @@ pub(crate) use params::{APPROACH_OF_DRAWINGS, CLUSTER_APPROACH};
 pub use params::{LineMedium, PagePart, Params, farthest_moved};
 pub(crate) use points::LARGEST_HOLLOW;
 pub(crate) use tears::{TORN, TearParams, tears};
+pub(crate) use ticks::found::{LONGEST_TICK, SHORTEST_TICK};
 pub(crate) use ticks::selections::{MOST_BLOCKED, tick_selections};
-pub(crate) use ticks::{LONGEST_TICK, SHORTEST_TICK};
 
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;

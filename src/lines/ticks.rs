@@ -4,13 +4,16 @@
 
 pub(super) mod alone;
 mod bases;
+mod before;
 pub(super) mod crossbars;
+pub(super) mod found;
 pub(super) mod selections;
 pub(super) mod spurs;
 
 use std::collections::BTreeSet;
 
 use bases::Half;
+use found::{SCALE, Tick, is_straight, ticks};
 use selections::{EVEN, MOST_BLOCKED, tick_selections};
 
 use super::lead_on::{extend_to, heading};
@@ -18,28 +21,13 @@ use super::lost::LostScale;
 use super::marks::TickMark;
 use super::params::Params;
 use super::vertex::{Tip, Vertex, nearby};
-use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// The shortest tick, mm: what is shorter may be a crumb. Half a millimetre is more than two pixels.
-pub(crate) const SHORTEST_TICK: f32 = 0.5;
-/// The end of a tick lies so near to the line that it stands on, mm: it ends at the side of a broad one, or a little
-/// inside of the ring of a clock, nearer than two lines may be apart.
-const STANDS: f32 = 2.5;
-/// A tick goes across a line that is so near to its middle, as a share of its length.
-const ACROSS: f32 = 0.15;
-/// A tick is straight: its chord is at least this share of it.
-const STRAIGHT: f32 = 0.98;
-/// A tick is steep: the cosine between it and its line is at most this (60 degrees between them).
-const STEEP: f32 = 0.5;
 /// A longer tick is longer by this than [`Params::sure_length`], mm: its end is put on its line, which may be moved.
 const MARGIN: f32 = 0.2;
-/// So many ticks on a line that are too short are a scale.
-const SCALE: usize = 3;
-/// Ticks are shorter than so many least lengths of a line; what stands on a line and is longer is a line of its own.
-pub(crate) const LONGEST_TICK: f32 = 2.0;
 /// A tick is at least this share of the longest one of its scale: the short ticks of rulers and clocks are a third or
 /// more of the long ones, and what is shorter is a crumb.
 const OF_LONGEST: f32 = 0.25;
@@ -49,19 +37,6 @@ const ONE_WAY: f32 = 0.999;
 const ON_SIDE: f32 = 1.0;
 /// A point so near to where a tick crosses its line, mm, is at that place.
 const AT_POINT: f32 = 1.0;
-
-/// A tick, which may be too short for a line.
-struct Tick {
-    /// Its line among all.
-    number: usize,
-    /// The line that it belongs to.
-    base: usize,
-    /// The first piece of that line, where it is in pieces.
-    axis: usize,
-    length: f32,
-    /// Of its first and its last end: how far it is from its line where it stands on that, mm; none of a free end.
-    stands: [Option<f32>; 2],
-}
 
 /// What is left out of a scale whose ticks are too near to one another for fingers.
 pub(super) struct ThinnedScale {
@@ -350,76 +325,7 @@ fn whole(marks: Vec<(f32, TickMark)>) -> Vec<TickMark> {
     all
 }
 
-/// All ticks, where enough of them are too short for a line.
-fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Tick> {
-    let is_tick = |line: &Polyline<Vertex>| {
-        (SHORTEST_TICK..LONGEST_TICK * params.min_length).contains(&line.length()) && is_straight(line)
-    };
-    let straight: Vec<usize> = (0..polylines.len()).filter(|&i| is_tick(&polylines[i])).collect();
-    if straight.iter().filter(|&&i| polylines[i].length() < params.min_length).count() < SCALE {
-        return Vec::new();
-    }
-    let segments = nearby(polylines.iter(), area, params);
-    let is_long = |line: u32| polylines[line as usize].length() >= LONGEST_TICK * params.min_length;
-    let tick = |number: usize| -> Option<Tick> {
-        let line = &polylines[number];
-        let (first, last) = (line.vertices.first()?.at, line.vertices.last()?.at);
-        let along = (last - first).try_normalize()?;
-        let length = line.length();
-        let base = |at: MmPoint, reach: f32| -> Option<(f32, usize)> {
-            // at the corner of two axes it stands on one of them
-            let is_steep = |segment: &Segment| {
-                (segment.b - segment.a).try_normalize().is_some_and(|base| base.dot(along).abs() <= STEEP)
-            };
-            let wanted = |segment: &Segment| is_long(segment.line) && is_steep(segment);
-            let (distance, _, segment) = segments.nearest(at, reach, wanted)?;
-            Some((distance, segment.line as usize))
-        };
-        if let Some((_, base)) = base(first.lerp(last, 0.5), ACROSS * length) {
-            return Some(Tick { number, base, axis: base, length, stands: [None, None] });
-        }
-        let ends = match (base(first, STANDS), base(last, STANDS)) {
-            // of a short one both ends are near: it stands with the nearer one
-            (Some(near), Some(far)) if near.1 == far.1 => {
-                if near.0 < far.0 {
-                    (Some(near), None)
-                } else {
-                    (None, Some(far))
-                }
-            }
-            ends => ends,
-        };
-        match ends {
-            (Some((gap, base)), None) => {
-                Some(Tick { number, base, axis: base, length: length + gap, stands: [Some(gap), None] })
-            }
-            (None, Some((gap, base))) => {
-                Some(Tick { number, base, axis: base, length: length + gap, stands: [None, Some(gap)] })
-            }
-            _ => None,
-        }
-    };
-    let mut ticks: Vec<Tick> = straight.into_iter().filter_map(tick).collect();
-    let straight = ticks.iter().map(|tick| tick.base).filter(|base| is_straight(&polylines[*base]));
-    let first = bases::first_pieces(straight, polylines, area);
-    ticks.iter_mut().for_each(|tick| tick.axis = first.get(&tick.base).copied().unwrap_or(tick.base));
-    ticks
-}
-
-fn is_straight(line: &Polyline<Vertex>) -> bool {
-    !line.closed && line.chord() >= STRAIGHT * line.length()
-}
-
 impl Tick {
-    /// The end with which it stands on its line, and how far that is from the line, mm; none of one that goes across.
-    fn foot(&self) -> Option<(Tip, f32)> {
-        match self.stands {
-            [Some(gap), None] => Some((Tip::First, gap)),
-            [None, Some(gap)] => Some((Tip::Last, gap)),
-            _ => None,
-        }
-    }
-
     /// Its line, longer by so much, mm, and standing on the line that it belongs to: at its free ends, or where both
     /// are free at that on one side of its line, if one is given.
     fn longer(&self, line: &Polyline<Vertex>, more: f32, side: Option<MmVector>) -> Polyline<Vertex> {

@@ -1,7 +1,8 @@
 //! Straight strokes that stand alone, as the hours of a clock face that do not touch its rim: one that is a little too
 //! short for a line is drawn longer where it has room, about its middle, or else beyond one of its ends.
 
-use super::{MARGIN, is_straight, longer};
+use super::found::is_straight;
+use super::{MARGIN, longer};
 use crate::geom::polyline::Polyline;
 use crate::lines::links;
 use crate::lines::params::Params;

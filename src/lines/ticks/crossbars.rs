@@ -2,7 +2,8 @@
 //! ends there is felt as torn, so they are drawn longer where there is room, like ticks: those that belong together by
 //! the same length, so that a longer plate stays longer.
 
-use super::{ACROSS, STEEP, Tick, TickGroup, in_order, is_straight, others, ticks};
+use super::found::{ACROSS, STEEP, Tick, is_straight, ticks};
+use super::{TickGroup, in_order, others};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;

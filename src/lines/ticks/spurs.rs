@@ -2,7 +2,8 @@
 //! just across from one, as the top of a bar that is drawn as standing at it, the two would be joined to one line over
 //! the axis, and of all its ticks this one would stay.
 
-use super::{Tick, scale, ticks, without};
+use super::found::{Tick, ticks};
+use super::{scale, without};
 use crate::geom::nearby::Index;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;

@@ -124,8 +124,8 @@ fn of_a_thinned_scale_ticks_without_room_are_left_out_and_counted() {
     assert_eq!(drawn_beside(2.4, &rule, above(44.5)), (vec![20, 32, 56, 68], Some((5, 17, 17))));
 }
 
-/// The face of a clock with ticks at its minutes, of which every so many-th is long.
-fn clock(every: usize) -> Vec<Polyline<Vertex>> {
+/// The face of a clock with ticks at its minutes, of which every so many-th is long, so far inside of its rim, mm.
+fn clock(every: usize, inside: f32) -> Vec<Polyline<Vertex>> {
     let at = |k: usize, radius: f32| {
         let (sin, cos) = (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
         (50.0 + radius * sin, 50.0 - radius * cos)
@@ -135,22 +135,37 @@ fn clock(every: usize) -> Vec<Polyline<Vertex>> {
     rim.vertices.pop();
     rim.closed = true;
     let inner = |k: usize| if k.is_multiple_of(every) { 33.0 } else { 35.5 };
-    let mut lines: Vec<_> = (0..60).map(|k| line(at(k, 40.0), at(k, inner(k)))).collect();
+    let mut lines: Vec<_> = (0..60).map(|k| line(at(k, 40.0 - inside), at(k, inner(k) - inside))).collect();
     lines.push(rim);
     lines
 }
 
+const AREA: MmRect = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(100.0, 100.0));
+
 #[test]
 fn a_scale_that_goes_round_is_thinned_only_if_some_of_its_ticks_are_long() {
-    let left = |every: usize| {
-        let mut lines = clock(every);
-        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        let thinned = lengthen(&mut lines, &[], area, &PARAMS);
+    let left = |every: usize, inside: f32| {
+        let mut lines = clock(every, inside);
+        let thinned = lengthen(&mut lines, &[], AREA, &PARAMS);
         let told: Vec<(usize, usize)> = thinned.iter().map(|scale| (scale.lost.every, scale.lost.lost)).collect();
         (told, lines.len())
     };
-    assert_eq!(left(5), (vec![(5, 48)], 13), "the hours");
-    assert_eq!(left(1), (Vec::new(), 61), "where all are alike nothing says at which one to begin");
+    assert_eq!(left(5, 0.0), (vec![(5, 48)], 13), "the hours");
+    assert_eq!(left(1, 0.0), (Vec::new(), 61), "where all are alike nothing says at which one to begin");
+    assert_eq!(left(5, 3.0), (vec![(5, 48)], 13), "the hours well inside of the rim");
+    assert_eq!(left(5, 6.0), (Vec::new(), 61), "so far inside they are lines by themselves");
+}
+
+#[test]
+fn ticks_well_inside_of_a_rim_are_led_on_to_it_and_handed_on_as_those_on_it_are() {
+    let mut lines = clock(5, 3.0);
+    lengthen(&mut lines, &[], AREA, &PARAMS);
+    let far = |at: MmPoint| (at - MmPoint::new(50.0, 50.0)).length();
+    let outer = |line: &Polyline<Vertex>| line.vertices.iter().map(|vertex| far(vertex.at)).fold(0.0, f32::max);
+    assert!(lines[..12].iter().all(|tick| (outer(tick) - 40.0).abs() < 0.05));
+    let scales = take(&mut clock(5, 3.0), AREA, &PARAMS);
+    assert_eq!(scales.iter().map(Vec::len).collect::<Vec<_>>(), [60]);
+    assert!(scales[0].iter().all(|tick| (far(tick.at) - 40.0).abs() < 0.1));
 }
 
 #[test]
