@@ -132,7 +132,8 @@ impl Chart {
         let tops = || chart.bars.iter().filter(ends).map(|bar| bar.top);
         let (lowest, highest) = (tops().fold(f32::MAX, f32::min), tops().fold(f32::MIN, f32::max));
         // a row of windows is no chart
-        if chart.bars.len() < LEAST || highest - lowest <= SAME {
+        let are_stacks = || lowest <= highest && chart.are_stacks(&levels);
+        if chart.bars.len() < LEAST || highest - lowest <= SAME && !are_stacks() {
             return None;
         }
         // in a bitmap the top of a bar that ends on a gridline is a part of that, and is missing without it
@@ -140,6 +141,25 @@ impl Chart {
             chart.gridlines = chart.gridlines(edges);
         }
         Some(chart)
+    }
+
+    /// Whether bars of one height are stacks of parts, as in a chart of shares, where all end at 100 percent: they are
+    /// apart from one another, and most of them are divided, their lowest parts at heights of which none is that of
+    /// most. Windows are divided alike.
+    fn are_stacks(&self, levels: &[BaseSpan]) -> bool {
+        let lowest_part = |bar: &Bar| {
+            let (low, high) = (self.base + 2.0 * SAME, bar.top - 2.0 * SAME);
+            let divides = |level: &&BaseSpan| {
+                let is_within = level.from >= bar.from - SAME && level.to <= bar.to + SAME;
+                is_within && level.to - level.from >= COVERED * (bar.to - bar.from) && (low..high).contains(&level.at)
+            };
+            levels.iter().filter(divides).map(|level| level.at).min_by(f32::total_cmp)
+        };
+        let are_apart = self.bars.windows(2).all(|pair| pair[1].from - pair[0].to > SAME);
+        let parts: Vec<f32> = self.bars.iter().filter_map(lowest_part).collect();
+        let alike = |at: &f32| parts.iter().filter(|other| (*other - at).abs() <= SAME).count();
+        let most_alike = parts.iter().map(alike).max().unwrap_or(0);
+        are_apart && 2 * parts.len() > self.bars.len() && 2 * most_alike <= parts.len()
     }
 
     /// Whether straight pieces run from the base up to `top` at this place across.

@@ -35,3 +35,22 @@ fn bars_of_a_histogram_are_no_cells() {
     assert!(!are_cells(&[120.0, 200.0, 200.0, 200.0], over(50.0, 200.0)));
     assert!(are_cells(&[200.0, 200.0, 200.0, 120.0], over(0.0, 200.0)), "under a frame");
 }
+
+#[test]
+fn bars_of_one_height_are_a_chart_if_they_are_stacks_divided_at_several_heights() {
+    let are_stacks = |gap: f32, parts: [&[f32]; 4]| {
+        let all = (0..4).map(|k| 50.0 * k as f32).map(|from| (from, from + 50.0 - gap, 100.0)).collect::<Vec<_>>();
+        let bars = bars(&all);
+        let divided = bars.iter().zip(parts);
+        let levels: Vec<BaseSpan> = divided
+            .flat_map(|(bar, parts)| parts.iter().map(move |&at| BaseSpan { at, from: bar.from, to: bar.to }))
+            .collect();
+        let chart = Chart { direction: Direction::Up, base: 0.0, bars, sides: Vec::new(), gridlines: Vec::new() };
+        chart.are_stacks(&levels)
+    };
+    assert!(are_stacks(20.0, [&[40.0, 75.0], &[20.0, 70.0], &[60.0, 70.0], &[15.0, 40.0]]));
+    assert!(are_stacks(20.0, [&[40.0], &[20.0], &[60.0], &[]]), "one has a part only");
+    assert!(!are_stacks(0.0, [&[40.0, 75.0], &[20.0, 70.0], &[60.0, 70.0], &[15.0, 40.0]]), "cells of a table");
+    assert!(!are_stacks(20.0, [&[50.0], &[50.0], &[51.0], &[80.0]]), "windows, one of them open");
+    assert!(!are_stacks(20.0, [&[40.0], &[20.0], &[], &[]]), "half of them are not divided");
+}
