@@ -20,6 +20,9 @@ const AHEAD_COSINE: f32 = 0.6;
 /// Greatest cosine between that direction and the line it is extended to (50 degrees): flatter, the two would lie side
 /// by side.
 const STEEP: f32 = 0.64;
+/// A segment in line with an end, by this sine at most, is not ahead of it: rounding alone would say whether and where
+/// the two cross. So a side of a part of a bar that ends at a corner of the next part is led on to that corner.
+const IN_LINE: f32 = 1e-3;
 /// Places nearer than this, mm, are one.
 const SAME: f32 = 1e-3;
 /// A line is extended to itself only where the loop is at least this many gaps long.
@@ -160,8 +163,14 @@ pub(super) fn ahead(
     other: impl Fn(&Segment) -> bool,
 ) -> Option<MmPoint> {
     let mut hit: Option<(f32, MmPoint)> = None;
+    let is_in_line = |segment: &Segment| {
+        let along = segment.b - segment.a;
+        along.cross(heading).abs() <= IN_LINE * along.length()
+    };
     nearby.around(tip, tip, gap, |segment| {
-        if let Some(at) = crossing((tip, tip + heading * gap), (segment.a, segment.b)) {
+        if let Some(at) = crossing((tip, tip + heading * gap), (segment.a, segment.b))
+            && !is_in_line(segment)
+        {
             let distance = (at - tip).length();
             if hit.is_none_or(|(least, _)| distance < least) && other(segment) {
                 hit = Some((distance, at));

@@ -47,3 +47,20 @@ fn corners_of_rings_are_put_on_a_line_that_they_nearly_reach() {
     let along = polyline(&[(40.0, 20.0), (60.0, 20.0), (60.0, 49.8), (40.0, 49.8)], true);
     assert_eq!(put(along.clone()), along, "it has a side along the line");
 }
+
+/// The part of a bar below ends at the corner of the part above, whose side goes on in line with it but for rounding:
+/// a ray along the one crosses the other farther up, and misses the corner.
+#[test]
+fn an_end_in_line_with_a_side_beyond_a_corner_is_led_on_to_the_corner() {
+    let line = |places: &[(f32, f32)]| {
+        let vertex = |&(x, y): &(f32, f32)| Vertex { at: MmPoint::new(x, y), ..Vertex::TEST };
+        Polyline::open(places.iter().map(vertex).collect())
+    };
+    for aside in [1e-5, 0.0, -1e-5] {
+        let part = line(&[(30.0, 30.0), (10.0 + aside, 30.0), (10.0 - aside, 28.0), (10.0 - aside, 10.0)]);
+        let mut lines = [part, line(&[(10.0, 36.0), (10.0, 33.0), (10.0, 30.25)])];
+        extend(&mut lines, MmRect::new(MmPoint::zero(), MmPoint::new(50.0, 50.0)), 3.0);
+        let end = lines[1].vertices[lines[1].vertices.len() - 1].at;
+        assert!((end - MmPoint::new(10.0, 30.0)).length() < 1e-3, "{aside}: {end:?}");
+    }
+}
