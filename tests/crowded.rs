@@ -58,8 +58,10 @@ fn bars(count: usize, share: f32) -> (String, Vec<(f32, f32)>) {
 fn share_drawn(points: &[(f32, f32)], place: MmRect, lines: &[Line]) -> f32 {
     let is_drawn = |&&(x, y): &&(f32, f32)| {
         let at = place.min + MmPoint::new(x / WIDTH * place.width(), y / HEIGHT * place.height()).to_vector();
-        let segments = lines.iter().flat_map(|line| &line.runs);
-        segments.flat_map(|run| run.points.windows(2)).any(|pair| nearest_on_segment(at, pair[0], pair[1]).0 <= NEAR)
+        lines.iter().flat_map(|line| &line.runs).any(|run| {
+            let next = run.points.iter().cycle().skip(1).take(run.points.len() - usize::from(!run.closed));
+            run.points.iter().zip(next).any(|(from, to)| nearest_on_segment(at, *from, *to).0 <= NEAR)
+        })
     };
     points.iter().filter(is_drawn).count() as f32 / points.len() as f32
 }
