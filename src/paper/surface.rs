@@ -26,7 +26,7 @@ const BEYOND: f32 = 0.3;
 pub(super) fn through(cells: &Cells, is_known: &[bool]) -> Vec<Plane> {
     let size = cells.size;
     let known = Plane { size, values: is_known.iter().map(|&is| f32::from(u8::from(is))).collect() };
-    let weight = known.clone().blurred(SMOOTH);
+    let weight = known.blurred(SMOOTH);
     let of_plane = |plane: &Plane| {
         let base = quadratic(plane, is_known);
         let off =

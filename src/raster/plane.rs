@@ -53,32 +53,38 @@ impl Plane {
     }
 
     /// Blurs with a Gaussian of `sigma` pixels; beyond the edge the nearest pixel counts.
-    pub fn blurred(self, sigma: f32) -> Self {
+    #[must_use]
+    pub fn blurred(&self, sigma: f32) -> Self {
         if sigma <= 0.0 {
-            return self;
+            return self.clone();
         }
         Arch::new().dispatch(Filter { plane: self, kernel: &gauss(sigma) })
     }
 
     /// Filters with an even kernel (half of it given) along x, then along y.
     #[inline(always)]
-    fn filtered(self, kernel: &[f32]) -> Self {
-        let (width, height) = (self.size.width as usize, self.size.height as usize);
-        let mut across = vec![0.0; self.values.len()];
-        let mut padded = Vec::new();
-        for (from, to) in self.values.chunks_exact(width).zip(across.chunks_exact_mut(width)) {
-            pad(from, kernel.len() - 1, &mut padded);
-            filter_row(&padded, kernel, to);
-        }
-        let mut values = self.values;
-        for (y, to) in values.chunks_exact_mut(width).enumerate() {
-            let row = |at: isize| {
-                let at = at.clamp(0, height as isize - 1) as usize;
-                &across[at * width..(at + 1) * width]
+    fn filtered(&self, kernel: &[f32]) -> Self {
+        let (width, height, radius) = (self.size.width as usize, self.size.height as usize, kernel.len() - 1);
+        // rows that are filtered along x, each as long as it counts for a row that is to come: they take turns
+        let turns = 2 * radius + 1;
+        let mut across = vec![0.0; turns * width];
+        let (mut padded, mut next) = (Vec::new(), 0);
+        let mut values = Vec::with_capacity(self.values.len());
+        for y in 0..height {
+            while next < (y + radius + 1).min(height) {
+                pad(&self.values[next * width..(next + 1) * width], radius, &mut padded);
+                let turn = next % turns;
+                filter_row(&padded, kernel, &mut across[turn * width..(turn + 1) * width]);
+                next += 1;
+            }
+            let row = |at: usize| {
+                let turn = at.min(height - 1) % turns;
+                &across[turn * width..(turn + 1) * width]
             };
-            to.iter_mut().zip(row(y as isize)).for_each(|(to, v)| *to = kernel[0] * v);
+            values.extend(row(y).iter().map(|v| kernel[0] * v));
+            let to = &mut values[y * width..(y + 1) * width];
             for (step, k) in kernel.iter().enumerate().skip(1) {
-                let (above, below) = (row(y as isize - step as isize), row(y as isize + step as isize));
+                let (above, below) = (row(y.saturating_sub(step)), row(y + step));
                 for i in 0..width {
                     to[i] += k * (above[i] + below[i]);
                 }
@@ -138,7 +144,7 @@ impl SubpixelPosition {
 }
 
 struct Filter<'a> {
-    plane: Plane,
+    plane: &'a Plane,
     kernel: &'a [f32],
 }
 

@@ -60,7 +60,7 @@ impl Tree {
                 (traces, ridges)
             },
             || {
-                let soft: Vec<Plane> = colours.iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
+                let soft: Vec<Plane> = colours.iter().map(|plane| plane.blurred(TRACE_SCALE)).collect();
                 (squared_gradient(colours, grid), soft)
             },
         );
@@ -108,7 +108,7 @@ fn squared_gradient(colours: &[Plane], grid: RegionGrid) -> Vec<f32> {
     let mut squares = vec![0.0_f32; grid.cells.len()];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     for plane in colours {
-        let soft = plane.clone().blurred(GRADIENT_SCALE);
+        let soft = plane.blurred(GRADIENT_SCALE);
         let row = |y: usize| &soft.values[y * width..][..width];
         for (y, squares) in squares.chunks_exact_mut(width).enumerate() {
             let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));

@@ -67,7 +67,7 @@ pub fn feel(ink: &Plane, finger: f32) -> Feels {
     let per_cell = PX_PER_MM / CELLS_PER_MM;
     let size = Size::new(ink.size.width / per_cell, ink.size.height / per_cell);
     let window = WINDOW * CELLS_PER_MM as f32;
-    let mut blurred = ink.clone().blurred(finger * PX_PER_MM as f32);
+    let mut blurred = ink.blurred(finger * PX_PER_MM as f32);
     let wide = blurred.shrunk(size).blurred(window);
     subtract(&mut blurred, &wide);
     let [xx, xy, yy] = slopes(&blurred, size).map(|plane| plane.blurred(window));
