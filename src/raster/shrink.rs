@@ -117,30 +117,31 @@ impl<A: Accumulator> Span<A> {
     }
 }
 
-/// A span of one to three source pixels. Most pictures are little larger than they are worked on, so that no target
-/// pixel covers more.
+/// A span of one to three source pixels, of which those that are not there weigh nothing. Most pictures are little
+/// larger than they are worked on, so that no target pixel covers more.
 #[derive(Debug, Clone, Copy)]
 struct Narrow<A> {
     start: usize,
-    count: usize,
-    weights: [A; 3],
+    weights: [A; NARROW],
 }
+
+/// Most pixels of a narrow span.
+const NARROW: usize = 3;
 
 impl<A: Accumulator> Narrow<A> {
     /// A span, if it is narrow.
     fn of(span: &Span<A>) -> Option<Self> {
         let count = span.weights.len();
         let weight = |i: usize| span.weights.get(i).copied().unwrap_or_default();
-        (1..=3).contains(&count).then(|| Self { start: span.start, count, weights: [0, 1, 2].map(weight) })
+        (1..=NARROW).contains(&count).then(|| Self { start: span.start, weights: [0, 1, 2].map(weight) })
     }
 
-    /// The mean of the source pixels under the target pixel.
+    /// The mean of the source pixels under the target pixel, of a row with some more behind its end.
     fn mean(&self, row: &[A]) -> A {
-        let ([a, b, c], row) = (self.weights, &row[self.start..]);
-        match self.count {
-            1 => a * row[0],
-            2 => a * row[0] + b * row[1],
-            _ => a * row[0] + b * row[1] + c * row[2],
+        let [a, b, c] = self.weights;
+        match &row[self.start..self.start + NARROW] {
+            [first, second, third] => a * *first + b * *second + c * *third,
+            _ => A::default(),
         }
     }
 }
@@ -157,8 +158,10 @@ pub struct Shrinker<A = f32> {
     down: Arc<[Span<A>]>,
     /// Whether nothing is to be averaged.
     is_copy: bool,
-    /// Weighted sum of the rows of the target row in work.
+    /// Weighted sum of the rows of the target row in work, with a few zeros behind it.
     sum: Vec<A>,
+    /// Whether that has a row yet; what is in it else is of the target row before.
+    is_begun: bool,
     /// The source row that comes next.
     next_row: usize,
     /// The target row in work, of those made here.
@@ -201,7 +204,8 @@ impl<A: Accumulator> Shrinker<A> {
             narrow: across.iter().map(Narrow::of).collect(),
             across,
             is_copy,
-            sum: if is_copy { Vec::new() } else { vec![A::default(); width as usize] },
+            sum: if is_copy { Vec::new() } else { vec![A::default(); width as usize + NARROW] },
+            is_begun: false,
             next_row: 0,
             down,
             target: 0,
@@ -262,16 +266,19 @@ impl<A: Accumulator> Shrinker<A> {
             }
             let place = self.next_row - span.start;
             if let Some(&weight) = span.weights.get(place) {
-                self.arch.dispatch(AddRow { sum: &mut self.sum, row, weight });
+                let is_first = !std::mem::replace(&mut self.is_begun, true);
+                self.arch.dispatch(AddRow { sum: &mut self.sum, row, weight, is_first });
             }
             if place + 1 < span.weights.len() {
                 break;
+            }
+            if !std::mem::replace(&mut self.is_begun, false) {
+                self.sum.fill(A::default());
             }
             match &self.narrow {
                 Some(narrow) => self.out.extend(narrow.iter().map(|of| of.mean(&self.sum).to_f32())),
                 None => self.out.extend(self.across.iter().map(|of| of.mean(&self.sum).to_f32())),
             }
-            self.sum.fill(A::default());
             self.target += 1;
         }
         self.next_row += 1;
@@ -299,6 +306,8 @@ struct AddRow<'a, A> {
     sum: &'a mut [A],
     row: &'a [f32],
     weight: A,
+    /// Whether it is the first one of the sum.
+    is_first: bool,
 }
 
 impl<A: Accumulator> WithSimd for AddRow<'_, A> {
@@ -306,7 +315,13 @@ impl<A: Accumulator> WithSimd for AddRow<'_, A> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        self.sum.iter_mut().zip(self.row).for_each(|(sum, value)| *sum += self.weight * A::from(*value));
+        let of_row = self.sum.iter_mut().zip(self.row);
+        if self.is_first {
+            // added to 0, as -0 would stay
+            of_row.for_each(|(sum, value)| *sum = A::default() + self.weight * A::from(*value));
+        } else {
+            of_row.for_each(|(sum, value)| *sum += self.weight * A::from(*value));
+        }
     }
 }
 
