@@ -251,11 +251,15 @@ fn told_to_nothing(names: &[&str]) -> Option<Note> {
 pub(super) fn without_leaders(edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Edges> {
     let transform = PageTransform::new(edges.size, layout.figure);
     let leaders = layout.overview.map(|_| find(edges, (texts, FROM_PRINT), |_| true, layout.figure, &transform))?;
+    // a copy takes time: of a photograph also the tree of its regions is in it
+    if leaders.is_empty() {
+        return None;
+    }
     let is_leader = |number: usize| leaders.iter().any(|leader| leader.chain == number);
     let mut without = edges.clone();
     let mut numbers = 0..;
     without.chains.retain(|_| numbers.next().is_none_or(|number| !is_leader(number)));
-    (!leaders.is_empty()).then_some(without)
+    Some(without)
 }
 
 /// What is told of them.
