@@ -98,15 +98,21 @@ impl Extent {
 
 /// The source pixels under one target pixel, along one axis.
 #[derive(Debug, Clone, PartialEq)]
-struct Span<A> {
+pub struct Span<A> {
     /// First source pixel.
-    start: usize,
+    pub start: usize,
     /// The share of every source pixel in the mean; they sum to 1.
-    weights: Vec<A>,
+    pub weights: Vec<A>,
+}
+
+/// The spans of `to` pixels along an axis that has `from`, as [`shrink`] has them.
+pub fn spans(from: u32, to: u32) -> Vec<Span<f32>> {
+    Extent::pixels(0, from).spans(to)
 }
 
 impl<A: Accumulator> Span<A> {
-    fn end(&self) -> usize {
+    /// The source pixel after the last.
+    pub fn end(&self) -> usize {
         self.start + self.weights.len()
     }
 

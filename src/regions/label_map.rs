@@ -1,15 +1,17 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
 use super::disc::CellDisc;
+use super::majority::majority;
 use super::tree::Tree;
 use crate::geom::distance::{FAR, squared_distances};
-use crate::raster::shrink::Shrinker;
 use crate::units::Size;
 
 /// Sigma, mm, of the Gaussian within which the majority decides.
 const MAJORITY: f32 = 0.5;
 /// Side of the coarse cells in which widths are looked at, mm: a few to the distance of two lines.
 const COARSE: f32 = 0.8;
+/// So many cells of two maps are held beside one another at once.
+const AT_ONCE: usize = 16;
 
 /// For each cell the number of a chosen region, from 1 in their order, or 0 for the ground. `narrowest` is the least
 /// width of an area or of what is between two, mm.
@@ -25,29 +27,37 @@ pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm_per_cell: f32, narrowest
     let small = majority(&labels, chosen.len(), [cells, coarse], MAJORITY / COARSE.max(mm_per_cell));
     let radius = 0.5 * narrowest / mm_per_cell * coarse.width as f32 / cells.width as f32;
     let opened = opened(&small, coarse, radius);
-    // an area that stays keeps its own fine border
+    with_fine_borders(&labels, cells, &opened, coarse)
+}
+
+/// The opened map in fine cells: an area that stays keeps its own fine border. `labels` are those before.
+fn with_fine_borders(labels: &[u8], cells: Size, opened: &[OpenedCell], coarse: Size) -> Vec<u8> {
     let place = |i: usize, to: u32, from: u32| ((2 * i + 1) * to as usize) / (2 * from as usize);
     let (width, across, down) = (cells.width as usize, coarse.width as usize, coarse.height as usize);
     let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);
-    // most coarse cells lie inside an area: so do all cells in them, whatever their own labels
-    let is_inside: Vec<bool> = (0..opened.len())
-        .map(|cell| {
-            let (x, y) = (cell % across, cell / across);
-            let here = opened[cell];
-            here.is_in_reach
-                && around(y, down).all(|y| opened[y * across..][around(x, across)].iter().all(|of| *of == here))
-        })
-        .collect();
     let columns: Vec<usize> = (0..width).map(|x| place(x, coarse.width, cells.width)).collect();
-    let mut out = Vec::with_capacity(labels.len());
-    for (y, labels) in labels.chunks_exact(width).enumerate() {
-        let y = place(y, coarse.height, cells.height);
-        out.extend(labels.iter().zip(&columns).map(|(&label, &x)| {
-            let cell = y * across + x;
-            let own = OpenedCell { label, is_in_reach: true };
-            let stays = || around(y, down).any(|y| opened[y * across..][around(x, across)].contains(&own));
-            if !is_inside[cell] && stays() { label } else { opened[cell].label }
-        }));
+    let (mut out, mut of_row, mut last) = (Vec::with_capacity(labels.len()), Vec::new(), None);
+    for (row, labels) in labels.chunks_exact(width).enumerate() {
+        let y = place(row, coarse.height, cells.height);
+        if last.replace(y) != Some(y) {
+            of_row = columns.iter().map(|&x| opened[y * across + x].label).collect();
+        }
+        out.extend_from_slice(&of_row);
+        let out = &mut out[row * width..];
+        // most cells have the label that they had
+        for start in (0..width).step_by(AT_ONCE) {
+            let some = start..(start + AT_ONCE).min(width);
+            if out[some.clone()] == labels[some.clone()] {
+                continue;
+            }
+            for i in some {
+                let own = OpenedCell { label: labels[i], is_in_reach: true };
+                let stays = || around(y, down).any(|y| opened[y * across..][around(columns[i], across)].contains(&own));
+                if out[i] != own.label && stays() {
+                    out[i] = own.label;
+                }
+            }
+        }
     }
     out
 }
@@ -68,36 +78,6 @@ fn painted(tree: &Tree, chosen: &[u32]) -> Vec<u8> {
         }
     }
     tree.basin.iter().map(|&basin| of_basin[basin as usize]).collect()
-}
-
-/// The label that is most frequent around each cell of a coarse grid, within a Gaussian of `sigma` of its cells.
-fn majority(labels: &[u8], count: usize, [fine, coarse]: [Size; 2], sigma: f32) -> Vec<u8> {
-    let mut best = vec![0.0_f32; coarse.len()];
-    let mut winner = vec![0; coarse.len()];
-    let mut row = vec![0.0; fine.width as usize];
-    let width = fine.width as usize;
-    let mut has_row = vec![vec![false; fine.height as usize]; count + 1];
-    for (y, labels) in labels.chunks_exact(width).enumerate() {
-        labels.chunk_by(|a, b| a == b).for_each(|run| has_row[usize::from(run[0])][y] = true);
-    }
-    for (label, has_row) in (0_u8..).zip(has_row) {
-        let mut shrinker = Shrinker::new(fine, coarse);
-        for (y, labels) in labels.chunks_exact(width).enumerate() {
-            // rows without the label add nothing; the last finishes those before it
-            if has_row[y] || y + 1 == has_row.len() {
-                row.iter_mut().zip(labels).for_each(|(share, &other)| *share = f32::from(u8::from(other == label)));
-                shrinker.skip_to(y);
-                shrinker.push(&row);
-            }
-        }
-        let shares = shrinker.finish().blurred(sigma);
-        for ((best, winner), share) in best.iter_mut().zip(&mut winner).zip(shares.values) {
-            if share > *best {
-                (*best, *winner) = (share, label);
-            }
-        }
-    }
-    winner
 }
 
 /// What an opening makes of a cell.

@@ -25,6 +25,7 @@ mod grid;
 mod heights;
 mod label_map;
 mod main_thing;
+mod majority;
 mod mask;
 mod merge;
 mod outline;
