@@ -8,20 +8,27 @@ use crate::raster::plane::Plane;
 pub(super) fn basins(landscape: &Plane) -> (Vec<u32>, usize) {
     let mut down = descents(landscape);
     cross_plains(landscape, &mut down);
-    let mut basin = vec![u32::MAX; down.len()];
-    let (mut count, mut descent) = (0, Vec::new());
+    const NONE: u32 = u32::MAX;
+    let mut basin = vec![NONE; down.len()];
+    let mut count = 0;
     for start in 0..down.len() {
+        if basin[start] != NONE {
+            continue;
+        }
         let mut at = start;
-        while basin[at] == u32::MAX && down[at] as usize != at {
-            descent.push(at);
+        while basin[at] == NONE && down[at] as usize != at {
             at = down[at] as usize;
         }
-        if basin[at] == u32::MAX {
+        if basin[at] == NONE {
             basin[at] = count;
             count += 1;
         }
-        let number = basin[at];
-        descent.drain(..).for_each(|cell| basin[cell] = number);
+        // the same way again
+        let (number, mut at) = (basin[at], start);
+        while basin[at] == NONE {
+            basin[at] = number;
+            at = down[at] as usize;
+        }
     }
     (basin, count as usize)
 }
@@ -32,24 +39,28 @@ fn descents(landscape: &Plane) -> Vec<u32> {
     let (width, height) = (landscape.size.width as usize, landscape.size.height as usize);
     let row = |y: usize| &landscape.values[y * width..][..width];
     let mut down = Vec::with_capacity(landscape.values.len());
+    // of several cells at once: the way to the neighbour, added to the cell's own number
+    let [left, right, above, below] = [1_u32.wrapping_neg(), 1, (width as u32).wrapping_neg(), width as u32];
+    let mut padded = Vec::with_capacity(width + 2);
     for y in 0..height {
         // beyond the edge of the picture is the cell itself, which is not lower
-        let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
-        let start = (y * width) as u32;
-        for x in 0..width {
-            let own = start + x as u32;
-            let (mut lowest, mut cell) = (here[x], own);
-            let mut look = |value: f32, other: u32| {
+        let here = row(y);
+        padded.clear();
+        padded.extend_from_slice(&here[..1]);
+        padded.extend_from_slice(here);
+        padded.extend_from_slice(&here[width - 1..]);
+        let beside = padded.iter().zip(&padded[2..]);
+        let beyond = row(y.saturating_sub(1)).iter().zip(row((y + 1).min(height - 1)));
+        let cells = here.iter().zip(beside.zip(beyond)).enumerate();
+        down.extend(cells.map(|(x, (&here, ((&on_left, &on_right), (&on_top, &at_bottom))))| {
+            let (mut lowest, mut way) = (here, 0);
+            for (value, to) in [(on_left, left), (on_right, right), (on_top, above), (at_bottom, below)] {
                 let is_lower = value < lowest;
                 lowest = if is_lower { value } else { lowest };
-                cell = if is_lower { other } else { cell };
-            };
-            look(here[x.saturating_sub(1)], own.wrapping_sub(1));
-            look(here[(x + 1).min(width - 1)], own + 1);
-            look(above[x], own.wrapping_sub(width as u32));
-            look(below[x], own + width as u32);
-            down.push(cell);
-        }
+                way = if is_lower { to } else { way };
+            }
+            ((y * width + x) as u32).wrapping_add(way)
+        }));
     }
     down
 }
@@ -57,10 +68,10 @@ fn descents(landscape: &Plane) -> Vec<u32> {
 /// Leads the cells of plains to the nearest descent, or all to one cell where there is none.
 fn cross_plains(landscape: &Plane, down: &mut [u32]) {
     let heights = &landscape.values;
-    let is_stuck = |down: &[u32], cell: usize| down[cell] as usize == cell;
     let level = |a: usize, b: usize| heights[a].total_cmp(&heights[b]).is_eq();
     // from the rims of plains inwards, level by level
-    let stuck: Vec<usize> = (0..down.len()).filter(|&cell| is_stuck(down, cell)).collect();
+    let stuck: Vec<usize> =
+        down.iter().enumerate().filter(|(cell, to)| **to as usize == *cell).map(|(cell, _)| cell).collect();
     let mut reached = vec![true; down.len()];
     stuck.iter().for_each(|&cell| reached[cell] = false);
     let rim = |&cell: &usize| four_neighbours(cell, landscape.size).filter(move |&next| level(cell, next));
