@@ -141,6 +141,19 @@ impl SubpixelPosition {
         };
         row(top) * (1.0 - ty) + row(bottom) * ty
     }
+
+    /// [`SubpixelPosition::look_up`] of several values for each pixel, which lie side by side.
+    pub fn look_up_each<const N: usize>(&self, values: &[[f32; N]]) -> [f32; N] {
+        let Self { width, left, right, top, bottom, tx, ty } = *self;
+        let [above, below] = [&values[top * width..(top + 1) * width], &values[bottom * width..(bottom + 1) * width]];
+        let (corners, mut all) = ([&above[left], &above[right], &below[left], &below[right]], [0.0; N]);
+        for (k, value) in all.iter_mut().enumerate() {
+            let above = corners[0][k] * (1.0 - tx) + corners[1][k] * tx;
+            let below = corners[2][k] * (1.0 - tx) + corners[3][k] * tx;
+            *value = above * (1.0 - ty) + below * ty;
+        }
+        all
+    }
 }
 
 struct Filter<'a> {

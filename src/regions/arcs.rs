@@ -111,18 +111,20 @@ pub(super) struct Arc {
 /// All cracks, arc by arc, and the arcs in the order of their basins.
 pub(super) fn arcs(basin: &[u32], grid: RegionGrid, traces: &TraceMap, colours: &[Plane]) -> (Vec<Crack>, Vec<Arc>) {
     let found = found(basin, grid);
+    let colours = together(colours, basin.len());
     let cracks: Vec<Crack> = found.iter().map(|(_, crack)| *crack).collect();
     let mut ranges: Vec<Range<usize>> = Vec::new();
     for of_arc in found.chunk_by(|a, b| a.0 == b.0) {
         let start = ranges.last().map_or(0, |range| range.end);
         ranges.push(start..start + of_arc.len());
     }
-    let arc = |range: Range<usize>| {
+    let arc = |moments: &mut ArcMoments, range: Range<usize>| {
         let ends = found[range.start].0;
-        let sums = measure(&cracks[range.clone()], ends, basin, grid, traces, colours);
+        moments.find(&cracks[range.clone()], grid);
+        let sums = measure(&cracks[range.clone()], moments, ends, basin, (grid, traces, &colours));
         Arc { ends, sums, cracks: range }
     };
-    let arcs = ranges.into_par_iter().map(arc).collect();
+    let arcs = ranges.into_par_iter().map_init(ArcMoments::default, arc).collect();
     (cracks, arcs)
 }
 
@@ -130,18 +132,19 @@ pub(super) fn arcs(basin: &[u32], grid: RegionGrid, traces: &TraceMap, colours: 
 /// basins row by row.
 fn found(basin: &[u32], grid: RegionGrid) -> Vec<([u32; 2], Crack)> {
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
-    let mut found: Vec<([u32; 2], Crack)> = Vec::new();
+    let mut found: Vec<([u32; 2], Crack)> = Vec::with_capacity(basin.len() / 4);
     for (y, row) in basin.chunks_exact(width).enumerate() {
+        let below = if y + 1 < height { &basin[(y + 1) * width..][..width] } else { row };
         let mut put = |a: u32, b: u32, x: usize, is_upright: bool| {
             if a != b {
                 found.push(([a.min(b), a.max(b)], Crack { cell: (y * width + x) as u32, is_upright }));
             }
         };
-        let below = if y + 1 < height { &basin[(y + 1) * width..][..width] } else { row };
-        for x in 0..width {
-            put(row[x], below[x], x, false);
-            put(row[x], row[(x + 1).min(width - 1)], x, true);
+        for (x, (pair, &below)) in row.windows(2).zip(below).enumerate() {
+            put(pair[0], below, x, false);
+            put(pair[0], pair[1], x, true);
         }
+        put(row[width - 1], below[width - 1], width - 1, false);
     }
     // They were found row by row. Numbers of basins are dense, so that counting orders them in little time, first by
     // the higher number, then by the lower one.
@@ -167,17 +170,30 @@ fn counted<T: Copy>(items: &[T], count: usize, number: impl Fn(&T) -> u32) -> Ve
     out
 }
 
+/// The colours of each of `count` cells side by side, up to three of them, as they are looked up together.
+fn together(colours: &[Plane], count: usize) -> Vec<[f32; 4]> {
+    if let [l, a, b] = colours {
+        let cells = l.values.iter().zip(&a.values).zip(&b.values);
+        return cells.map(|((&l, &a), &b)| [l, a, b, 0.0]).collect();
+    }
+    let mut all = vec![[0.0; 4]; count];
+    for (k, plane) in colours.iter().enumerate().take(3) {
+        all.iter_mut().zip(&plane.values).for_each(|(of_cell, value)| of_cell[k] = *value);
+    }
+    all
+}
+
 /// Sums up what is seen at the cracks of one arc.
 fn measure(
     cracks: &[Crack],
+    moments: &ArcMoments,
     ends: [u32; 2],
     basin: &[u32],
-    grid: RegionGrid,
-    traces: &TraceMap,
-    colours: &[Plane],
+    (grid, traces, colours): (RegionGrid, &TraceMap, &[[f32; 4]]),
 ) -> Sums {
     let mut sums = Sums::default();
-    for (crack, tangent) in cracks.iter().zip(tangents(cracks, grid)) {
+    for (crack, moments) in cracks.iter().zip(&moments.of_cracks) {
+        let tangent = tangent(moments, crack);
         let middle = crack.middle(grid);
         let strength = traces.strength(middle, tangent);
         // from the first cell to the second
@@ -191,73 +207,92 @@ fn measure(
         sums.seen += f64::from(u8::from(strength >= SEEN));
         for (side, at) in [(first, middle - across * SIDE_DISTANCE), (1 - first, middle + across * SIDE_DISTANCE)] {
             let place = SubpixelPosition::new(grid.cells, at.x, at.y);
-            for (sum, plane) in sums.colours[side].iter_mut().zip(colours) {
-                *sum += f64::from(place.look_up(&plane.values));
-            }
+            let seen = place.look_up_each(colours);
+            sums.colours[side].iter_mut().zip(seen).for_each(|(sum, value)| *sum += f64::from(value));
         }
     }
     sums
 }
 
-/// Sums over the ends of the cracks near one, from its middle, in halves of a cell: whole numbers, so that their order
-/// does not matter.
+/// Sums over the cracks near one, from its middle, in halves of a cell: whole numbers, so that their order does not
+/// matter. Three of them, of up to [`FIELD`] bits with their sign, make one number each.
 #[derive(Clone, Copy)]
 struct Moments {
-    count: i32,
-    x: i32,
-    y: i32,
-    xx: i32,
-    xy: i32,
-    yy: i32,
+    /// Of x and y of the middles, and how many they are.
+    first: i64,
+    /// Of xx, xy and yy of the ends, half of each.
+    second: i64,
 }
 
-impl Moments {
-    /// Adds both ends of a crack whose middle is there; `half` is from its middle to an end.
-    fn add(&mut self, [x, y]: [i32; 2], half: [i32; 2]) {
-        self.count += 2;
-        self.x += 2 * x;
-        self.y += 2 * y;
-        self.xx += 2 * (x * x + half[0]);
-        self.xy += 2 * x * y;
-        self.yy += 2 * (y * y + half[1]);
-    }
+/// Bits of a sum: there are fewer than 200 cracks in reach, and no square is more than 65.
+const FIELD: u32 = 20;
+/// A crack more.
+const ONE: i64 = 1 << (2 * FIELD);
+
+/// The sums in a number, the lowest first.
+fn sums_in(number: i64) -> [i32; 3] {
+    let lowest = |number: i64| number << (i64::BITS - FIELD) >> (i64::BITS - FIELD);
+    let first = lowest(number);
+    let above = (number - first) >> FIELD;
+    let second = lowest(above);
+    [first as i32, second as i32, ((above - second) >> FIELD) as i32]
 }
 
-/// The direction of an arc at each of its cracks: the main axis of the cracks near it.
-fn tangents(cracks: &[Crack], grid: RegionGrid) -> Vec<PxVector> {
-    const REACH: i32 = 2 * TANGENT_REACH as i32;
-    let middles: Vec<([i32; 2], [i32; 2])> =
-        cracks.iter().map(|crack| (crack.half_cells(grid), crack.half())).collect();
-    let none = Moments { count: 0, x: 0, y: 0, xx: 0, xy: 0, yy: 0 };
-    let mut moments = vec![none; cracks.len()];
-    let mut rest = (&mut moments[..], &middles[..]);
-    while let ([own, others @ ..], [(middle, half), later @ ..]) = rest {
-        own.add([0, 0], *half);
-        for (moments, (other, of_other)) in others.iter_mut().zip(later) {
-            let to = [other[0] - middle[0], other[1] - middle[1]];
-            // cracks come row by row; in a row those that run down lie half a cell higher
-            if to[1] > REACH + 1 {
-                break;
+/// The moments of all cracks of an arc, and what they are found by: there are many arcs.
+#[derive(Default)]
+struct ArcMoments {
+    of_cracks: Vec<Moments>,
+    /// The middles of cracks, each with what its ends add to the squares of that.
+    middles: Vec<([i32; 2], i64)>,
+}
+
+impl ArcMoments {
+    /// Finds those of some cracks.
+    fn find(&mut self, cracks: &[Crack], grid: RegionGrid) {
+        const REACH: i32 = 2 * TANGENT_REACH as i32;
+        let middle = |crack: &Crack| {
+            let [x, y] = crack.half();
+            (crack.half_cells(grid), i64::from(x) + (i64::from(y) << (2 * FIELD)))
+        };
+        self.middles.clear();
+        self.middles.extend(cracks.iter().map(middle));
+        self.of_cracks.clear();
+        self.of_cracks.resize(cracks.len(), Moments { first: 0, second: 0 });
+        let mut rest = (&mut self.of_cracks[..], &self.middles[..]);
+        while let ([own, others @ ..], [(middle, ends), later @ ..]) = rest {
+            let (mut first, mut second) = (own.first + ONE, own.second + ends);
+            for (moments, (other, of_other)) in others.iter_mut().zip(later) {
+                let to = [other[0] - middle[0], other[1] - middle[1]];
+                // cracks come row by row; in a row those that run down lie half a cell higher
+                if to[1] > REACH + 1 {
+                    break;
+                }
+                // x alone first: its square across a wide grid is more than 32 bits hold
+                if to[0].abs() <= REACH && to[0] * to[0] + to[1] * to[1] <= REACH * REACH {
+                    let (x, y) = (i64::from(to[0]), i64::from(to[1]));
+                    let (way, squares) = (x + (y << FIELD), x * x + ((x * y) << FIELD) + ((y * y) << (2 * FIELD)));
+                    first += ONE + way;
+                    second += squares + of_other;
+                    moments.first += ONE - way;
+                    moments.second += squares + ends;
+                }
             }
-            // x alone first: its square across a wide grid is more than 32 bits hold
-            if to[0].abs() <= REACH && to[0] * to[0] + to[1] * to[1] <= REACH * REACH {
-                own.add(to, *of_other);
-                moments.add([-to[0], -to[1]], *half);
-            }
+            *own = Moments { first, second };
+            rest = (others, later);
         }
-        rest = (others, later);
     }
-    moments.iter().zip(cracks).map(|(moments, crack)| tangent(moments, crack)).collect()
 }
 
-/// The main axis of the cracks near one.
+/// The direction of an arc at a crack: the main axis of the cracks near it.
 fn tangent(moments: &Moments, crack: &Crack) -> PxVector {
-    let &Moments { count, x, y, xx, xy, yy } = moments;
-    let count = count as f32;
-    let mean = [x, y].map(|sum| 0.5 * sum as f32 / count);
-    let [xx, xy, yy] = [xx, xy, yy].map(|sum| 0.25 * sum as f32 / count);
+    // each crack has two ends
+    let ([x, y, count], [xx, xy, yy]) = (sums_in(moments.first), sums_in(moments.second));
+    let count = (2 * count) as f32;
+    let (x, y) = ((2 * x) as f32 * 0.5 / count, (2 * y) as f32 * 0.5 / count);
+    let (xx, xy, yy) = ((2 * xx) as f32, (2 * xy) as f32, (2 * yy) as f32);
+    let [xx, xy, yy] = [0.25 * xx / count, 0.25 * xy / count, 0.25 * yy / count];
     let own = if crack.is_upright { PxVector::new(0.0, 1.0) } else { PxVector::new(1.0, 0.0) };
-    first_eigenvector(xx - mean[0] * mean[0], xy - mean[0] * mean[1], yy - mean[1] * mean[1]).unwrap_or(own)
+    first_eigenvector(xx - x * x, xy - x * y, yy - y * y).unwrap_or(own)
 }
 
 #[cfg(test)]

@@ -45,8 +45,9 @@ impl RegionGrid {
     /// The columns and the rows of the cells that may be nearer than `reach` to a place in cells; none beside the grid.
     pub(super) fn around(self, at: PxPoint, reach: f32) -> [Range<usize>; 2] {
         let range = |v: f32, end: u32| {
-            let end = end as usize;
-            ((v - reach).max(0.0) as usize).min(end)..((v + reach).max(0.0) as usize + 1).min(end)
+            // to 32 bits first, which processors do in one step
+            let [from, to] = [(v - reach).max(0.0) as u32, (v + reach).max(0.0) as u32];
+            from.min(end) as usize..to.saturating_add(1).min(end) as usize
         };
         [range(at.x, self.cells.width), range(at.y, self.cells.height)]
     }
@@ -55,7 +56,7 @@ impl RegionGrid {
     pub(super) fn cell_at(self, at: PxPoint) -> Option<usize> {
         let inside = |v: f32, end: u32| v >= 0.0 && v < end as f32;
         (inside(at.x, self.cells.width) && inside(at.y, self.cells.height))
-            .then(|| at.y as usize * self.cells.width as usize + at.x as usize)
+            .then(|| at.y as u32 as usize * self.cells.width as usize + at.x as u32 as usize)
     }
 }
 

@@ -28,53 +28,62 @@ pub(super) struct Seen {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TraceMap {
     grid: RegionGrid,
-    samples: Vec<Option<TraceSample>>,
-    /// Which cells have a sample, 64 to a number, each row from a number of its own: most have none.
-    is_there: Vec<u64>,
+    /// Of the cells that have one, row by row: most have none.
+    samples: Vec<TraceSample>,
+    /// How many of these are of the cells before each, and at last of all.
+    before: Vec<u32>,
 }
 
 /// The direction of a trace is taken over this many of its points to both sides.
 const SPAN: isize = 2;
 /// Twice the square of the distance, in cells, over which a trace counts less and less for a place.
 const FALL: f32 = 4.5;
+/// More than what numbers of 32 bits lose in a few steps, as a factor.
+const ROUNDING: f32 = 1.0001;
 
 impl TraceMap {
     /// The traces, whose points are about a pixel apart and in pixels of the picture.
     pub(super) fn of(traces: &[TracedContour], grid: RegionGrid) -> Self {
-        let mut samples: Vec<Option<TraceSample>> = vec![None; grid.cells.len()];
+        let mut found: Vec<TraceSample> = Vec::new();
+        // by cell, and behind the last: one more than the place of its sample among those found; 0 without one
+        let mut places = vec![0_u32; grid.cells.len() + 1];
         for trace in traces {
             for (i, point) in trace.vertices.iter().enumerate() {
                 let at = |steps: isize| grid.to_cells(trace.vertices[trace.view().next(i, steps).unwrap_or(i)].at);
                 let Some(along) = (at(SPAN) - at(-SPAN)).try_normalize() else { continue };
                 let at = grid.to_cells(point.at);
                 let Some(cell) = grid.cell_at(at) else { continue };
-                if samples[cell].is_none_or(|other| point.strength > other.strength) {
-                    samples[cell] = Some(TraceSample { at, strength: point.strength, along });
+                let sample = TraceSample { at, strength: point.strength, along };
+                match (places[cell] as usize).checked_sub(1).and_then(|place| found.get_mut(place)) {
+                    Some(other) if point.strength > other.strength => *other = sample,
+                    Some(_) => (),
+                    None => {
+                        found.push(sample);
+                        places[cell] = found.len() as u32;
+                    }
                 }
             }
         }
-        let width = grid.cells.width as usize;
-        let bits = |cells: &[Option<TraceSample>]| {
-            cells.iter().enumerate().fold(0, |bits, (i, sample)| bits | u64::from(sample.is_some()) << i)
-        };
-        let is_there = samples.chunks_exact(width).flat_map(|row| row.chunks(64).map(bits)).collect();
-        Self { grid, samples, is_there }
+        let mut samples = Vec::with_capacity(found.len());
+        let mut before = places;
+        for of_cell in &mut before {
+            let place = std::mem::replace(of_cell, samples.len() as u32);
+            if place > 0 {
+                samples.push(found[place as usize - 1]);
+            }
+        }
+        Self { grid, samples, before }
     }
 
     /// Strengths spread over the cells nearest to each trace, so that what lies between two cells counts for both.
     pub(super) fn strengths(&self) -> Plane {
         let mut plane = Plane::filled(self.grid.cells, 0.0);
-        for TraceSample { at, strength, .. } in self.samples.iter().flatten() {
-            let centres = |at: f32| [-1.0, 0.0, 1.0].map(|step| at.floor() + step + 0.5);
-            let share = |centre: f32, at: f32| (1.0 - (centre - at).abs()).max(0.0);
-            for y in centres(at.y) {
-                let down = share(y, at.y);
-                for x in centres(at.x) {
-                    let share = share(x, at.x) * down;
-                    // most of the nine cells are too far away
-                    if let Some(cell) = (share > 0.0).then(|| self.grid.cell_at(PxPoint::new(x, y))).flatten() {
-                        plane.values[cell] = plane.values[cell].max(strength * share);
-                    }
+        let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
+        for TraceSample { at, strength, .. } in &self.samples {
+            for (row, down) in shares(at.y, height) {
+                for (column, across) in shares(at.x, width) {
+                    let value = &mut plane.values[row * width + column];
+                    *value = value.max(strength * (across * down));
                 }
             }
         }
@@ -85,10 +94,12 @@ impl TraceMap {
     pub(super) fn strength(&self, at: PxPoint, tangent: PxVector) -> f32 {
         let mut best = 0.0_f32;
         self.around(at, |sample, square| {
-            // near or not it is no stronger than this: most need no exponential
             let along = sample.along.dot(tangent).abs();
-            if sample.strength * along > best {
-                best = (sample.strength * (-square / FALL).exp() * along).max(best);
+            // the first terms of the exponential, and a little for rounding: most need no more of it
+            let fall = square / FALL;
+            let least_fall = 1.0 + fall * (1.0 + fall * (0.5 + fall / 6.0));
+            if sample.strength * along * ROUNDING > best * least_fall {
+                best = (sample.strength * (-fall).exp() * along).max(best);
             }
         });
         best
@@ -113,24 +124,9 @@ impl TraceMap {
     pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&TraceSample, f32)) {
         let width = self.grid.cells.width as usize;
         let [columns, rows] = self.grid.around(at, REACH);
-        let words = width.div_ceil(64);
-        if columns.is_empty() {
-            return;
-        }
         for y in rows {
-            let row = &self.is_there[y * words..][..words];
-            let first = columns.start / 64;
-            let bits = row[first] >> (columns.start % 64);
-            // the next 64 columns from the first on
-            let bits = match row.get(first + 1) {
-                Some(next) if columns.start % 64 > 0 => bits | next << (64 - columns.start % 64),
-                _ => bits,
-            };
-            let mut bits = bits & ((1 << columns.len()) - 1);
-            while bits != 0 {
-                let cell = y * width + columns.start + bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                let Some(sample) = &self.samples[cell] else { continue };
+            let (from, to) = (self.before[y * width + columns.start], self.before[y * width + columns.end]);
+            for sample in &self.samples[from as usize..to as usize] {
                 let square = (sample.at - at).square_length();
                 if square <= REACH * REACH {
                     visit(sample, square);
@@ -138,6 +134,13 @@ impl TraceMap {
             }
         }
     }
+}
+
+/// The cells along an axis of `count` that a place is nearest to, with its share in each.
+fn shares(at: f32, count: usize) -> impl Iterator<Item = (usize, f32)> {
+    let own = at as usize;
+    let share = move |cell: usize| (cell, 1.0 - (cell as f32 + 0.5 - at).abs());
+    (own.saturating_sub(1)..(own + 2).min(count)).map(share).filter(|(_, share)| *share > 0.0)
 }
 
 #[cfg(test)]

@@ -88,5 +88,16 @@ fn cracks_at_both_ends_of_a_wide_grid_are_far_from_one_another() {
     let size = Size::new(60_000, 2);
     let grid = RegionGrid { cells: size, picture: size };
     let cracks = [10, 46_010].map(|cell| Crack { cell, is_upright: true });
-    assert!(tangents(&cracks, grid).iter().all(|tangent| tangent.x.abs() < 1e-6 && tangent.y.abs() > 0.9));
+    let mut moments = ArcMoments::default();
+    moments.find(&cracks, grid);
+    let tangents = moments.of_cracks.iter().zip(&cracks).map(|(moments, crack)| tangent(moments, crack));
+    assert!(tangents.into_iter().all(|tangent| tangent.x.abs() < 1e-6 && tangent.y.abs() > 0.9));
+}
+
+#[test]
+fn sums_of_both_signs_come_out_of_one_number_as_they_went_in() {
+    for sums in [[0, 0, 0], [5, -3, 180], [-900, 1200, 1], [-1, -1, -1], [11_000, -11_000, 11_000]] {
+        let [a, b, c] = sums.map(i64::from);
+        assert_eq!(sums_in(a + (b << FIELD) + (c << (2 * FIELD))), sums);
+    }
 }
