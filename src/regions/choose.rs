@@ -8,7 +8,7 @@ use super::arcs::Crack;
 use super::disc::CellDisc;
 use super::merge::Node;
 use super::tree::Tree;
-use crate::geom::distance::squared_distances;
+use crate::geom::cells::edge_cells;
 use crate::ranked::{Ranked, TotalOrder};
 use crate::units::Size;
 
@@ -123,7 +123,7 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
         .collect();
     let (mut chosen, mut first) = (leading.to_vec(), None);
     let mut near = Nearness::new(tree, mm_per_cell, params);
-    leading.iter().for_each(|&node| near.add(&tree.outline_of(node), tree));
+    leading.iter().for_each(|&node| near.add(node, tree));
     while let Some(Ranked { item: candidate, .. }) = heap.pop() {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
@@ -131,8 +131,7 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
         // a gain that was computed before the last choice is computed anew, and a region that is too near to what is
         // chosen is out for good
         if candidate.round < chosen.len() {
-            let outline = tree.outline_of(candidate.node);
-            if let Some(gain) = gain(first_gain(candidate.node), &outline, &near, tree, params) {
+            if let Some(gain) = gain(first_gain(candidate.node), near.around(candidate.node, tree), params) {
                 heap.push(RankedRegion { gain, round: chosen.len(), ..candidate }.ranked());
             }
             continue;
@@ -145,7 +144,7 @@ pub(super) fn choose(tree: &Tree, mm_per_cell: f32, params: &Params, leading: &[
         if chosen.len() == params.most {
             break;
         }
-        near.add(&tree.outline_of(candidate.node), tree);
+        near.add(candidate.node, tree);
     }
     chosen
 }
@@ -167,6 +166,20 @@ struct Nearness {
     of_cell: Vec<Closeness>,
     too_near: CellDisc,
     same: CellDisc,
+    /// How many outlines were added.
+    added: u32,
+    /// What was counted last at each arc.
+    of_arc: Vec<Counted>,
+}
+
+/// How many cracks of an outline, or of an arc, are near to others, and how near.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Counted {
+    same: u32,
+    too_near: u32,
+    all: u32,
+    /// How many outlines there were when it was counted: most regions that are looked at have arcs in common.
+    added: u32,
 }
 
 impl Nearness {
@@ -178,12 +191,15 @@ impl Nearness {
             of_cell: vec![Closeness::Far; size.len()],
             too_near: CellDisc::new(size, |square| (square as f32) < near),
             same: CellDisc::new(size, |square| square as f32 <= same),
+            added: 0,
+            of_arc: vec![Counted::default(); tree.arcs.len()],
         }
     }
 
     /// Adds the outline of a chosen region.
-    fn add(&mut self, outline: &[Crack], tree: &Tree) {
-        for cell in outline.iter().flat_map(|crack| crack.cells(tree.grid)) {
+    fn add(&mut self, node: u32, tree: &Tree) {
+        self.added += 1;
+        for cell in tree.outline_of(node).flat_map(|crack| crack.cells(tree.grid)) {
             let cell = halved(cell, tree.grid.cells);
             if std::mem::replace(&mut self.is_outline[cell], true) {
                 continue;
@@ -200,6 +216,33 @@ impl Nearness {
     fn of(&self, crack: &Crack, tree: &Tree) -> Closeness {
         let [a, b] = crack.cells(tree.grid).map(|cell| self.of_cell[halved(cell, tree.grid.cells)]);
         a.max(b)
+    }
+
+    /// How near some cracks are.
+    fn counted<'a>(&self, cracks: impl IntoIterator<Item = &'a Crack>, tree: &Tree) -> Counted {
+        let mut counted = Counted { added: self.added, ..Counted::default() };
+        for crack in cracks {
+            let near = self.of(crack, tree);
+            counted.same += u32::from(near == Closeness::Same);
+            counted.too_near += u32::from(near == Closeness::Disturbs);
+            counted.all += 1;
+        }
+        counted
+    }
+
+    /// How near the outline of a region is to those that were added.
+    fn around(&mut self, node: u32, tree: &Tree) -> Counted {
+        let mut all = Counted::default();
+        for arc in tree.arcs_around(node) {
+            if self.of_arc[arc].added != self.added || self.of_arc[arc].all == 0 {
+                self.of_arc[arc] = self.counted(&tree.cracks[tree.arcs[arc].cracks.clone()], tree);
+            }
+            let of_arc = self.of_arc[arc];
+            all.same += of_arc.same;
+            all.too_near += of_arc.too_near;
+            all.all += of_arc.all;
+        }
+        all
     }
 }
 
@@ -245,15 +288,9 @@ fn halved(cell: usize, cells: Size) -> usize {
 /// What a region adds to those that are chosen, of its `first` gain, when none was; none if its outline is one of
 /// theirs or too near to them. It falls as more are chosen, but where an outline that was near to one of them is the
 /// same as the next: that waits behind its older gain.
-fn gain(first: f64, outline: &[Crack], near: &Nearness, tree: &Tree, params: &Params) -> Option<f64> {
-    let (mut same, mut too_near) = (0_usize, 0_usize);
-    for crack in outline {
-        let near = near.of(crack, tree);
-        same += usize::from(near == Closeness::Same);
-        too_near += usize::from(near == Closeness::Disturbs);
-    }
-    let count = outline.len().max(1) as f64;
-    let (same, too_near) = (same as f64 / count, too_near as f64 / count);
+fn gain(first: f64, outline: Counted, params: &Params) -> Option<f64> {
+    let [same, too_near, count] = [outline.same, outline.too_near, outline.all.max(1)].map(f64::from);
+    let (same, too_near) = (same / count, too_near / count);
     let too_near = too_near / f64::from(params.most_near);
     (same <= MOST_SAME && too_near <= 1.0).then_some(first * (1.0 - same) * (1.0 - NEAR * too_near))
 }
@@ -265,27 +302,32 @@ pub(super) fn survives_opening(tree: &Tree, node: u32, mm_per_cell: f32) -> bool
     if mean_width >= WIDE * f64::from(2.0 * OPENING / mm_per_cell) {
         return true;
     }
-    let width = tree.grid.cells.width as usize;
-    let is_in: Vec<bool> = (0..tree.basins as u32).map(|basin| tree.has(node, basin)).collect();
-    let (mut columns, mut rows) = ((usize::MAX, 0), (usize::MAX, 0));
-    for (y, row) in tree.basin.chunks_exact(width).enumerate() {
-        let mut inside = (0..width).filter(|&x| is_in[row[x] as usize]);
-        if let Some(first) = inside.next() {
-            columns = (columns.0.min(first), columns.1.max(inside.next_back().unwrap_or(first)));
-            rows = (rows.0.min(y), y);
-        }
-    }
-    // with a margin, where there is one
-    let (left, top) = (columns.0.saturating_sub(1), rows.0.saturating_sub(1));
-    let right = (columns.1 + 2).min(width);
-    let bottom = (rows.1 + 2).min(tree.grid.cells.height as usize);
-    let cells = tree.basin[top * width..bottom * width].chunks_exact(width).flat_map(|row| &row[left..right]);
-    let is_outside: Vec<bool> = cells.map(|&basin| !is_in[basin as usize]).collect();
-    let size = Size::new((right - left) as u32, (bottom - top) as u32);
+    let (is_outside, size) = outside(tree, node);
     let square = (OPENING / mm_per_cell).powi(2);
-    let is_core: Vec<bool> = squared_distances(&is_outside, size).iter().map(|to| *to as f32 > square).collect();
-    let kept = squared_distances(&is_core, size).iter().filter(|to| **to as f32 <= square).count();
+    let disc = CellDisc::new(size, |of_cell| of_cell as f32 <= square);
+    let is_core: Vec<bool> = disc.spread(&is_outside).iter().map(|near_outside| !near_outside).collect();
+    let kept = disc.spread(&is_core).iter().filter(|is_kept| **is_kept).count();
     kept as f64 >= KEPT * of.area
+}
+
+/// Whether each cell is outside a region, in a box around it with a margin of one cell where there is one, and the
+/// size of that.
+fn outside(tree: &Tree, node: u32) -> (Vec<bool>, Size) {
+    let width = tree.grid.cells.width as usize;
+    let (mut columns, mut rows) = ((usize::MAX, 0), (usize::MAX, 0));
+    let mut put = |cell: usize| {
+        let (x, y) = (cell % width, cell / width);
+        columns = (columns.0.min(x), columns.1.max(x + 1));
+        rows = (rows.0.min(y), rows.1.max(y + 1));
+    };
+    // of a crack one cell is inside and the other, which is the margin, outside
+    tree.outline_of(node).flat_map(|crack| crack.cells(tree.grid)).for_each(&mut put);
+    let is_in: Vec<bool> = (0..tree.basins as u32).map(|basin| tree.has(node, basin)).collect();
+    edge_cells(tree.grid.cells).filter(|&cell| is_in[tree.basin[cell] as usize]).for_each(&mut put);
+    let cells =
+        tree.basin[rows.0 * width..rows.1 * width].chunks_exact(width).flat_map(|row| &row[columns.0..columns.1]);
+    let is_outside = cells.map(|&basin| !is_in[basin as usize]).collect();
+    (is_outside, Size::new((columns.1 - columns.0) as u32, (rows.1 - rows.0) as u32))
 }
 
 #[cfg(test)]

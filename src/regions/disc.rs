@@ -33,6 +33,27 @@ impl CellDisc {
             row * width + x.saturating_sub(reach)..row * width + (x + reach + 1).min(width)
         })
     }
+
+    /// The cells of the grid that are in it where its middle is at some cell that `is_set`.
+    pub(super) fn spread(&self, is_set: &[bool]) -> Vec<bool> {
+        let mut is_in = is_set.to_vec();
+        let width = self.size.width as usize;
+        let is_unset = |cell: usize| is_set.get(cell).is_some_and(|is_set| !is_set);
+        for (y, row) in is_set.chunks_exact(width).enumerate() {
+            for x in (0..width).filter(|&x| row[x]) {
+                let cell = y * width + x;
+                // the nearest one to a cell that is not set has a neighbour that is not
+                if x > 0 && !row[x - 1]
+                    || x + 1 < width && !row[x + 1]
+                    || cell >= width && is_unset(cell - width)
+                    || is_unset(cell + width)
+                {
+                    self.around(cell).for_each(|row| is_in[row].fill(true));
+                }
+            }
+        }
+        is_in
+    }
 }
 
 #[cfg(test)]

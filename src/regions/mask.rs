@@ -109,18 +109,19 @@ impl Mask {
     pub fn border(&self) -> Vec<PxPoint> {
         let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
         let is_in = |x: usize, y: usize| self.is_in[y * width + x];
-        let is_border = |&(x, y): &(usize, usize)| {
-            is_in(x, y)
-                && (x > 0 && !is_in(x - 1, y)
-                    || x + 1 < width && !is_in(x + 1, y)
-                    || y > 0 && !is_in(x, y - 1)
-                    || y + 1 < height && !is_in(x, y + 1))
+        let is_border = |x: usize, y: usize| {
+            x > 0 && !is_in(x - 1, y)
+                || x + 1 < width && !is_in(x + 1, y)
+                || y > 0 && !is_in(x, y - 1)
+                || y + 1 < height && !is_in(x, y + 1)
         };
-        let cells = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-        cells
-            .filter(is_border)
-            .map(|(x, y)| self.grid.to_picture(PxPoint::new(x as f32 + 0.5, y as f32 + 0.5)))
-            .collect()
+        let mut border = Vec::new();
+        for (y, row) in self.is_in.chunks_exact(width).enumerate() {
+            let own = row.iter().enumerate().filter(|(_, is_in)| **is_in).map(|(x, _)| x);
+            let of_row = own.filter(|&x| is_border(x, y));
+            border.extend(of_row.map(|x| self.grid.to_picture(PxPoint::new(x as f32 + 0.5, y as f32 + 0.5))));
+        }
+        border
     }
 
     /// The smallest box around it, in pixels of the picture: its least and greatest corner; none if it is empty.
@@ -151,8 +152,11 @@ impl Mask {
 
     /// The share of its outline that lies on the edge of the picture, 0..=1.
     pub fn on_picture_edge(&self) -> f32 {
-        let on_edge = edge_cells(self.grid.cells).filter(|&cell| self.is_in[cell]).count();
-        on_edge as f32 / (on_edge + self.border().len()).max(1) as f32
+        match edge_cells(self.grid.cells).filter(|&cell| self.is_in[cell]).count() {
+            // what follows takes time
+            0 => 0.0,
+            on_edge => on_edge as f32 / (on_edge + self.border().len()) as f32,
+        }
     }
 
     /// Whether each cell is in it.

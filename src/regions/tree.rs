@@ -77,16 +77,17 @@ impl Tree {
         self.members.range[node as usize].contains(&self.members.place[basin as usize])
     }
 
-    /// The cracks around a region.
-    pub(super) fn outline_of(&self, node: u32) -> Vec<Crack> {
+    /// The numbers of the arcs around a region.
+    pub(super) fn arcs_around(&self, node: u32) -> impl Iterator<Item = usize> {
         let range = &self.members.range[node as usize];
-        let mut outline = Vec::new();
-        for (arc, ends) in self.arcs.iter().zip(&self.members.ends) {
-            if range.contains(&ends[0]) != range.contains(&ends[1]) {
-                outline.extend_from_slice(&self.cracks[arc.cracks.clone()]);
-            }
-        }
-        outline
+        let places = range.start as usize..range.end as usize;
+        let of_basins = &self.members.arcs[self.members.first_arc[places.start]..self.members.first_arc[places.end]];
+        of_basins.iter().filter(move |(_, other)| !range.contains(other)).map(|(arc, _)| *arc as usize)
+    }
+
+    /// The cracks around a region.
+    pub(super) fn outline_of(&self, node: u32) -> impl Iterator<Item = &Crack> {
+        self.arcs_around(node).flat_map(move |arc| &self.cracks[self.arcs[arc].cracks.clone()])
     }
 
     /// The side of a cell on the sheet, mm.
@@ -129,19 +130,29 @@ fn squared_gradient(colours: &[Plane], grid: RegionGrid) -> Vec<f32> {
 
 /// Basins with their areas and colours.
 fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: RegionGrid) -> Vec<Node> {
-    let node =
-        Node { area: 0.0, colour: [0.0; 3], picture_edge: 0.0, outline: Sums::default(), children: None, height: 0.0 };
-    let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
-    for &basin in basin {
-        nodes[basin as usize].area += 1.0;
+    // colours and area; sums of their own lie closer together than in nodes
+    let mut sums = vec![[0.0_f64; 4]; count];
+    if let [l, a, b] = colours {
+        let colours = l.values.iter().zip(&a.values).zip(&b.values);
+        for (&basin, ((&l, &a), &b)) in basin.iter().zip(colours) {
+            let [of_l, of_a, of_b, area] = &mut sums[basin as usize];
+            *of_l += f64::from(l);
+            *of_a += f64::from(a);
+            *of_b += f64::from(b);
+            *area += 1.0;
+        }
+    } else {
+        basin.iter().for_each(|&basin| sums[basin as usize][3] += 1.0);
+        for (k, plane) in colours.iter().enumerate().take(3) {
+            basin.iter().zip(&plane.values).for_each(|(&basin, &value)| sums[basin as usize][k] += f64::from(value));
+        }
     }
-    for (k, plane) in colours.iter().enumerate().take(3) {
-        // sums of their own lie closer together than in nodes
-        let mut sums = vec![0.0_f64; count];
-        basin.iter().zip(&plane.values).for_each(|(&basin, &value)| sums[basin as usize] += f64::from(value));
-        nodes.iter_mut().zip(sums).for_each(|(node, sum)| node.colour[k] = sum);
-    }
+    let node = |[l, a, b, area]: [f64; 4]| {
+        let outline = Sums::default();
+        Node { area, colour: [l, a, b], picture_edge: 0.0, outline, children: None, height: 0.0 }
+    };
+    let mut nodes: Vec<Node> = sums.into_iter().map(node).collect();
     let (first, last) = (0, width * height - width);
     let sides = (0..width).flat_map(|x| [first + x, last + x]);
     for cell in sides.chain((0..height).flat_map(|y| [y * width, y * width + width - 1])) {
@@ -157,8 +168,11 @@ struct Members {
     place: Vec<u32>,
     /// The places of each region.
     range: Vec<std::ops::Range<u32>>,
-    /// The places of both ends of each arc, close together: an outline looks at all of them.
-    ends: Vec<[u32; 2]>,
+    /// The arcs around each basin, in the order of the places of these: the number of each, and the place of the basin
+    /// beyond it.
+    arcs: Vec<(u32, u32)>,
+    /// By place, and behind the last: the first of its arcs among these.
+    first_arc: Vec<usize>,
 }
 
 impl Members {
@@ -185,9 +199,29 @@ impl Members {
                 Some([a, b]) => todo.extend([(node, true), (a, false), (b, false)]),
             }
         }
-        let ends = arcs.iter().map(|arc| arc.ends.map(|basin| place[basin as usize])).collect();
-        Self { place, range, ends }
+        let ends: Vec<[u32; 2]> = arcs.iter().map(|arc| arc.ends.map(|basin| place[basin as usize])).collect();
+        let (arcs, first_arc) = by_place(&ends, next as usize);
+        Self { place, range, arcs, first_arc }
     }
+}
+
+/// The arcs of each of `count` places with the place beyond each, where `ends` are the places of both ends of all
+/// arcs; and the first arc of each place among these.
+fn by_place(ends: &[[u32; 2]], count: usize) -> (Vec<(u32, u32)>, Vec<usize>) {
+    let mut first = vec![0; count + 1];
+    ends.iter().flatten().for_each(|&place| first[place as usize + 1] += 1);
+    for i in 1..first.len() {
+        first[i] += first[i - 1];
+    }
+    let mut next = first.clone();
+    let mut arcs = vec![(0, 0); 2 * ends.len()];
+    for (number, &[a, b]) in (0_u32..).zip(ends) {
+        for (place, beyond) in [(a, b), (b, a)] {
+            arcs[next[place as usize]] = (number, beyond);
+            next[place as usize] += 1;
+        }
+    }
+    (arcs, first)
 }
 
 #[cfg(test)]

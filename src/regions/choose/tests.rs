@@ -2,6 +2,7 @@
 
 use super::super::main_thing::tests::{Disc, PARAMS, tree};
 use super::*;
+use crate::geom::distance::squared_distances;
 
 /// The side of a cell on the sheet, mm.
 const MM: f32 = 0.5;
@@ -15,7 +16,8 @@ fn plainly_chosen(tree: &Tree, params: &Params) -> Vec<u32> {
     let (mut chosen, mut first) = (Vec::new(), 0.0);
     while chosen.len() < params.most {
         let left = all.iter().copied().filter(|node| !chosen.contains(node));
-        let gains = left.filter_map(|node| Some((gain(of(node), &tree.outline_of(node), &near, tree, params)?, node)));
+        let plain = |node: u32| near.counted(tree.outline_of(node), tree);
+        let gains = left.filter_map(|node| Some((gain(of(node), plain(node), params)?, node)));
         let rank = |(gain, node): &(f64, u32)| {
             (TotalOrder(*gain), TotalOrder(tree.nodes[*node as usize].area), Reverse(*node))
         };
@@ -24,7 +26,7 @@ fn plainly_chosen(tree: &Tree, params: &Params) -> Vec<u32> {
             break;
         }
         first = if chosen.is_empty() { best } else { first };
-        near.add(&tree.outline_of(node), tree);
+        near.add(node, tree);
         chosen.push(node);
     }
     chosen
@@ -51,6 +53,29 @@ fn the_same_regions_are_chosen_as_by_a_plain_search() {
         counts.push(chosen.len());
     }
     assert!(counts.iter().all(|count| *count >= 3), "{counts:?}: each has something to choose from");
+}
+
+#[test]
+fn an_opening_is_that_of_two_distance_transforms() {
+    let (mut survive, mut all) = (0, 0);
+    for seed in 1..=3 {
+        let tree = tree(&discs(seed));
+        for node in 0..tree.nodes.len() as u32 {
+            let is_outside: Vec<bool> = tree.basin.iter().map(|&basin| !tree.has(node, basin)).collect();
+            let square = (OPENING / MM).powi(2);
+            let to_outside = squared_distances(&is_outside, tree.grid.cells);
+            let is_core: Vec<bool> = to_outside.iter().map(|to| *to as f32 > square).collect();
+            let to_core = squared_distances(&is_core, tree.grid.cells);
+            let kept = to_core.iter().filter(|to| **to as f32 <= square).count();
+            let of = &tree.nodes[node as usize];
+            let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.picture_edge);
+            let is_wide = mean_width >= WIDE * f64::from(2.0 * OPENING / MM);
+            let survives = survives_opening(&tree, node, MM);
+            assert_eq!(survives, is_wide || kept as f64 >= KEPT * of.area, "region {node} of seed {seed}");
+            (survive, all) = (survive + usize::from(survives), all + 1);
+        }
+    }
+    assert!(survive > 10 && all - survive > 10, "{survive} of {all}");
 }
 
 #[test]
