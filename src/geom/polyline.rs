@@ -302,7 +302,7 @@ pub fn smooth<const N: usize>(
             if distance > reach {
                 return false;
             }
-            let k = bell[(distance * per_sigma) as usize];
+            let k = bell[(distance * per_sigma) as u32 as usize];
             sum.iter_mut().zip(value).for_each(|(sum, v)| *sum += k * v);
             weight += k;
             true

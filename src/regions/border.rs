@@ -3,6 +3,8 @@
 
 use crate::units::{PxPoint, Size};
 
+/// So many cells of two rows are held beside one another at once.
+const AT_ONCE: usize = 16;
 /// Steps over the corners of cells: right, down, left, up.
 const STEPS: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
@@ -34,9 +36,10 @@ pub(super) fn borders(labels: &[u8], count: usize, size: Size) -> Vec<Border> {
     let corners = (size.width as usize + 1) * (size.height as usize + 1);
     // by corner: whether the side to its right, or below it, is drawn
     let mut is_drawn = vec![[false; 2]; corners];
+    let mut seen = vec![false; corners];
     let mut borders = Vec::new();
     for (label, starts) in (1..).zip(map.starts(count)) {
-        for outline in map.outlines(label, &starts) {
+        for outline in map.outlines(label, &starts, &mut seen) {
             let is_free = |&step: &(usize, usize)| {
                 let (corner, down) = side(step, size);
                 !map.on_picture_edge(step) && !is_drawn[corner][down]
@@ -119,9 +122,16 @@ impl Map<'_> {
         let ground = vec![0; width];
         let above = std::iter::once(&ground[..]).chain(self.labels.chunks_exact(width));
         for (y, (row, above)) in self.labels.chunks_exact(width).zip(above).enumerate() {
-            for (x, (&label, _)) in row.iter().zip(above).enumerate().filter(|(_, (label, above))| label != above) {
-                if let Some(starts) = usize::from(label).checked_sub(1).and_then(|number| starts.get_mut(number)) {
-                    starts.push((y * across + x, 0));
+            for (first, (some, above)) in row.chunks(AT_ONCE).zip(above.chunks(AT_ONCE)).enumerate() {
+                // most cells have the label of the one above
+                if some == above {
+                    continue;
+                }
+                for (x, (&label, _)) in some.iter().zip(above).enumerate().filter(|(_, (label, above))| label != above)
+                {
+                    if let Some(starts) = usize::from(label).checked_sub(1).and_then(|number| starts.get_mut(number)) {
+                        starts.push((y * across + first * AT_ONCE + x, 0));
+                    }
                 }
             }
         }
@@ -129,14 +139,13 @@ impl Map<'_> {
     }
 
     /// The outlines of all areas of a label, each as its steps with the area on their right. Areas that share only a
-    /// corner are two.
-    fn outlines(&self, label: u8, starts: &[(usize, usize)]) -> Vec<Vec<(usize, usize)>> {
-        let across = self.size.width as usize + 1;
+    /// corner are two. `seen` has the corners from which a step to the right was taken, of any label: each has one cell
+    /// on its right.
+    fn outlines(&self, label: u8, starts: &[(usize, usize)], seen: &mut [bool]) -> Vec<Vec<(usize, usize)>> {
         let is_border = |step| {
             let [left, right] = self.beside(step);
             right == Some(label) && left != Some(label)
         };
-        let mut seen = vec![false; across * (self.size.height as usize + 1)];
         let mut outlines = Vec::new();
         for &start in starts {
             if seen[start.0] {

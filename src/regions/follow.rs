@@ -69,8 +69,10 @@ fn choices(traces: &TraceMap, place: PxPoint, heading: PxVector) -> Vec<Choice> 
     all.into_iter().map(choice).collect()
 }
 
+/// Costs are those of a few cells, far less than a number of 32 bits holds. Rounded to the nearest, of two to the
+/// greater: a number of 64 bits holds the sum as it is.
 fn parts(cost: f32) -> u64 {
-    (PARTS * cost).round() as u64
+    u64::from((f64::from(PARTS * cost) + 0.5) as u32)
 }
 
 /// Which choice of each vertex is on the way that costs least.

@@ -5,6 +5,9 @@ use super::grid::{REACH, RegionGrid};
 use super::tree::Tree;
 use crate::units::PxPoint;
 
+/// Most columns of cells that are within [`REACH`] of a place.
+const MOST_COLUMNS: usize = 2 * REACH.ceil() as usize + 1;
+
 /// Heights of all borders of basins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heights {
@@ -34,11 +37,15 @@ impl Heights {
         let at = self.grid.to_cells(at);
         let width = self.grid.cells.width as usize;
         let [columns, rows] = self.grid.around(at, REACH);
+        // squares of the distances of their middles, along each axis
+        let square = |cell: usize, at: f32| (cell as f32 + 0.5 - at).powi(2);
+        let mut across = [0.0; MOST_COLUMNS];
+        across.iter_mut().zip(columns.clone()).for_each(|(across, x)| *across = square(x, at.x));
         let mut greatest = 0.0_f32;
         for y in rows {
-            for (x, &of_cell) in columns.clone().zip(&self.of_cell[y * width..][columns.clone()]) {
-                let centre = || PxPoint::new(x as f32 + 0.5, y as f32 + 0.5);
-                if of_cell > greatest && (centre() - at).square_length() <= REACH * REACH {
+            let down = square(y, at.y);
+            for (&of_cell, across) in self.of_cell[y * width..][columns.clone()].iter().zip(&across) {
+                if of_cell > greatest && across + down <= REACH * REACH {
                     greatest = of_cell;
                 }
             }

@@ -1,10 +1,9 @@
 //! Basins are merged into regions, those first between which the least is seen.
 
-use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::arcs::{Arc, Sums};
-use crate::ranked::{Ranked, TotalOrder};
+use crate::ranked::Ranked;
 
 /// Weight of a difference of colour beside the strength of traces.
 const COLOUR: f64 = 0.15;
@@ -50,8 +49,25 @@ struct Adjacency {
 }
 
 /// In which order regions are merged: by cost, the cheapest first; of equal ones by the length of their arc, the
-/// longest first; then by the number of the adjacency.
-type MergeOrder = (Reverse<TotalOrder>, TotalOrder, Reverse<u32>);
+/// longest first; then by the number of the adjacency. All in one number, as most of the time of a heap is for
+/// comparing: the bits of a number that is not negative are ordered as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct MergeOrder(u128);
+
+impl MergeOrder {
+    fn new(cost: f64, length: f64, adjacency: u32) -> Self {
+        let by_cost = u128::from(!cost.to_bits()) << 64;
+        Self(by_cost | u128::from(length as u32) << 32 | u128::from(!adjacency))
+    }
+
+    fn cost(self) -> f64 {
+        f64::from_bits(!((self.0 >> 64) as u64))
+    }
+
+    fn adjacency(self) -> u32 {
+        !(self.0 as u32)
+    }
+}
 
 /// What merging works on.
 struct Merging {
@@ -72,7 +88,7 @@ struct Merging {
 pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize, part: f64) -> Vec<Node> {
     let mut merging = Merging::new(basins, arcs, cells as f64, part);
     while let Some(Ranked { rank, item: version }) = merging.heap.pop() {
-        let (Reverse(TotalOrder(cost)), _, Reverse(adjacency)) = rank;
+        let (cost, adjacency) = (rank.cost(), rank.adjacency());
         let Adjacency { alive, version: current, .. } = merging.adjacencies[adjacency as usize];
         if alive && current == version {
             merging.unite(adjacency, cost);
@@ -83,7 +99,9 @@ pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize, part: f64) ->
 
 impl Merging {
     fn new(mut nodes: Vec<Node>, arcs: &[Arc], cells: f64, part: f64) -> Self {
-        let mut neighbours = vec![Vec::new(); nodes.len()];
+        let mut counts = vec![0; nodes.len()];
+        arcs.iter().flat_map(|arc| arc.ends).for_each(|end| counts[end as usize] += 1);
+        let mut neighbours: Vec<Vec<(u32, u32)>> = counts.into_iter().map(Vec::with_capacity).collect();
         let mut adjacencies = Vec::with_capacity(arcs.len());
         for (number, arc) in (0_u32..).zip(arcs) {
             let [a, b] = arc.ends;
@@ -105,8 +123,7 @@ impl Merging {
     fn put(&mut self, number: u32) {
         let adjacency = &self.adjacencies[number as usize];
         let (cost, length) = (self.cost(adjacency), adjacency.sums.length);
-        let rank = (Reverse(TotalOrder(cost)), TotalOrder(length), Reverse(number));
-        self.heap.push(Ranked { rank, item: adjacency.version });
+        self.heap.push(Ranked { rank: MergeOrder::new(cost, length, number), item: adjacency.version });
     }
 
     /// How much is seen between two regions.
