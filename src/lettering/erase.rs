@@ -3,22 +3,34 @@
 use crate::raster::{Planes, Raster};
 use crate::units::Size;
 
-/// The letters with the pixels around them that are smoothed into the ground, `reach` px far; not what belongs to
+/// The pixels of letters with those around them that are smoothed into the ground, `reach` px far; not what belongs to
 /// something else that is thin, such as a line that passes by.
-pub(super) fn with_margin(letters: &[bool], others: &[bool], size: Size, reach: usize) -> Vec<bool> {
+pub(super) fn with_margin(letters: &[usize], others: &[bool], size: Size, reach: usize) -> Vec<usize> {
+    let width = size.width as usize;
+    // the part of the picture around them: there are many texts, and each is small
+    let side = |of: fn(usize, usize) -> usize, axis: fn(usize, usize) -> usize| {
+        letters.iter().map(|&cell| axis(cell, width)).reduce(of).unwrap_or(0)
+    };
+    let (column, row) = (|cell: usize, width: usize| cell % width, |cell: usize, width: usize| cell / width);
+    let first = [side(usize::min, column), side(usize::min, row)].map(|at| at.saturating_sub(reach));
+    let columns = side(usize::max, column) + reach + 1 - first[0];
+    let rows = side(usize::max, row) + reach + 1 - first[1];
+    let at = |cell: usize| (cell / width - first[1]) * columns + cell % width - first[0];
+    let mut is_in = vec![false; columns * rows];
+    letters.iter().for_each(|&cell| is_in[at(cell)] = true);
     let mut all = letters.to_vec();
-    let mut last: Vec<usize> = (0..all.len()).filter(|&cell| all[cell]).collect();
+    let mut from = 0;
     for _ in 0..reach {
-        let mut next = Vec::new();
-        for &cell in &last {
-            for (neighbour, _) in neighbours(cell, size) {
-                if !all[neighbour] && !others[neighbour] {
-                    all[neighbour] = true;
-                    next.push(neighbour);
+        let to = all.len();
+        for i in from..to {
+            for (neighbour, _) in neighbours(all[i], size) {
+                if !is_in[at(neighbour)] && !others[neighbour] {
+                    is_in[at(neighbour)] = true;
+                    all.push(neighbour);
                 }
             }
         }
-        last = next;
+        from = to;
     }
     all
 }

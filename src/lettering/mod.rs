@@ -121,11 +121,8 @@ impl Lettering {
 
     fn add(&mut self, look: &Look, line: &TextLine) {
         let size = look.thin.contrast.size;
-        let mut letters = vec![false; size.len()];
-        look.cells(line).into_iter().for_each(|cell| letters[cell] = true);
         let reach = MARGIN + (MARGIN_OF_HEIGHT * line.height) as usize;
-        let mask = with_margin(&letters, &look.thin.set, size, reach);
-        self.letters.push((0..mask.len()).filter(|&pixel| mask[pixel]).collect());
+        self.letters.push(with_margin(&look.cells(line), &look.thin.set, size, reach));
         let corners = corners(line).map(|[x, y]| PxPoint::new(x, y));
         self.lines.push(FoundLine { corners, angle: line.angle, height: line.height });
     }

@@ -14,10 +14,14 @@ fn a_ground_of_one_colour_closes_over_what_is_erased() {
 
 #[test]
 fn a_margin_stops_before_other_things() {
-    let size = Size::new(9, 1);
-    let set = |at: usize| (0..9).map(|cell| cell == at).collect::<Vec<bool>>();
-    let mask = with_margin(&set(3), &set(5), size, 3);
-    assert_eq!(mask, [true, true, true, true, true, false, false, false, false]);
+    let size = Size::new(9, 3);
+    // the others are below the letter's row, too, where the picture ends
+    let others: Vec<bool> = (0..size.len()).map(|cell| cell == 14 || cell >= 18).collect();
+    let mut cells = with_margin(&[12], &others, size, 3);
+    cells.sort_unstable();
+    // from the letter in the fourth column around the corner of what is right of it
+    assert_eq!(cells, [0, 1, 2, 3, 4, 5, 6, 9, 10, 11, 12, 13, 15]);
+    assert_eq!(with_margin(&[], &others, size, 3), [0_usize; 0]);
 }
 
 #[test]
