@@ -63,6 +63,8 @@ const STYLE_STROKE: f32 = 1.3;
 const STYLE_CONTRAST: f32 = 1.3;
 const STYLE_UNSURE: f32 = 0.7;
 const STYLE_COLOUR: f32 = 0.15;
+/// Single letters are as high as those of other texts but for this.
+const SAME_HEIGHT: LetterLength = LetterLength::new(0.08, 1.0);
 /// Texts belong to one row or column if their angles differ by at most this, degrees, and their heights by this.
 const ROW_ANGLE: f32 = 2.0;
 const ROW_HEIGHT: LetterLength = LetterLength::new(0.15, 1.0);
@@ -336,6 +338,25 @@ impl TextLine {
             across: [self.across[0] - margin, self.across[1] + margin],
             ..self.clone()
         }
+    }
+
+    /// Whether its letters are as high as those of another one, which small letters beside capitals are not.
+    pub(super) fn is_size_of(&self, other: &Self) -> bool {
+        (other.height - self.height).abs() <= SAME_HEIGHT.of(self.height)
+    }
+
+    /// Whether it is long, or so large a share of its letters is neither a bar nor a dot.
+    pub(super) fn is_long_or_complex(&self, share: f32) -> bool {
+        self.letters.len() >= FEW || self.complex >= share
+    }
+
+    /// Whether its middle lies in the box of another one at the same angle.
+    pub(super) fn is_within(&self, other: &Self) -> bool {
+        let middle = |range: [f32; 2]| 0.5 * (range[0] + range[1]);
+        let is_in = |at: f32, range: [f32; 2]| (range[0]..=range[1]).contains(&at);
+        (self.angle - other.angle).abs() <= ROW_ANGLE
+            && is_in(middle(self.along), other.along)
+            && is_in(middle(self.across), other.across)
     }
 
     /// Whether another one stands on the same line, or above or below it with an end or the middle at the same place,

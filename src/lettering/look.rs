@@ -5,7 +5,8 @@ use super::glyph::{LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
 use super::line::{SmallShapes, TextLine, each_cell, line};
-use super::shape::are_unlike;
+use super::shape::{Comparing, SMALL, are_unlike, rare};
+use super::steps::at_even_steps;
 use crate::geom::order::middle;
 use crate::raster::contrast::distance;
 use crate::raster::plane::Plane;
@@ -27,10 +28,24 @@ const STEP: f32 = 7.5;
 const OFF: f32 = 8.0;
 /// Least share of letters that stand on a line that is aslant.
 const ALIGNED_ASLANT: f32 = 0.75;
+/// Lines that are more aslant than this, degrees, and short have so many letters that are no bars: dashes and a curve
+/// that they cut to pieces are half bars.
+const NEARLY_LEVEL: f32 = 15.0;
+const COMPLEX_ASLANT: f32 = 0.6;
 /// Directions in which short labels are looked for are those of others, the first of them.
 const MOST_ANGLES: usize = 6;
 /// Of directions that differ by less than this, degrees, one is enough.
 const SAME_ANGLE: f32 = 2.0;
+/// At even steps digits of up to this side, px, are unlike if a pixel of them is aside: of 0, 2, 4, 6 and 8 three look
+/// alike otherwise.
+const SMALL_AT_STEPS: f32 = 13.0;
+/// Single letters anywhere, such as the names of points, are so many at least, of shapes that at most so many of them
+/// have: more are marks. They are no higher than this, px, and clearer than others.
+const FEWEST_ALONE: usize = 3;
+const MOST_ALIKE: usize = 2;
+const HIGHEST_ALONE: f32 = 20.0;
+const CONTRAST_ALONE: f32 = 40.0;
+const CLUTTER_ALONE: f32 = 0.1;
 /// Least letters of a line that lies level, that stands upright, and that lies aslant: the less usual, the more.
 const LEVEL: usize = 1;
 const UPRIGHT: usize = 3;
@@ -88,6 +103,7 @@ impl Look {
 
     /// Lines of text: first those that lie level, then those that stand upright, then those aslant.
     pub(super) fn lines(&self, colours: &Colours<'_>) -> Vec<TextLine> {
+        let is_drawing = self.strict == Strictness::Drawing;
         let mut groups = groups(&self.glyphs, &self.letters);
         let mut lines: Vec<TextLine> = Vec::new();
         let aslant = (1..(90.0 / STEP) as usize)
@@ -108,6 +124,9 @@ impl Look {
                     line.letters.len() >= least
                         && (line.angle - angle).abs() <= OFF
                         && (least == LEVEL || line.is_aligned(ALIGNED_ASLANT))
+                        && (!is_drawing
+                            || angle.abs() % 90.0 <= NEARLY_LEVEL
+                            || line.is_long_or_complex(COMPLEX_ASLANT))
                 };
                 let line = self.line(&chain, angle).filter(fits);
                 if let Some(line) = line.and_then(|line| self.text(line, self.strict, colours)) {
@@ -128,24 +147,57 @@ impl Look {
                 angles.push(other.angle);
             }
         }
+        let is_drawing = self.strict == Strictness::Drawing;
+        let strict = if is_drawing { Strictness::Label } else { Strictness::Context };
         let mut lines = Vec::new();
         for angle in angles.into_iter().take(MOST_ANGLES) {
-            let mut chains = chains(&self.glyphs, &self.letters, angle);
-            chains.extend(placed(&self.glyphs, &self.letters, angle).into_iter().map(|one| vec![one]));
-            for chain in chains {
-                let Some(line) = self.line(&chain, angle) else { continue };
-                let mut like = others.iter().filter(|other| line.is_styled_as(other));
-                let is_like = match line.letters.len() {
-                    1 => like.any(|other| line.is_in_row_with(other)),
-                    _ => like.next().is_some(),
-                };
-                if is_like && (line.angle - angle).abs() <= OFF {
-                    lines.extend(self.text(line, Strictness::Context, colours));
-                }
+            let like = |chain: Vec<RotatedLetter>| {
+                let line = self.line(&chain, angle).filter(|line| (line.angle - angle).abs() <= OFF)?;
+                others.iter().any(|other| line.is_styled_as(other)).then_some(line)
+            };
+            let chains = chains(&self.glyphs, &self.letters, angle);
+            lines.extend(chains.into_iter().filter_map(like).filter_map(|line| self.text(line, strict, colours)));
+            let placed = placed(&self.glyphs, &self.letters, angle);
+            let singles: Vec<TextLine> = placed.into_iter().filter_map(|one| like(vec![one])).collect();
+            let is_in_row =
+                |line: &&TextLine| others.iter().any(|other| line.is_styled_as(other) && line.is_in_row_with(other));
+            let in_rows = singles.iter().filter(is_in_row);
+            lines.extend(in_rows.filter_map(|line| self.text(line.clone(), strict, colours)));
+            if is_drawing {
+                lines.extend(self.several_singles(singles, others, colours));
             }
         }
         lines.sort_by(|a, b| b.score.total_cmp(&a.score));
         lines
+    }
+
+    /// Those of some single letters that speak for one another: at even steps, as at an axis, or of shapes that few of
+    /// them have, as the names of points.
+    fn several_singles(&self, singles: Vec<TextLine>, others: &[TextLine], colours: &Colours<'_>) -> Vec<TextLine> {
+        let is_free = |line: &TextLine| !others.iter().any(|other| other.letters.len() > 1 && line.is_within(other));
+        let free = singles.into_iter().filter(is_free);
+        let text = |line: TextLine| self.text(line, Strictness::Single, colours);
+        let singles: Vec<TextLine> = free.filter_map(text).collect();
+        let small = Comparing { small: SMALL_AT_STEPS, ..self.comparing() };
+        let is_at_step = at_even_steps(&singles, |letters| are_unlike(small, letters));
+        let (mut lines, alone): (Vec<_>, Vec<_>) = singles.into_iter().zip(is_at_step).partition(|(_, is)| *is);
+        let stands_clear = |(line, _): &(TextLine, bool)| {
+            line.height <= HIGHEST_ALONE
+                && line.contrast >= CONTRAST_ALONE
+                && others.iter().any(|other| line.is_styled_as(other) && line.is_size_of(other))
+                && self.clutter(line) <= CLUTTER_ALONE
+        };
+        let alone: Vec<(TextLine, bool)> = alone.into_iter().filter(stands_clear).collect();
+        let letters: Vec<RotatedLetter> = alone.iter().map(|(line, _)| line.letters[0]).collect();
+        let is_rare = rare(self.comparing(), &letters, MOST_ALIKE);
+        if is_rare.iter().filter(|is| **is).count() >= FEWEST_ALONE {
+            lines.extend(alone.into_iter().zip(is_rare).filter(|(_, is)| *is).map(|(one, _)| one));
+        }
+        lines.into_iter().map(|(line, _)| line).collect()
+    }
+
+    fn comparing(&self) -> Comparing<'_> {
+        Comparing { glyphs: &self.glyphs, width: self.width(), small: SMALL }
     }
 
     /// The pixels of a line's letters, and of the dots between and above them.
@@ -175,9 +227,8 @@ impl Look {
     /// A line with its minus, if it is text.
     fn text(&self, line: TextLine, strict: Strictness, colours: &Colours<'_>) -> Option<TextLine> {
         // the digits of a number such as 0.0 may be alike; what costs more comes last
-        let may_be_alike = strict == Strictness::Context && line.has_point;
-        let are_letters =
-            line.is_text(strict, 0.0) && (may_be_alike || are_unlike(&self.glyphs, &line.letters, self.width()));
+        let may_be_alike = strict == Strictness::Label && line.has_point;
+        let are_letters = line.is_text(strict, 0.0) && (may_be_alike || are_unlike(self.comparing(), &line.letters));
         if !are_letters {
             return None;
         }

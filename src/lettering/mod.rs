@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Lab planes -> glyph (thin connected parts, darker or lighter) -> chain (alike, side by side, at an angle)
-//!            -> line (is it text?) -> short labels in the style of others -> Lettering -> erase
+//!            -> line (is it text?) -> short labels in the style of others, and steps of them -> Lettering -> erase
 //! ```
 //!
 //! A classical method: letters are connected components of a stroke's width, and text is a row of them that are alike
@@ -18,6 +18,7 @@ mod limits;
 mod line;
 mod look;
 mod shape;
+mod steps;
 mod straight;
 
 use self::erase::with_margin;

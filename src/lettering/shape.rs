@@ -16,47 +16,64 @@ const SOLIDITY: f32 = 0.1;
 /// They are alike if this share of the pixels of each lies within a pixel of the other.
 const SHARED: f32 = 0.93;
 /// Of shapes with sides below this, px, a pixel aside is another letter, and this share of the pixels is the same.
-const SMALL: f32 = 9.0;
+pub(super) const SMALL: f32 = 9.0;
 const SHARED_OF_SMALL: f32 = 0.8;
 /// How many unlike shapes rows have at least, of up to so many letters: most words of four have three.
 const UNLIKE: [(usize, usize); 3] = [(3, 2), (7, 3), (usize::MAX, 4)];
 /// From this many letters on, at most half are of one shape.
 const SEVERAL: usize = 4;
 
+/// Letters compared: what they are of, the columns of the picture, and below which sides a pixel aside is another one.
+#[derive(Clone, Copy)]
+pub(super) struct Comparing<'a> {
+    pub(super) glyphs: &'a [LetterShape],
+    pub(super) width: usize,
+    pub(super) small: f32,
+}
+
 /// Whether letters in a row are as unlike as those of a text.
-pub(super) fn are_unlike(glyphs: &[LetterShape], letters: &[RotatedLetter], width: usize) -> bool {
+pub(super) fn are_unlike(of: Comparing<'_>, letters: &[RotatedLetter]) -> bool {
     let n = letters.len();
     let wanted = UNLIKE.iter().find(|(most, _)| n <= *most).map_or(0, |(_, unlike)| n.min(*unlike));
-    let (kinds, commonest) = shapes(glyphs, letters, width);
+    let (kinds, commonest) = shapes(of, letters);
     kinds >= wanted && (n < SEVERAL || 2 * commonest <= n)
 }
 
+/// Which of some letters have a shape that at most so many of them have.
+pub(super) fn rare(of: Comparing<'_>, letters: &[RotatedLetter], most: usize) -> Vec<bool> {
+    let is_rare = |letter: &RotatedLetter| letters.iter().filter(|other| alike(of, letter, other)).nth(most).is_none();
+    letters.iter().map(is_rare).collect()
+}
+
 /// Number of unlike shapes, and how many letters have the commonest one.
-fn shapes(glyphs: &[LetterShape], letters: &[RotatedLetter], width: usize) -> (usize, usize) {
-    let alike = |a: &RotatedLetter, b: &RotatedLetter| {
-        let near = |a: f32, b: f32| (a - b).abs() <= (SIDES * a.max(b)).max(LEAST_SIDES);
-        let (first, second) = (&glyphs[a.of], &glyphs[b.of]);
-        let (few, many) = (first.cells.len().min(second.cells.len()), first.cells.len().max(second.cells.len()));
-        near(a.width(), b.width())
-            && near(a.height(), b.height())
-            && many as f32 <= PIXELS * few as f32 + FEW_PIXELS
-            && (first.solidity() - second.solidity()).abs() <= SOLIDITY
-            && same_pixels(first, second, width)
-    };
+fn shapes(of: Comparing<'_>, letters: &[RotatedLetter]) -> (usize, usize) {
     let mut kinds: Vec<&RotatedLetter> = Vec::new();
     let mut most = 0;
     for letter in letters {
-        if !kinds.iter().any(|kind| alike(kind, letter)) {
+        if !kinds.iter().any(|kind| alike(of, kind, letter)) {
             kinds.push(letter);
         }
-        most = most.max(letters.iter().filter(|other| alike(letter, other)).count());
+        most = most.max(letters.iter().filter(|other| alike(of, letter, other)).count());
     }
     (kinds.len(), most)
 }
 
+/// Whether two letters may be one, drawn twice.
+fn alike(of: Comparing<'_>, a: &RotatedLetter, b: &RotatedLetter) -> bool {
+    let near = |a: f32, b: f32| (a - b).abs() <= (SIDES * a.max(b)).max(LEAST_SIDES);
+    let (first, second) = (&of.glyphs[a.of], &of.glyphs[b.of]);
+    let (few, many) = (first.cells.len().min(second.cells.len()), first.cells.len().max(second.cells.len()));
+    near(a.width(), b.width())
+        && near(a.height(), b.height())
+        && many as f32 <= PIXELS * few as f32 + FEW_PIXELS
+        && (first.solidity() - second.solidity()).abs() <= SOLIDITY
+        && same_pixels(of, first, second)
+}
+
 /// Whether nearly all pixels of each of two things have one of the other within a pixel, when their boxes are laid on
 /// one another; for small ones, whether most pixels are the same.
-fn same_pixels(a: &LetterShape, b: &LetterShape, width: usize) -> bool {
+fn same_pixels(of: Comparing<'_>, a: &LetterShape, b: &LetterShape) -> bool {
+    let width = of.width;
     let at = |glyph: &LetterShape, cell: usize| {
         [(cell % width) as i32 - glyph.min[0] as i32, (cell / width) as i32 - glyph.min[1] as i32]
     };
@@ -70,7 +87,7 @@ fn same_pixels(a: &LetterShape, b: &LetterShape, width: usize) -> bool {
         mask
     };
     let (first, second) = (mask(a), mask(b));
-    let reach = i32::from(a.side().min(b.side()) >= SMALL);
+    let reach = i32::from(a.side().min(b.side()) >= of.small);
     let has = |mask: &[bool], x: i32, y: i32| {
         let inside = |x: i32, y: i32| (0..sides[0]).contains(&x) && (0..sides[1]).contains(&y);
         (y - reach..=y + reach)

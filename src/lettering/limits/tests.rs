@@ -20,7 +20,7 @@ const WORD: Row = Row {
 
 #[test]
 fn clear_rows_are_text_if_they_are_long_enough() {
-    for strict in [Strictness::Drawing, Strictness::Photograph, Strictness::Context] {
+    for strict in [Strictness::Drawing, Strictness::Photograph, Strictness::Context, Strictness::Label] {
         let is_text = |letters: usize| strict.allows(&Row { letters, is_pair: letters == 2, ..WORD });
         let least = (0..9).find(|&letters| is_text(letters)).filter(|&least| (least..9).all(is_text));
         assert_eq!(least, Some(strict.least_letters()), "{strict:?}");
@@ -33,7 +33,7 @@ fn clear_rows_are_text_if_they_are_long_enough() {
 #[test]
 fn each_limit_is_held() {
     let worse: [fn(&mut Row); 7] = [
-        |row| row.unevenness = 0.11,
+        |row| row.unevenness = 0.19,
         |row| row.spread = 0.26,
         |row| row.stroke_spread = 0.46,
         |row| row.clutter = 0.51,
@@ -50,6 +50,23 @@ fn each_limit_is_held() {
     }
     let large = Row { height: 49.0, ..WORD };
     assert!(!Strictness::Photograph.allows(&large) && Strictness::Drawing.allows(&large));
+}
+
+#[test]
+fn small_letters_of_a_drawing_are_less_even_and_faint_ones_of_one_colour() {
+    let allows = |strict: Strictness, row: Row| strict.allows(&row);
+    let small = Row { unevenness: 0.15, ..WORD };
+    let large = Row { height: 20.0, ..small };
+    assert_eq!([small, large].map(|row| allows(Strictness::Drawing, row)), [true, false]);
+    assert!(![small, large].iter().any(|row| allows(Strictness::Photograph, *row)));
+    let one = Row { letters: 1, unevenness: 0.12, ..WORD };
+    let strict = [Strictness::Context, Strictness::Label, Strictness::Single];
+    assert_eq!(strict.map(|strict| allows(strict, one)), [false, true, true]);
+    let beside_ticks = Row { clutter: 0.3, ..one };
+    assert_eq!(strict.map(|strict| allows(strict, beside_ticks)), [false, false, true]);
+    let pieces = Row { spread: 0.15, contrast: 20.0, ..WORD };
+    let clear = Row { contrast: 40.0, ..pieces };
+    assert_eq!([pieces, clear].map(|row| allows(Strictness::Drawing, row)), [false, true]);
 }
 
 #[test]

@@ -26,13 +26,17 @@ struct Sheet {
 
 impl Sheet {
     fn of(texts: &[(&str, [usize; 2])]) -> Self {
+        Self::of_scale(SCALE, texts)
+    }
+
+    fn of_scale(scale: usize, texts: &[(&str, [usize; 2])]) -> Self {
         let mut sheet = Self { is_ink: vec![false; SIZE.len()] };
         for (text, [left, top]) in texts {
             for (i, letter) in text.chars().enumerate() {
                 let (_, rows) = LETTERS.iter().find(|(known, _)| *known == letter).expect("a known letter");
                 for (y, row) in rows.iter().enumerate() {
                     for (x, _) in row.chars().enumerate().filter(|(_, pixel)| *pixel == '#') {
-                        sheet.bar([left + (6 * i + x) * SCALE, top + y * SCALE], [SCALE, SCALE]);
+                        sheet.bar([left + (6 * i + x) * scale, top + y * scale], [scale, scale]);
                     }
                 }
             }
@@ -60,6 +64,14 @@ impl Sheet {
         let colours = Colours::new(&raster, strict == Strictness::Drawing);
         let plane = &colours.planes[0];
         Look::new((plane, &Levels::of(plane)), polarity, &colours, strict).map(|look| of(&look, &colours))
+    }
+
+    /// How many single letters are text beside the words of five letters of a drawing.
+    fn singles(&self) -> Option<usize> {
+        self.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, |look, colours| {
+            let words: Vec<TextLine> = look.lines(colours).into_iter().filter(|line| line.letters.len() == 5).collect();
+            look.in_style(colours, &words).iter().filter(|line| line.letters.len() == 1).count()
+        })
     }
 
     /// How many letters each line of dark text in a drawing has.
@@ -96,6 +108,30 @@ fn a_digit_alone_is_text_only_beside_others_of_its_style() {
         (words.len(), alone(&words), alone(&[]))
     });
     assert_eq!(found, Some((1, 1, 0)));
+}
+
+#[test]
+fn single_letters_at_even_steps_are_text_if_they_are_unlike() {
+    let count = |texts: [(&str, [usize; 2]); 3]| {
+        let mut sheet = Sheet::of(&[&[("SPARE", [190, 8])][..], &texts[..]].concat());
+        // a tick leads to each
+        texts.iter().for_each(|(_, [left, top])| sheet.bar([left + 7, top - 15], [2, 9]));
+        sheet.singles()
+    };
+    assert_eq!(count([("A", [16, 80]), ("N", [80, 80]), ("5", [144, 80])]), Some(3));
+    assert_eq!(count([("A", [16, 80]), ("N", [60, 80]), ("5", [144, 80])]), Some(0), "uneven");
+    assert_eq!(count([("A", [16, 80]), ("N", [80, 60]), ("5", [144, 80])]), Some(0), "in no row");
+    assert_eq!(count([("E", [16, 80]), ("E", [80, 80]), ("E", [144, 80])]), Some(0), "alike");
+}
+
+#[test]
+fn small_letters_anywhere_are_text_if_they_are_several_and_unlike() {
+    let count =
+        |texts: &[(&str, [usize; 2])]| Sheet::of_scale(2, &[&[("SPARE", [10, 8])][..], texts].concat()).singles();
+    let [a, n, five] = [("A", [180, 48]), ("N", [260, 90]), ("5", [120, 70])];
+    assert_eq!(count(&[a, n, five]), Some(3));
+    assert_eq!(count(&[a, n]), Some(0), "two");
+    assert_eq!(count(&[("E", a.1), ("E", n.1), ("E", five.1)]), Some(0), "alike");
 }
 
 #[test]
