@@ -20,6 +20,9 @@ const EVEN: f32 = 0.7;
 /// They are so many at least.
 const FEWEST: usize = 3;
 
+/// A length of a text, by which letters are compared.
+type Measure<'a> = &'a dyn Fn(&TextLine) -> f32;
+
 /// Which of some single letters stand at even steps beside others that are `unlike`, all at one angle.
 pub(super) fn at_even_steps(singles: &[TextLine], unlike: impl Fn(&[RotatedLetter]) -> bool) -> Vec<bool> {
     let mut is_one = vec![false; singles.len()];
@@ -28,7 +31,7 @@ pub(super) fn at_even_steps(singles: &[TextLine], unlike: impl Fn(&[RotatedLette
     let middles = |line: &TextLine| 0.5 * (line.along[0] + line.along[1]);
     let ends = |line: &TextLine| line.along[1];
     let heights = |line: &TextLine| 0.5 * (line.across[0] + line.across[1]);
-    let lined: [(&dyn Fn(&TextLine) -> f32, &dyn Fn(&TextLine) -> f32); 4] =
+    let lined: [(Measure<'_>, Measure<'_>); 4] =
         [(&level, &middles), (&starts, &heights), (&middles, &heights), (&ends, &heights)];
     for (key, place) in lined {
         let mut sorted: Vec<usize> = (0..singles.len()).collect();
