@@ -64,9 +64,9 @@ fn small_letters_of_a_drawing_are_less_even_and_faint_ones_of_one_colour() {
     assert_eq!(strict.map(|strict| allows(strict, one)), [false, true, true]);
     let beside_ticks = Row { clutter: 0.3, ..one };
     assert_eq!(strict.map(|strict| allows(strict, beside_ticks)), [false, false, true]);
-    let pieces = Row { spread: 0.15, contrast: 20.0, ..WORD };
-    let clear = Row { contrast: 40.0, ..pieces };
-    assert_eq!([pieces, clear].map(|row| allows(Strictness::Drawing, row)), [false, true]);
+    let pieces = Row { spread: 0.15, contrast: 20.0, angle: 65.0, ..WORD };
+    let [clear, level] = [Row { contrast: 40.0, ..pieces }, Row { angle: 0.0, ..pieces }];
+    assert_eq!([pieces, clear, level].map(|row| allows(Strictness::Drawing, row)), [false, true, true]);
 }
 
 #[test]
