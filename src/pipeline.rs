@@ -57,6 +57,7 @@ mod told_bars;
 mod told_given;
 mod told_labels;
 mod told_lines;
+mod told_signs;
 mod too_near;
 mod torn_lines;
 pub mod trace;

@@ -199,3 +199,37 @@ fn a_pale_grid_behind_bars_gives_way() {
     assert!(top > 1.2 * beside && beside > 0.0, "{top} mm, beside it {beside} mm");
     assert!(drawing.notes.iter().any(|note| note.to_string().contains("gridlines, are not in the overview")));
 }
+
+/// A scatter plot of discs and squares on a pale grid: as many points are on its page, on paper and on dots, and
+/// fingers tell the two kinds apart.
+#[test]
+fn all_points_of_a_scatter_plot_are_on_the_page_and_its_two_kinds_are_told_apart() {
+    let mut svg = r##"<svg xmlns="http://www.w3.org/2000/svg" width="900" height="600"><rect width="900" height="600" fill="#fff"/>"##.to_owned();
+    for k in 1..=4 {
+        svg += &format!(r##"<path d="M80 {y}H840" stroke="#ccc" stroke-width="2"/>"##, y = 540 - 110 * k);
+    }
+    svg += r##"<path d="M80 60V540H840" fill="none" stroke="#000" stroke-width="3"/>"##;
+    for (x, y) in [(161, 480), (233, 431), (290, 390), (371, 205), (522, 262), (655, 317), (741, 93)] {
+        svg += &format!(r##"<circle cx="{x}" cy="{y}" r="6" fill="#17b"/>"##);
+    }
+    for (x, y) in [(142, 170), (301, 122), (437, 352), (488, 462), (603, 148), (786, 408)] {
+        svg += &format!(r##"<rect x="{}" y="{}" width="11" height="11" fill="#e70"/>"##, x - 5, y - 5);
+    }
+    svg += "</svg>";
+    for (profile, name) in [("swell-a4", "paper"), ("index-basic-d", "dots")] {
+        let options = Options::new(Profile::named(profile).expect("it is built in"));
+        let drawing = tactograph::convert(&bitmap::png(&svg, 1200).expect("a PNG"), &options).expect("a page");
+        let extent = |line: &tactograph::marks::Line| {
+            let points: Vec<_> = line.runs.iter().flat_map(|run| &run.points).collect();
+            let side = |of: fn(&tactograph::MmPoint) -> f32| {
+                let at = || points.iter().map(|at| of(at));
+                at().fold(f32::MIN, f32::max) - at().fold(f32::MAX, f32::min)
+            };
+            side(|at| at.x).max(side(|at| at.y))
+        };
+        let points = drawing.page.figure.lines.iter().filter(|line| extent(line) < 6.5).count();
+        assert_eq!(points, 13, "{name}: {:?}", drawing.notes);
+        let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("signs of several kinds"));
+        assert!(told.is_some_and(|note| note.contains("7 are filled points on the page, and 6 are rings")), "{name}");
+    }
+}

@@ -15,6 +15,7 @@
 //! order, as each step needs what the one before has made:
 //!
 //! ```text
+//! [bitmaps: signs that mark places (taken out of the picture first; in the end rings among the contours)]
 //! [bitmaps: filled heads of arrows (taken out, and the strokes found once more)]
 //! strokes, edges -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
 //!                -> tips (ends that make a corner or go on in one another meet)
@@ -53,6 +54,7 @@ mod refine;
 mod ridge;
 mod rings;
 mod side_statistics;
+mod signs;
 mod step_height;
 mod straight;
 mod strength;
@@ -72,6 +74,7 @@ use noise::Noise;
 pub use params::Params;
 use ridge::RidgePoint;
 use side_statistics::SideStatistics;
+use signs::Signs;
 use strength::Evidence;
 use stroke::{FilledHead, Stroke, Tint};
 use tips::FoundContour;
@@ -177,6 +180,20 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     ridges.contours(grouped)
 }
 
+/// [`find_of_kind`] of a bitmap of a drawing, with its signs that mark places as rings, and what is found without them.
+pub fn find_with_signs(raster: &Raster, kind: &PictureKind, params: &Params, px_per_mm: f32) -> Edges {
+    let may_have = kind.is_drawing && kind.lossy.is_none();
+    let signs = if may_have { Signs::find(raster, px_per_mm) } else { Signs::default() };
+    if signs.is_empty() {
+        return find_of_kind(raster, kind, params, None);
+    }
+    let rest = signs.erased_from(raster);
+    let ridges = Ridges::of(&rest, kind, params).map(|ridges| Ridges { taken_out: signs.outlines(), ..ridges });
+    let mut edges = ridges.map_or_else(|| Edges::none(raster.size()), |ridges| ridges.contours(None));
+    signs.add_to(&mut edges);
+    edges
+}
+
 /// All ridge points and their chains, before any is dropped: [`find_of_kind`] in parts, for those who tell how long
 /// each takes.
 pub struct Ridges<'a> {
@@ -192,6 +209,8 @@ pub struct Ridges<'a> {
     chains: Vec<Chain>,
     sides: SideStatistics,
     discs: Vec<Disc>,
+    /// Strength and length of the outlines of what was taken out of the picture before.
+    taken_out: Vec<(f32, f32)>,
 }
 
 /// The regions between all chains, and what follows for those.
@@ -233,7 +252,8 @@ impl<'a> Ridges<'a> {
         let chains = chain::link(&points, size, params.min_length);
         step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
         let sides = sides.finish(&points, &chains, noise.height_sigma(params.sigma));
-        Some(Self { raster, kind, params, planes, heads, strokes, points, chains, sides, discs })
+        let taken_out = Vec::new();
+        Some(Self { raster, kind, params, planes, heads, strokes, points, chains, sides, discs, taken_out })
     }
 
     /// The regions between all chains; none of a drawing, whose lines say enough.
@@ -248,7 +268,8 @@ impl<'a> Ridges<'a> {
 
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
-        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, discs } = self;
+        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, discs, taken_out } =
+            self;
         let (size, params, of_drawing) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
@@ -288,7 +309,7 @@ impl<'a> Ridges<'a> {
         let mut edges = Edges::none(size);
         heads::add(&heads, &mut edges);
         let weighed = match of_drawing {
-            true => pale_grid::parted(contours, &widths, size),
+            true => pale_grid::parted(contours, &widths, size, taken_out),
             false => contours.into_iter().zip(widths).map(|(contour, width)| (contour, width, false)).collect(),
         };
         for (contour, stroke, faint) in weighed {

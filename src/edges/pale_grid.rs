@@ -30,9 +30,14 @@ const TURNED: f32 = 0.7;
 pub(super) type Weighed = (Contour, Option<f32>, bool);
 
 /// The contours of a drawing of this size, each with the width of its stroke; those that are in part lines of a pale
-/// grid are parted.
-pub(super) fn parted(contours: Vec<Contour>, widths: &[Option<f32>], size: Size) -> Vec<Weighed> {
-    let most = PALE * strong(&contours, size).min(BLACK);
+/// grid are parted. Others are no longer among them, of which strengths and lengths are given.
+pub(super) fn parted(
+    contours: Vec<Contour>,
+    widths: &[Option<f32>],
+    size: Size,
+    others: Vec<(f32, f32)>,
+) -> Vec<Weighed> {
+    let most = PALE * strong(&contours, size, others).min(BLACK);
     let divided: Vec<Option<Divided>> =
         contours.iter().zip(widths).map(|(contour, width)| width.and_then(|_| divided(contour, most))).collect();
     let ends: Vec<Option<[PxPoint; 2]>> =
@@ -152,9 +157,10 @@ impl Stretch {
 /// The contrast of the strong contours: a share of all by length, but no longer than the picture, as the lines of a
 /// grid are long beside a curve. A line of squared paper may be strong for a part only, where the side of a shape is on
 /// it.
-fn strong(contours: &[Contour], size: Size) -> f32 {
+fn strong(contours: &[Contour], size: Size, others: Vec<(f32, f32)>) -> f32 {
     let places = contours.iter().flat_map(|contour| contour.segments());
-    let mut all: Vec<(f32, f32)> = places.map(|(a, b)| (a.strength.min(b.strength), (b.at - a.at).length())).collect();
+    let mut all = others;
+    all.extend(places.map(|(a, b)| (a.strength.min(b.strength), (b.at - a.at).length())));
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     let whole: f32 = all.iter().map(|(_, length)| length).sum();
     let wanted = (STRONG * whole).min(size.width.max(size.height) as f32);

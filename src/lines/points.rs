@@ -26,7 +26,7 @@ use self::point::{MAGNIFIED, MIDDLE, SOLID, disc_radius, is_drawn_twice, is_like
 use super::lead_on::{extend_to, heading};
 use super::marks::SERIES;
 use super::params::{HEADING, Params};
-use super::vertex::{Tip, Vertex};
+use super::vertex::{FoundIn, Tip, Vertex};
 use crate::geom::polygon::roundness;
 use crate::geom::polyline::{Blend, Polyline};
 use crate::geom::{circle, nearest_on_segment};
@@ -80,6 +80,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     let mut points = TakenPoints::none_of(&found, params);
     let mut lines = LineIndex::of(polylines, params);
     let (mut alone, mut pointed_at, mut by_itself) = (Vec::new(), Vec::new(), Vec::new());
+    let (signs, found): (Vec<_>, Vec<_>) = found.into_iter().partition(|(_, point)| point.is_sign);
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = points.has(&point);
@@ -123,6 +124,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     name_series(&mut points.all);
     let beside = beside_lines(&mut points.all, alone, &by_itself, polylines, params);
     take_others(beside, &mut points, &mut taken);
+    take_others(signs, &mut points, &mut taken);
     let mut taken = taken.into_iter();
     polylines.retain(|_| taken.next() == Some(false));
     points.all
@@ -387,17 +389,19 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
     let is_round = roundness(area, length) >= ROUND;
     let (radius, is_circle) = ((area / std::f32::consts::PI).sqrt(), roundness(area, length) >= CIRCLE);
     let is_on = |vertex: &Vertex| ((vertex.at - at).length() / radius - 1.0).abs() <= FROM_CIRCLE;
+    let is_sign = ring.vertices.iter().all(|vertex| vertex.source == FoundIn::Sign);
     let point = Point {
         at,
         radius,
         is_filled: is_edge(ring),
         strength: ring.mean_strength(),
         series: None,
-        is_alone: false,
-        is_disc: false,
+        is_alone: is_sign,
+        is_disc: is_sign,
         is_exact: is_exact(ring),
         is_sure: is_exact(ring) || is_circle && ring.vertices.iter().all(is_on),
         is_circle,
+        is_sign,
     };
     (ring.vertices.len() > 3 && is_round).then_some(point)
 }
@@ -419,6 +423,7 @@ fn of_arc(line: &Polyline<Vertex>) -> Option<(f32, Point)> {
         is_exact: is_exact(line),
         is_sure: is_exact(line),
         is_circle: true,
+        is_sign: false,
     };
     is_arc.then_some((length, point))
 }

@@ -54,13 +54,15 @@ pub(super) enum FoundIn {
     Person,
     /// In the pixels of a drawing, a filled head of an arrow: its tip is the first of three corners.
     Head,
+    /// The same, a sign that marks a place.
+    Sign,
 }
 
 impl FoundIn {
     /// Whether it has no wobble of noise: it is where a path or a person has it, or is a corner of a head of an arrow,
     /// which was fitted to the pixels as a whole.
     pub(super) fn is_exact(self) -> bool {
-        matches!(self, Self::Vector | Self::FaintStroke | Self::Person | Self::Head)
+        matches!(self, Self::Vector | Self::FaintStroke | Self::Person | Self::Head | Self::Sign)
     }
 }
 
@@ -117,7 +119,7 @@ impl Vertex {
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
         match self.source {
             FoundIn::Stroke | FoundIn::FaintStroke => self.strength.max(full_strength),
-            FoundIn::Pixels | FoundIn::Vector | FoundIn::Person | FoundIn::Head => self.strength,
+            FoundIn::Pixels | FoundIn::Vector | FoundIn::Person | FoundIn::Head | FoundIn::Sign => self.strength,
         }
     }
 }
@@ -212,6 +214,7 @@ impl Polyline<Vertex> {
         let source = match kind {
             ChainKind { exact: true, added: true, .. } => FoundIn::Person,
             ChainKind { head: true, .. } => FoundIn::Head,
+            ChainKind { sign: true, .. } => FoundIn::Sign,
             ChainKind { exact: true, .. } => FoundIn::Vector,
             ChainKind { of_drawing: true, stroke: Some(_), .. } => FoundIn::Stroke,
             _ => FoundIn::Pixels,

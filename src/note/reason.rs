@@ -86,6 +86,8 @@ reasons! {
     White => "white", Changed;
     /// Dots of one group have several sizes and are taken as of one.
     UnevenDotSizes => "uneven-dot-sizes", Changed;
+    /// Signs of several kinds are points on the page, some filled and some hollow, or all alike.
+    SignsOfKinds => "signs-of-kinds", Changed;
     /// Dashed lines have no gaps on the page.
     Dashed => "dashed", Changed;
     /// Fingers read no letters in print.

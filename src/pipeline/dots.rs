@@ -5,6 +5,7 @@ use super::kept_lines;
 use super::lost_signs::{MOVED, extent, is_small_ring, kind};
 use super::open_rings;
 use super::request::Request;
+use super::told_signs;
 use super::torn_lines::torn;
 use crate::Error;
 use crate::classes::Classes;
@@ -65,7 +66,8 @@ pub(super) fn pressed(mut drawn: Lines, edges: &Edges, area: MmRect, layout: &La
     lost.gaps.extend(rings.filter_map(|(of, gap)| lost_of_ring(of).or(gap)));
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
-    lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, kind: SignKind::Ring }));
+    let signs = told_signs::places(edges, area);
+    lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, kind: told_signs::kind_of(point.at, &signs) }));
     let heads = drawn.marks.heads.iter().zip(&shown.heads).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, kind: SignKind::Arrowhead }));
     // beside those whose ticks are lines, as on a page of few shapes

@@ -242,8 +242,9 @@ fn told_of_drawn(
     let of_colours = lost_colours::told(drawn, edges, raster, layout, plan);
     let left_out = told_of_lost(drawn, edges, texts, layout).chain(of_colours);
     let has_lines = plan.profile().figure.lines;
+    let signs = super::told_signs::told(&drawn.lines, edges, layout);
     let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
-    left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).collect()
+    left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).chain(signs).collect()
 }
 
 /// What the maker is told of areas of the figure, of lines between its shapes, and of the first and the large ones of

@@ -58,7 +58,14 @@ pub(super) fn find_edges(
         ONE_COLOUR
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return edges_of(picture, content, &plan.edges(px_per_mm), plan.region_detail(), watch);
+        let params = plan.edges(px_per_mm);
+        if let Some(kind) = content.kind().filter(|kind| kind.is_drawing && picture.drawing.is_none()) {
+            watch(Event::Skip(Stage::Regions, OF_DRAWING));
+            return run_stage(watch, Stage::Edges, || {
+                edges::find_with_signs(&picture.raster, kind, &params, px_per_mm)
+            });
+        }
+        return edges_of(picture, content, &params, plan.region_detail(), watch);
     };
     skip_edges(reason, watch);
     Edges::none(picture.raster.size())

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::point::ring_radius;
 use super::{BEAD, MIDDLE, Point, SOLID, disc_radius};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -29,6 +30,8 @@ const RETURNS: f32 = 2.0;
 const SUNK: f32 = 0.2;
 /// A disc is moved by at most this, mm, as lines are of a drawing that is crowded: less than a fingertip resolves.
 const FARTHEST_DISC: f32 = 0.9;
+/// Hollow signs are rings if at least this share of them have room as rings.
+const LEAST_RINGS: f32 = 0.75;
 /// So much beyond a distance a disc is moved, mm.
 const ROUNDING: f32 = 0.01;
 
@@ -87,11 +90,23 @@ pub(in crate::lines) fn draw(
     let ring_lengths = lines.iter().map(|line| line.view().goes_round().then(|| line.length())).collect();
     let half_widths = lines.iter().map(|line| 0.5 * width(line.mean_strength(), params)).collect();
     let lines = AmongLines { segments, faint, ring_lengths, half_widths };
+    let points = &signs_alike(points, &lines, params)[..];
     let (drawn, has_room) = draw_those(points, &vec![true; points.len()], &lines, params);
     let series: Vec<Option<usize>> = points.iter().map(|point| point.series).collect();
     let whole = whole_series(&series, &has_room);
     let drawn = if whole == has_room { drawn } else { draw_those(points, &whole, &lines, params).0 };
     DrawnPoints { lines: Some(lines), ..drawn }
+}
+
+/// The points, of which the signs are all discs where too few hollow ones would have room as rings: that each is there
+/// says more than of which kind it is.
+fn signs_alike(points: &[Point], lines: &AmongLines, params: &Params) -> Vec<Point> {
+    let (_, has_room) = draw_those(points, &vec![true; points.len()], lines, params);
+    let own = || points.iter().zip(&has_room).filter(|(point, _)| is_ring_of_sign(point));
+    let drawn = own().filter(|(_, has_room)| **has_room).count() as f32;
+    let are_alike = drawn < LEAST_RINGS * own().count() as f32;
+    let alike = |point: &Point| Point { is_filled: point.is_filled || point.is_sign && are_alike, ..*point };
+    points.iter().map(alike).collect()
 }
 
 /// The lines among which points are drawn.
@@ -113,6 +128,9 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
     let mut has_room = vec![false; points.len()];
     for (number, point) in points.iter().enumerate().filter(|(number, _)| wanted[*number]) {
         let (radius, gap) = (radius(point, params), gap(point, params));
+        // no line passes through a ring
+        let on = if is_ring_of_sign(point) { f32::NEG_INFINITY } else { radius - SUNK };
+        let bounds = (on, radius + gap + params.play());
         let near = |at: MmPoint| {
             let near = |((other, its), gap_of): (&(MmPoint, f32), &f32)| {
                 (*other - at).length() < radius + its + gap.max(*gap_of)
@@ -120,10 +138,18 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
             drawn.discs.iter().zip(&drawn.gaps).any(near)
         };
         let place = match point.is_disc {
-            true => lines.place_of_disc(point.at, radius, gap, params).map(|at| (at, None)),
+            true => lines.place_of_disc(point.at, bounds, params).map(|at| (at, None)),
             false => lines.place(point).filter(|(at, _)| lines.leave_room(point, *at, radius, params)),
         };
-        let Some((at, line)) = place.filter(|(at, _)| !near(*at)) else {
+        let from_others = |at: MmPoint| {
+            let apart = drawn.apart(at, radius, gap).filter(|to| (*to - point.at).length() <= FARTHEST_DISC);
+            apart.filter(|to| lines.place_of_disc(*to, bounds, params) == Some(*to) && !near(*to))
+        };
+        let place = place.and_then(|(at, line)| match near(at) {
+            false => Some((at, line)),
+            true => from_others(at).filter(|_| point.is_disc).map(|at| (at, line)),
+        });
+        let Some((at, line)) = place else {
             drawn.lost_discs.extend(point.is_disc.then_some(point.at));
             continue;
         };
@@ -131,6 +157,7 @@ fn draw_those(points: &[Point], wanted: &[bool], lines: &AmongLines, params: &Pa
         drawn.discs.push((at, radius));
         drawn.gaps.push(gap);
         match line.filter(|_| point.is_filled) {
+            None if is_ring_of_sign(point) => drawn.rings.push(ring(point, at, radius - half, params)),
             None if point.is_disc => drawn.rings.push(ring(point, at, 0.5 * SOLID * params.width_max, params)),
             Some(line) => drawn.beads.push((line as usize, at)),
             None => {
@@ -165,11 +192,10 @@ impl AmongLines {
         nearest(false).or_else(|| nearest(true)).map(|(_, at, segment)| (at, Some(segment.line)))
     }
 
-    /// Where a disc of this radius, mm, is drawn for a point there: each line is under it, or apart by `gap`, mm. For
-    /// that it is moved a little, to the one or the other; faint lines give way. None if there is no such place.
-    fn place_of_disc(&self, own: MmPoint, radius: f32, gap: f32, params: &Params) -> Option<MmPoint> {
-        // from the side of a line
-        let (on, clear) = (radius - SUNK, radius + gap + params.play());
+    /// Where a disc is drawn for a point there: the side of each line is no farther from its middle than `on`, mm, and
+    /// under it, or as far as `clear`. For that it is moved a little, to the one or the other; faint lines give way.
+    /// None if there is no such place.
+    fn place_of_disc(&self, own: MmPoint, (on, clear): (f32, f32), params: &Params) -> Option<MmPoint> {
         let most = 0.5 * params.width_max;
         let Some((distance, foot)) = self.nearest_between(own, (on, clear), most) else { return Some(own) };
         let away = (own - foot).try_normalize()?;
@@ -225,15 +251,23 @@ impl AmongLines {
 /// Radius of what is drawn for a point, mm, with its ink.
 pub(super) fn radius(point: &Point, params: &Params) -> f32 {
     let half = 0.5 * params.width_max;
+    if is_ring_of_sign(point) {
+        return ring_radius(params);
+    }
     if point.is_disc {
         return disc_radius(params);
     }
     if point.is_filled { BEAD * half } else { point.radius.max(0.5 * params.max_spacing()) + half }
 }
 
+/// Whether a ring is drawn for a sign, as others are discs.
+fn is_ring_of_sign(point: &Point) -> bool {
+    point.is_sign && !point.is_filled
+}
+
 /// Least blank around what is drawn for a point, mm.
 fn gap(point: &Point, params: &Params) -> f32 {
-    if point.is_disc { Line::DISC_GAP * params.min_gap } else { params.min_gap }
+    if point.is_disc && !is_ring_of_sign(point) { Line::DISC_GAP * params.min_gap } else { params.min_gap }
 }
 
 fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Vertex> {
@@ -252,6 +286,17 @@ fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Ve
 }
 
 impl DrawnPoints {
+    /// The place next to this one at which what is drawn with a radius is as far as it must be from that one of these
+    /// to which it is nearest.
+    fn apart(&self, at: MmPoint, radius: f32, gap: f32) -> Option<MmPoint> {
+        let lacks = |((other, its), of): (&(MmPoint, f32), &f32)| {
+            let distance = (at - *other).length();
+            (radius + its + gap.max(*of) - distance, *other)
+        };
+        let (lack, other) = self.discs.iter().zip(&self.gaps).map(lacks).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(at + (at - other).try_normalize()? * (lack + ROUNDING))
+    }
+
     /// A line, of this number among those that are drawn, with its beads, and in parts where it ends at hollow points;
     /// with what of it is anchored.
     pub(in crate::lines) fn parts(

@@ -34,6 +34,8 @@ pub(in crate::lines) struct Point {
     pub(super) is_sure: bool,
     /// Whether it is as round as a circle, for fingers.
     pub(super) is_circle: bool,
+    /// Whether it is a sign of a bitmap that marks a place beside all lines, and was found as a whole.
+    pub(super) is_sign: bool,
 }
 
 impl Point {
@@ -57,6 +59,12 @@ pub(super) fn is_drawn_twice(point: &Point, points: &[Point]) -> bool {
 /// Whether two points look alike.
 pub(super) fn is_like(point: &Point, other: &Point) -> bool {
     point.mark().is_like(&other.mark())
+}
+
+/// Radius of the ring that stands for a hollow sign, mm: fingers tell it from a disc by its size too, and its hole is
+/// as wide as its stroke. Chosen by us.
+pub(super) fn ring_radius(params: &Params) -> f32 {
+    1.5 * params.width_max
 }
 
 /// Radius of a disc that stands for a point, mm: it is nearly twice as broad as the broadest line, and so is felt

@@ -38,6 +38,7 @@ fn point(at: MmPoint, radius: f32, is_exact: bool) -> Point {
         is_exact,
         is_sure: true,
         is_circle: true,
+        is_sign: false,
     }
 }
 

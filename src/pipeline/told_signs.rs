@@ -1,0 +1,53 @@
+//! Signs of a bitmap that mark places, such as the points of a scatter plot: what is told of those of several kinds.
+
+use super::lost_signs::{MOVED, extent};
+use crate::edges::{ChainRange, Edges};
+use crate::lines::{Line, SignKind};
+use crate::page::layout::Layout;
+use crate::units::{MmPoint, MmRect, PageTransform};
+use crate::{About, Note, Reason};
+
+/// A point is that of a sign if it lies so near to its place, mm.
+const AT_PLACE: f32 = 0.5;
+/// What is drawn for a hollow sign is no larger than this, mm.
+const LARGEST: f32 = 8.0;
+
+/// Where the middles of signs are in a figure, and whether they are filled.
+pub(super) fn places(edges: &Edges, figure: MmRect) -> Vec<(MmPoint, bool)> {
+    let transform = PageTransform::new(edges.size, figure);
+    let middle = |range: &ChainRange| {
+        MmRect::from_points(edges.chain(range).vertices.iter().map(|edgel| transform.to_mm(edgel.at))).center()
+    };
+    let signs = edges.chains.iter().filter(|range| range.kind.sign);
+    signs.map(|range| (middle(range), range.kind.stroke.is_none())).collect()
+}
+
+/// What a point at a place is that is not on the page.
+pub(super) fn kind_of(at: MmPoint, signs: &[(MmPoint, bool)]) -> SignKind {
+    match signs.iter().any(|(of, _)| (*of - at).length() < AT_PLACE) {
+        true => SignKind::Point,
+        false => SignKind::Ring,
+    }
+}
+
+/// What the maker is told of signs of several kinds: how they are told apart on the page, if they are.
+pub(super) fn told(lines: &[Line], edges: &Edges, layout: &Layout) -> Option<Note> {
+    let signs = places(edges, layout.figure);
+    let filled = signs.iter().filter(|(_, is_filled)| *is_filled).count();
+    let hollow = signs.len() - filled;
+    if hollow == 0 {
+        return None;
+    }
+    let is_ring = |line: &&Line| {
+        let of = extent(line);
+        !line.is_disc() && line.goes_round() && of.width().max(of.height()) <= LARGEST
+    };
+    let rings: Vec<MmPoint> = lines.iter().filter(is_ring).map(|line| extent(line).center()).collect();
+    let is_drawn = |at: MmPoint| rings.iter().any(|ring| (*ring - at).length() < MOVED);
+    let apart = match signs.iter().any(|(at, is_filled)| !is_filled && is_drawn(*at)) {
+        true => format!("{filled} are filled points on the page, and {hollow} are rings"),
+        false => "all are discs on the page, as there is no room for rings".to_owned(),
+    };
+    let told = format!("signs of several kinds mark places: {apart}; say in the title or a label what they stand for");
+    Some(Note::TakenAs(About::Lines, Reason::SignsOfKinds, told))
+}
