@@ -192,7 +192,7 @@ pub(super) fn told(
             format!("{heads} ({}): {why}", places(&heads_lost, sheets)),
         )
     });
-    let points = told_of_points(&of(SignKind::Point), sheets);
+    let points = told_of_points(&of(SignKind::Point), &figure.lines, sheets);
     let shapes = told_of_shapes(&others, (&all, &tips), are_labels, sheets);
     shapes.into_iter().chain(told_of_line_points(&of_lines, sheets)).chain(points).chain(arrows).collect()
 }
@@ -232,17 +232,29 @@ fn told_of_line_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Opti
 }
 
 /// What is told of points of a cloud that have no room.
-fn told_of_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Option<Note> {
-    let (points, they_are) = match lost.len() {
-        0 => return None,
-        1 => ("1 point".to_owned(), "it is"),
-        count => (format!("{count} points"), "they are"),
+fn told_of_points(lost: &[LostSign], lines: &[Line], sheets: Option<&SheetWindows>) -> Option<Note> {
+    let drawn = lines.iter().filter(|line| is_point(line)).count();
+    let all = if drawn == 0 { String::new() } else { format!(" of {}", drawn + lost.len()) };
+    let (points, they_are) = match (lost.len(), drawn) {
+        (0, _) => return None,
+        (1, 0) => ("1 point".to_owned(), "it is"),
+        (1, _) => (format!("1{all} points"), "it is"),
+        (count, _) => (format!("{count}{all} points"), "they are"),
     };
     let why = format!(
         "{they_are} too near to other points or lines for fingers to tell apart; make the figure larger, or say in a \
          label how many lie there"
     );
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{points} ({}): {why}", places(lost, sheets))))
+}
+
+/// What is drawn for a point is no larger than this, mm.
+const POINT: f32 = 6.5;
+
+/// Whether a line is what is drawn for a point beside all lines.
+fn is_point(line: &Line) -> bool {
+    let size = extent(line);
+    line.is_disc() || line.is_block_of_dots() || line.goes_round() && size.width().max(size.height()) <= POINT
 }
 
 /// So many places of signs are told.

@@ -20,6 +20,9 @@ use crate::lines::PointMark;
 /// A point may be so many steps beside its place where it has no room there.
 const BESIDE: [[f32; 2]; 9] =
     [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+/// Ways along the sheet.
+const WAYS: [[f32; 2]; 8] =
+    [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
 /// From the middle of a block to its dots, in steps.
 const OF_BLOCK: f32 = std::f32::consts::FRAC_1_SQRT_2;
 
@@ -83,16 +86,41 @@ impl Places<'_> {
         }
     }
 
-    /// The points that have room in this form, one after the other.
+    /// The points that have room in this form, one after the other: in their own order, or if some have no room then,
+    /// in that along the sheet in which most have.
     fn signs(&self, group: &[(usize, &PointMark)], form: Form) -> Vec<Option<DotSign>> {
+        let count = |signs: &[Option<DotSign>]| signs.iter().flatten().count();
+        let mut best = self.signs_in_order(group, 0..group.len(), form);
+        for way in WAYS {
+            if count(&best) == group.len() {
+                break;
+            }
+            let along = |number: &usize| way[0] * group[*number].1.at.x + way[1] * group[*number].1.at.y;
+            let mut order: Vec<usize> = (0..group.len()).collect();
+            order.sort_by(|a, b| along(a).total_cmp(&along(b)));
+            let signs = self.signs_in_order(group, order, form);
+            if count(&signs) > count(&best) {
+                best = signs;
+            }
+        }
+        best
+    }
+
+    fn signs_in_order(
+        &self,
+        group: &[(usize, &PointMark)],
+        order: impl IntoIterator<Item = usize>,
+        form: Form,
+    ) -> Vec<Option<DotSign>> {
         let mut taken: Vec<DrawnPoint> = Vec::new();
-        let mut signs = Vec::with_capacity(group.len());
-        for (_, point) in group {
+        let mut signs: Vec<Option<DotSign>> = group.iter().map(|_| None).collect();
+        for number in order {
+            let (_, point) = group[number];
             let at = self.field.lattice.to_steps(point.at);
             let beside = BESIDE.iter().map(|[dx, dy]| sign([at[0] + dx, at[1] + dy], form, point, self.field.lattice));
             let free = beside.into_iter().find(|sign| self.has_room_alone(&sign.runs[0], &taken));
             taken.extend(free.as_ref().map(|sign| sign.place));
-            signs.push(free);
+            signs[number] = free;
         }
         signs
     }
