@@ -268,8 +268,7 @@ impl<'a> Ridges<'a> {
 
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
-        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, discs, taken_out } =
-            self;
+        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, discs, taken_out } = self;
         let (size, params, of_drawing) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };

@@ -27,7 +27,7 @@ fn side(x: f32, top: u16) -> Contour {
 
 fn parted_strokes(contours: Vec<Contour>) -> Vec<Weighed> {
     let widths = vec![Some(1.0); contours.len()];
-    parted(contours, &widths, PICTURE)
+    parted(contours, &widths, PICTURE, Vec::new())
 }
 
 /// From where to where the faint ones run.

@@ -273,7 +273,7 @@ fn smoothed(values: &[f32], size: Size) -> Vec<f32> {
         let after = if is_last { values[cell] } else { values[cell + step] };
         0.25 * before + 0.5 * values[cell] + 0.25 * after
     };
-    let along = |cell: usize| mean(values, 1, cell, cell % width == 0, cell % width == width - 1);
+    let along = |cell: usize| mean(values, 1, cell, cell.is_multiple_of(width), cell % width == width - 1);
     let rows: Vec<f32> = (0..values.len()).map(along).collect();
     let across = |cell: usize| mean(&rows, width, cell, cell < width, cell + width >= rows.len());
     (0..values.len()).map(across).collect()
