@@ -70,8 +70,8 @@ pub(super) fn sentences(texts: Vec<DrawnText>) -> Vec<DrawnText> {
         match (joined.last_mut(), line) {
             (Some(last), Some(above)) if goes_on(last, above, &text) => {
                 match last.string.strip_suffix('-') {
-                    // of La Chaux-de-Fonds the hyphen is one of the name
-                    Some(begun) if has_hyphen(begun.split(' ').next_back(), text.string.split(' ').next()) => {
+                    // of La Chaux-de-Fonds the hyphen is one of the name; of U-Bahn-Sta-tion the last is none
+                    Some(_) if text.string.split(' ').next().is_some_and(|word| word.contains('-')) => {
                         last.string.push_str(&text.string);
                     }
                     Some(begun) => last.string = format!("{begun}{}", text.string),
@@ -84,11 +84,6 @@ pub(super) fn sentences(texts: Vec<DrawnText>) -> Vec<DrawnText> {
         line = Some(own);
     }
     joined
-}
-
-/// Whether one of these words has a hyphen.
-fn has_hyphen(before: Option<&str>, after: Option<&str>) -> bool {
-    [before, after].into_iter().flatten().any(|word| word.contains('-'))
 }
 
 /// Lines of a paragraph are so far apart, in sizes of their font (the usual leading is 1.2).

@@ -22,6 +22,8 @@ fn lines_of_a_sentence_are_one_text() {
     assert_eq!(strings(divided.to_vec()), ["A spiderling"]);
     let town = [text("La Chaux-", 10.0, 10.0), text("de-Fonds", 10.0, 34.0)];
     assert_eq!(strings(town.to_vec()), ["La Chaux-de-Fonds"]);
+    let station = [text("U-Bahn-Sta-", 10.0, 10.0), text("tion am Zoo", 10.0, 34.0)];
+    assert_eq!(strings(station.to_vec()), ["U-Bahn-Station am Zoo"]);
 }
 
 #[test]
