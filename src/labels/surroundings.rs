@@ -333,8 +333,8 @@ impl<'a> Surroundings<'a> {
         let [from, to] = leader.unwrap_or([self.anchor, self.anchor]);
         let from = from.clamp(place.min, place.max);
         let is_of_room = self.is_shut_in() && self.angle.is_none() && self.scale.is_none();
-        let is_beyond = self.room.leads_through_door(from, to) || self.room.is_in_door(place);
-        is_of_room && is_beyond && !self.room.is_in_door(print)
+        let is_beyond = || self.room.leads_through_door(from, to) || self.room.is_in_door(place);
+        is_of_room && is_beyond() && !self.room.is_in_door(print)
     }
 
     /// Whether a place lies in the cell of lines in which the text stands, or in no cell at all; any does for a text
