@@ -121,7 +121,7 @@ reasons! {
     /// The overview is drawn of that of the page that was read, and not of the figure.
     OverviewOfPage => "overview-of-page", InOverview;
     /// There is no overview, so that the words of a table have room.
-    OverviewForWords => "overview-for-words", Changed;
+    OverviewForWords => "overview-for-words", InOverview;
     /// The overview is made anew of lines that are given, and is another one than that of their page.
     OverviewOfLines => "overview-of-lines", InOverview;
     // of what a person gives
