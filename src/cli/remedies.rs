@@ -164,8 +164,9 @@ pub(super) fn of_notes(notes: &[Note], making: Making) -> Vec<String> {
     let of_next = |note: &Note| {
         let told = of_note(note, making);
         let has_options = |options: &String| told.ends_with(options.as_str());
-        // a drawing that is too dense has options of its own for it
-        if matches!(note, Note::TooDense { .. }) || making.larger().as_ref().is_some_and(has_options) {
+        // a drawing that is too dense and on one sheet has options of its own for it
+        let is_dense = matches!(note, Note::TooDense { .. }) && making.has_sheets();
+        if is_dense || making.larger().as_ref().is_some_and(has_options) {
             making = making.told();
         }
         told
