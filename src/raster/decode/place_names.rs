@@ -17,6 +17,8 @@ const SAME: f32 = 0.1;
 const NEAR: f32 = 1.2;
 /// A text above or below that is so near, in sizes of the font, is of the same list.
 const IN_LIST: f32 = 1.8;
+/// What is longer than this, in sizes of the font, is neither a sign nor a sample of a legend.
+const LONGEST_SAMPLE: f32 = 3.0;
 
 /// Texts of which two lines that name one place are one. `drawing` has the signs of places; it is not asked where no
 /// texts stand as such lines.
@@ -53,8 +55,13 @@ fn are_lines(first: &DrawnText, second: &DrawnText) -> bool {
     let off = [second.min.x - first.min.x, second.max.x - first.max.x];
     let off = off.into_iter().chain([0.5 * (off[0] + off[1])]).map(f32::abs).fold(f32::INFINITY, f32::min);
     let is_alike = (second.size / size - 1.0).abs() < 0.05;
-    let begins = first.string.starts_with(char::is_uppercase);
+    let begins = first.string.starts_with(char::is_uppercase) && is_in_capitals(first) == is_in_capitals(second);
     is_word(first) && is_word(second) && is_alike && begins && LEADING.contains(&step) && off <= IN_LINE * size
+}
+
+/// Whether a text is in capitals only, as the name of a country above that of a town.
+fn is_in_capitals(text: &DrawnText) -> bool {
+    text.string.chars().count() > 1 && !text.string.contains(char::is_lowercase)
 }
 
 /// What no line of a name has: digits, and what ends a sentence or stands in formulas.
@@ -79,7 +86,8 @@ fn name_one(texts: &[DrawnText], next: usize, drawing: &VectorDrawing) -> bool {
     0.0 < own && own <= NEAR * size && others().all(|(_, text)| is_apart(text))
 }
 
-/// The middle of the only small round path near to a name; a disc and its outline are one.
+/// The middle of the only small path near to a name, if that is as wide as high; a disc and its outline are one. In a
+/// legend a sample of a line, which is flat, stands below a point.
 fn only_sign_near(name: &PixelArea, size: f32, drawing: &VectorDrawing) -> Option<PxPoint> {
     let mut found: Option<PxPoint> = None;
     for painted in &drawing.paths {
@@ -87,10 +95,11 @@ fn only_sign_near(name: &PixelArea, size: f32, drawing: &VectorDrawing) -> Optio
         let (width, height) = (bounds.width(), bounds.height());
         let at = PxPoint::new(bounds.left() + 0.5 * width, bounds.top() + 0.5 * height);
         let is_round = (width - height).abs() <= ROUND * width.max(height);
-        if !is_round || !SIGN.contains(&(width.max(height) / size)) || gap(at, name) > 2.0 * NEAR * size {
+        if width.max(height) > LONGEST_SAMPLE * size || gap(at, name) > 2.0 * NEAR * size {
             continue;
         }
-        if found.is_some_and(|other| (other - at).length() > SAME * size) {
+        let is_sign = is_round && SIGN.contains(&(width.max(height) / size));
+        if !is_sign || found.is_some_and(|other| (other - at).length() > SAME * size) {
             return None;
         }
         found = Some(at);

@@ -43,4 +43,16 @@ fn lists_and_numbers_are_several_texts() {
     assert_eq!(strings(&aside, &discs).len(), 2);
     let nearer = [text("Saint", 110.0, 100.0), text("Gallen", 110.0, 124.0), text("Bern", 36.0, 108.0)];
     assert_eq!(strings(&nearer, &discs).len(), 3, "the sign is that of another");
+    let country = [text("AUSTRIA", 110.0, 100.0), text("Vienna", 110.0, 124.0)];
+    assert_eq!(strings(&country, &discs).len(), 2, "a town in a country");
+}
+
+#[test]
+fn a_point_and_a_line_of_a_legend_are_two() {
+    let texts = vec![text("Data", 110.0, 100.0), text("Model", 110.0, 124.0)];
+    let disc = Rect::from_xywh(90.0, 106.0, 12.0, 12.0).and_then(PathBuilder::from_oval).expect("a disc");
+    let sample = PathBuilder::from_rect(Rect::from_xywh(84.0, 135.0, 24.0, 2.0).expect("a box"));
+    let paths = vec![PaintedPath::filled(disc), PaintedPath::filled(sample)];
+    let drawing = VectorDrawing { paths, ..VectorDrawing::default() };
+    assert_eq!(joined(texts, || Some(drawing)).len(), 2);
 }
