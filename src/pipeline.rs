@@ -162,8 +162,8 @@ pub fn convert<'p>(
     convert_with_words(picture, &Words::default(), &Given::default(), request, watch)
 }
 
-/// As [`convert`], with words in braille, and with what a person gives beside the picture. A table whose words have no
-/// room beside its overview has none.
+/// As [`convert`], with words in braille, and with what a person gives beside the picture. A drawing, such as a
+/// table, whose words have no room beside its overview has none.
 ///
 /// # Errors
 /// As [`convert`].
