@@ -163,7 +163,7 @@ pub(super) fn of_notes(notes: &[Note], making: Making) -> Vec<String> {
     let mut making = making;
     let of_next = |note: &Note| {
         let told = of_note(note, making);
-        let has_options = |options: &String| told.ends_with(options.as_str());
+        let has_options = |options: &String| told.contains(options.as_str());
         // a drawing that is too dense and on one sheet has options of its own for it
         let is_dense = matches!(note, Note::TooDense { .. }) && making.has_sheets();
         if is_dense || making.larger().as_ref().is_some_and(has_options) {
@@ -229,7 +229,8 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),
         Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told) if told.contains(LARGER) => match making.larger() {
-            Some(options) => format!("{note} {options}"),
+            // beside what they are for: a sentence may go on with what else helps
+            Some(options) => note.to_string().replacen(LARGER, &format!("{LARGER} {options}"), 1),
             None => note.to_string(),
         },
         _ => note.to_string(),

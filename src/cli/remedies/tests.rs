@@ -121,6 +121,8 @@ fn what_makes_the_figure_larger_is_told_once() {
     let told = of_notes(&[Note::NoTexts, lost(About::Areas), lost(About::Lines), labels.clone()], making);
     assert!(told[1].ends_with("make the figure larger (--sheets 2x2, --profile swell-a3)"), "{told:?}");
     assert_eq!(told[2..], [lost(About::Lines).to_string(), labels.to_string()]);
+    let or_else = Note::NotOnPage(About::Lines, Reason::NoRoomForLine, "1; make the figure larger, or crop".into());
+    assert!(of_notes(&[or_else], making)[0].ends_with("larger (--sheets 2x2, --profile swell-a3), or crop"));
     let lines = Note::LinesNotInOverview { percent: 30, place: None };
     let told = of_notes(&[labels, lines], making);
     assert!(told[0].contains("--sheets 2x2") && told[1].ends_with("(--no-overview, --sheets 2x2)"), "{told:?}");
