@@ -9,7 +9,7 @@ macro_rules! reasons {
         /// Why a remark of the kinds `left-out`, `not-on-page`, `taken-as`, `faulty`, `labels-left-out`, `no-key`,
         /// `no-subject` and `not-in-png` is made, for programs: its sentence may change, and this stays. Remarks of one
         /// kind and reason that are about the same say the same, but for names, numbers and places, and but for what
-        /// helps against several: the first of a page says it.
+        /// helps against several, and from where places are counted: the first of a page says these.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Reason {
