@@ -19,6 +19,7 @@
 //! charge 56-35 5-235 5-36              before the sign of a charge alone, and the signs of plus and minus there
 //! charges 56-35-126 345                before and after the number and the sign of a charge
 //! formulas uncontracted                in contracted braille, too, as by this table
+//! contracted ea sr                     letters that are words of the contracted code, without a sign before them
 //! ordinal-digits 356 2 23 25 256 26 235 2356 236 35    of numbers of an order, such as 1.º
 //! capital 6                            before one
 //! capital-word 6-6
@@ -113,7 +114,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
     Ok(())
 }
 
-/// The words of numbers that stand higher or lower, or are of an order.
+/// The words of numbers that stand higher or lower, or are of an order, and of contracted braille.
 fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), String> {
     match (word, parts) {
         ("superscript", _) => script(&mut table.superscript, parts)?,
@@ -131,6 +132,7 @@ fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), Str
             (charges.before, charges.after) = (cells(before)?, cells(after)?);
         }
         ("formulas", ["uncontracted"]) => table.formulas_are_uncontracted = true,
+        ("contracted", words) => table.contracted.extend(words.iter().map(|&word| word.to_owned())),
         ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),
     }

@@ -1,6 +1,6 @@
 //! What a table of a braille code holds.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a braille code has for letters, digits and signs.
 #[derive(Debug, Clone, Default)]
@@ -31,6 +31,8 @@ pub struct Table {
     pub(super) charges: Option<Charges>,
     /// Whether formulas have no contractions, so that those of a text in contracted braille are as in this table.
     pub(super) formulas_are_uncontracted: bool,
+    /// Words and parts of words of the contracted code by the letters that they are written with.
+    pub(super) contracted: BTreeSet<String>,
     /// Numbers of an order, such as the first.
     pub(super) ordinals: Option<Ordinals>,
     /// None for codes that do not write capitals.

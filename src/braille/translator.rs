@@ -58,11 +58,14 @@ impl<'a> Translator<'a> {
     }
 
     /// Whether letters that are spelled stand for these alone: the other translator writes a sign before them, or other
-    /// cells, where the code reads a word or a part of one in theirs. What has a digit is known as no word.
+    /// cells, where the code reads a word or a part of one in theirs, or the table knows them as such: where a code has
+    /// no sign for it, both have the same cells. What has a digit is known as no word.
     pub fn is_read_as_letters(&self, letters: &str) -> bool {
         let (Some(_), Some(table)) = (self.other, &self.table) else { return true };
         let has_digit = letters.contains(|letter: char| letter.is_ascii_digit());
-        has_digit || self.translate(letters).is_ok_and(|other| other.cells == table.translate(letters).cells)
+        let is_known = table.contracted.contains(letters);
+        let is_same = || self.translate(letters).is_ok_and(|other| other.cells == table.translate(letters).cells);
+        has_digit || (!is_known && is_same())
     }
 
     /// A word of the key, by its English name, in the language of the code.

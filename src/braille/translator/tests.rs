@@ -78,3 +78,19 @@ fn a_hyphen_that_the_table_writes_as_minus_is_one_for_another_translator() {
         assert_eq!(asked(language, "-3, 5-10", true), "-3, 5-10");
     }
 }
+
+/// Contracted German has "etwa" for ea, without a sign that tells the letters from the word: liblouis writes both alike.
+#[test]
+fn letters_that_are_words_of_a_contracted_code_are_known_by_its_table() {
+    let is_read = |language: &str, letters: &str| {
+        let table = || Code::of_language(language).and_then(Code::table).expect("a table");
+        let spell = table();
+        let other = move |text: &str| Ok(spell.translate(text).cells);
+        let translator = Translator::new(Some(table()), Some(&other)).expect("there is another");
+        translator.is_read_as_letters(letters)
+    };
+    for (language, word) in [("de", "ea"), ("fr", "av"), ("fr", "cdm"), ("es", "md"), ("pt", "cd")] {
+        assert!(!is_read(language, word), "{word} in {language}");
+    }
+    assert!(is_read("de", "ca") && is_read("fr", "ao") && is_read("en", "ea"));
+}
