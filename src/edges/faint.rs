@@ -26,7 +26,7 @@ const OUTLINE: f32 = 0.5;
 /// A closed stroke of at least this contrast is a thing: the rings of a polar grid are paler. Chosen by us.
 const DARK: f32 = 0.5 * BLACK;
 /// What the place of a line among pixels makes of its contrast: on the border of two it is seen in both. Chosen by us.
-const SEEN: f32 = 1.5;
+pub(super) const SEEN: f32 = 1.5;
 
 /// A stroke among others.
 pub(super) struct WeighedStroke {

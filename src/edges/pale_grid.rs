@@ -3,15 +3,17 @@
 //! In pixels a gridline and the top of a bar that ends on it are one straight stroke. It is parted where the contrast
 //! changes, so that the bar keeps its top, and no line as broad as that leads on from it to the next bar. Where the
 //! side of a shape lies on squared paper, one gridline turns into another at its corner: such a contour is parted
-//! there.
+//! there. Where a gridline leads to a corner of a shape, the two are one thick spot, and its end was found on the way
+//! into that: a gridline is led straight on from where most of it is.
 
-use super::contour::Contour;
-use super::faint::{BLACK, STRONG};
-use crate::geom::gridlines::{straight_ends, which_are_gridlines};
+use super::contour::{Contour, ContourPoint};
+use super::faint::{BLACK, SEEN, STRONG};
+use crate::geom::gridlines::{GridUnit, straight_ends, which_are_gridlines};
+use crate::geom::order::median;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::simplify::simplify;
 use crate::geom::walk::{first_beyond, runs};
-use crate::units::{PxPoint, PxVector, Size};
+use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// A stroke is pale up to this share of the contrast of the strong ones. Grey (`#aaa`) on white paper has a third of
 /// that of black, a grey axis (`#888`) half; the blue lines of squared paper have from a quarter to two fifths, as they
@@ -25,6 +27,10 @@ const AT_CORNER: f32 = 4.0;
 const ROUNDED: f32 = 1.5;
 /// A contour has a corner where it turns by more than 45 degrees (cosine).
 const TURNED: f32 = 0.7;
+/// A line is level, or upright, if this share of its places at least is at one height, and none farther aside than
+/// this, px: beside a corner of 10 degrees, it is led into the thick spot there over as much.
+const LEVEL: f32 = 0.8;
+const LED_ASIDE: f32 = 24.0;
 
 /// A contour, the width of its stroke, px, if it is one, and whether it is a line of a pale grid.
 pub(super) type Weighed = (Contour, Option<f32>, bool);
@@ -37,12 +43,18 @@ pub(super) fn parted(
     size: Size,
     others: Vec<(f32, f32)>,
 ) -> Vec<Weighed> {
-    let most = PALE * strong(&contours, size, others).min(BLACK);
-    let divided: Vec<Option<Divided>> =
-        contours.iter().zip(widths).map(|(contour, width)| width.and_then(|_| divided(contour, most))).collect();
-    let ends: Vec<Option<[PxPoint; 2]>> =
-        divided.iter().flatten().flat_map(|of| of.stretches.iter().map(|stretch| stretch.ends(&of.contour))).collect();
-    let mut of_grid = which_are_gridlines(&ends).into_iter();
+    let mut most = PALE * strong(&contours, size, others).min(BLACK);
+    let (divided, of_grid) = loop {
+        let (divided, of_grid) = grid_lines(&contours, widths, most);
+        let lines = stretches_of(&divided).zip(&of_grid).filter(|(_, is_line)| **is_line);
+        let weight = median(lines.map(|((contour, line), _)| line.strength(contour)));
+        if SEEN * weight <= most {
+            break (divided, of_grid);
+        }
+        // at other places among pixels more is seen of its lines
+        most = SEEN * weight;
+    };
+    let mut of_grid = of_grid.into_iter();
     let corners: Vec<PxPoint> = contours.iter().filter(|contour| !contour.closed).flat_map(tips).collect();
     let mut all = Vec::with_capacity(contours.len());
     for ((contour, &width), divided) in contours.into_iter().zip(widths).zip(divided) {
@@ -61,12 +73,53 @@ pub(super) fn parted(
             let (Stretch { to, ends_side, .. }, faint) = same[same.len() - 1];
             let to = if ends_side { to } else { at_corner(&open, to, &corners) };
             if to > from {
-                all.push((Polyline::open(open.vertices[from..=to].to_vec()), width, faint));
+                let mut part = Polyline::open(open.vertices[from..=to].to_vec());
+                if faint {
+                    straighten(&mut part);
+                }
+                all.push((part, width, faint));
                 from = to;
             }
         }
     }
     all
+}
+
+/// The strokes that are pale in part, with a contrast up to `most`, and which of all their stretches are of a grid.
+fn grid_lines(contours: &[Contour], widths: &[Option<f32>], most: f32) -> (Vec<Option<Divided>>, Vec<bool>) {
+    let divided: Vec<Option<Divided>> =
+        contours.iter().zip(widths).map(|(contour, width)| width.and_then(|_| divided(contour, most))).collect();
+    let ends: Vec<Option<[PxPoint; 2]>> = stretches_of(&divided).map(|(all, stretch)| stretch.ends(all)).collect();
+    let of_grid = which_are_gridlines(&ends);
+    (divided, of_grid)
+}
+
+/// All stretches, each with its contour.
+fn stretches_of(divided: &[Option<Divided>]) -> impl Iterator<Item = (&Contour, &Stretch)> {
+    divided.iter().flatten().flat_map(|of| of.stretches.iter().map(|stretch| (&of.contour, stretch)))
+}
+
+/// The height of a line of which most is level, or the place of an upright one, and whether it is level.
+fn place(vertices: &[ContourPoint]) -> Option<(bool, f32)> {
+    [true, false].into_iter().find_map(|is_level| {
+        let across = || vertices.iter().map(|vertex| if is_level { vertex.at.y } else { vertex.at.x });
+        let place = median(across());
+        let within = |most: f32| across().filter(|at| (at - place).abs() <= most).count();
+        let is_along = within(Px::OFF) as f32 >= LEVEL * vertices.len() as f32;
+        (is_along && within(LED_ASIDE) == vertices.len()).then_some((is_level, place))
+    })
+}
+
+/// A point moved to the place of a line.
+fn moved(at: PxPoint, (is_level, place): (bool, f32)) -> PxPoint {
+    if is_level { PxPoint::new(at.x, place) } else { PxPoint::new(place, at.y) }
+}
+
+/// Leads a line of which most is level or upright straight on to its ends.
+fn straighten(line: &mut Contour) {
+    if let Some(place) = place(&line.vertices) {
+        line.vertices.iter_mut().for_each(|vertex| vertex.at = moved(vertex.at, place));
+    }
 }
 
 /// A contour, opened at a corner if it is a ring, and what of it is pale.
@@ -144,13 +197,20 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// Where one that is pale begins and ends, but for the rounding of corners.
+    /// The contrast of most of it.
+    fn strength(&self, contour: &Contour) -> f32 {
+        median(contour.vertices[self.from..=self.to].iter().map(|point| point.strength))
+    }
+
+    /// Where one that is pale begins and ends, but for the rounding of corners and where it was led aside.
     fn ends(&self, contour: &Contour) -> Option<[PxPoint; 2]> {
         let places = || contour.vertices[self.from..=self.to].iter().map(|point| point.at);
         let rounding = AT_CORNER.min(0.25 * along(contour, [self.from, self.to]).length());
         let first = first_beyond(places(), contour.vertices[self.from].at, rounding)?;
         let last = first_beyond(places().rev(), contour.vertices[self.to].at, rounding)?;
-        self.is_pale.then_some([first, last])
+        let place = place(&contour.vertices[self.from..=self.to]);
+        let straightened = |at: PxPoint| place.map_or(at, |place| moved(at, place));
+        self.is_pale.then_some([first, last].map(straightened))
     }
 }
 
@@ -198,7 +258,7 @@ fn stretches(contour: &Contour, side: usize, [first, last]: [usize; 2], most: f3
     }
     for of in &mut all {
         let own = PolylineRef { vertices: &contour.vertices[of.from..=of.to], closed: false };
-        of.is_pale &= is_straight || straight_ends(own).is_some();
+        of.is_pale &= is_straight || straight_ends(own).is_some() || place(own.vertices).is_some();
     }
     all
 }

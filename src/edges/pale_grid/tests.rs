@@ -101,6 +101,30 @@ fn a_gridline_that_turns_off_along_the_side_of_a_shape_is_parted_there() {
 }
 
 #[test]
+fn gridlines_that_were_led_aside_at_an_end_are_straight() {
+    let led = |y: f32| {
+        let mut line = level(y, &[(50..550, 13.0)]);
+        line.vertices.iter_mut().for_each(|point| point.at.y += 0.4 * (point.at.x - 535.0).max(0.0));
+        line
+    };
+    let all = parted_strokes(vec![led(100.0), led(150.0), led(200.0), side(300.0, 60)]);
+    assert_eq!(faint(&all).len(), 3);
+    let heights = |number: usize| all[number].0.vertices.iter().map(|point| point.at.y);
+    assert!((0..3).all(|number| heights(number).all(|y| (y - 100.0 - 50.0 * number as f32).abs() < 0.01)));
+}
+
+#[test]
+fn lines_of_a_dark_grid_are_as_pale_as_most_of_it() {
+    let grid = |last: f32| {
+        let line = |(number, strength): (u8, f32)| level(100.0 + 50.0 * f32::from(number), &[(50..550, strength)]);
+        let mut all: Vec<Contour> = [(0, 40.0), (1, 40.0), (2, 40.0), (3, last)].map(line).to_vec();
+        all.extend([side(280.0, 60), side(300.0, 60), side(320.0, 60)]);
+        faint(&parted_strokes(all)).len()
+    };
+    assert_eq!([grid(55.0), grid(70.0)], [4, 3], "an axis is none of them");
+}
+
+#[test]
 fn a_pale_shape_that_is_no_grid_stays_whole() {
     let square = along_gridlines(&[(100, 100), (300, 100), (300, 250), (100, 250)], true);
     let all = parted_strokes(vec![square, level(330.0, &[(20..590, 140.0)])]);

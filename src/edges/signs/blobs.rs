@@ -21,8 +21,8 @@ const MOST: usize = 1500;
 /// Signs are alike if their sides differ by no more than this, px, and this share of them.
 const SIDE: f32 = 1.0;
 const SIDE_SHARE: f32 = 0.08;
-/// One has at least this share of the pixels of the other: a ring has fewer than a disc.
-const AS_FULL: f32 = 0.67;
+/// A sign is hollow if its middle has less than this share of its greatest contrast.
+const HOLLOW: f32 = 0.5;
 /// The colours of signs of a kind are no farther apart than this.
 const COLOUR: f32 = 12.0;
 
@@ -36,8 +36,8 @@ pub(super) struct Blob {
     /// Where it differs most from its ground.
     pub(super) colour: [f32; 3],
     pub(super) contrast: f32,
-    /// Its pixels.
-    count: usize,
+    /// Whether its middle has the colour of its ground, as that of a ring.
+    is_hollow: bool,
 }
 
 impl Blob {
@@ -70,9 +70,7 @@ impl Blob {
             let (own, of) = (self.sides[axis] as f32, other.sides[axis] as f32);
             (own - of).abs() <= SIDE + SIDE_SHARE * own.max(of)
         };
-        let [less, more] = [self.count.min(other.count), self.count.max(other.count)];
-        let as_full = less as f32 >= AS_FULL * more as f32;
-        as_full && near(0) && near(1) && apart(self.colour, other.colour) <= COLOUR
+        self.is_hollow == other.is_hollow && near(0) && near(1) && apart(self.colour, other.colour) <= COLOUR
     }
 }
 
@@ -128,7 +126,12 @@ fn in_plane(planes: &[Plane], k: usize, polarity: Polarity, most: usize) -> Vec<
         let sides = [0, 1].map(|axis| max[axis] - min[axis] + 1);
         let colour = std::array::from_fn(|k| planes.get(k).map_or(0.0, |plane| plane.values[strongest]));
         let is_small = sides[0].max(sides[1]) <= 3 * most as i32;
-        is_small.then_some(Blob { min, sides, colour, contrast: residue[strongest], count: cells.len() })
+        // of an even number of pixels the middle lies between two
+        let [columns, rows] = [0, 1].map(|axis| [min[axis] + (sides[axis] - 1) / 2, min[axis] + sides[axis] / 2]);
+        let places = columns.into_iter().flat_map(|x| rows.map(|y| y as usize * width + x as usize));
+        let middle = places.map(|cell| residue[cell]).sum::<f32>() / 4.0;
+        let contrast = residue[strongest];
+        is_small.then_some(Blob { min, sides, colour, contrast, is_hollow: middle < HOLLOW * contrast })
     };
     things.par_iter().filter_map(blob).collect()
 }
