@@ -1,12 +1,14 @@
 //! Ends of strokes that belong together. Near its tip the two sides of a corner are one thick spot, so that a stroke
 //! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin. Of strokes of two tints
 //! only ends that touch may belong together, as the sides of a triangle in two colours: a gridline may end near the end
-//! of a curve.
+//! of a curve. A thin, pale stroke and a bold one make no sharp corner: the gridlines of squared paper end near the
+//! corners of what is drawn on it.
 
 use super::contour::{Contour, ContourPoint, crossing};
 use super::junction::{PointIndex, index_of};
 use super::stroke::{Stroke, Tint};
 use crate::geom::link::{End, Part, link};
+use crate::geom::order::median;
 use crate::geom::walk::runs;
 use crate::units::{Px, PxPoint, PxVector, Size};
 
@@ -41,6 +43,17 @@ const WIDEST: f32 = -0.5;
 /// Two strokes of different tints make a corner only where they are no farther apart than the wider one is wide, and
 /// this much more, px: over that nobody can tell which of the two it is.
 const TINT_UNSURE: f32 = 6.0;
+/// Two strokes are of different weight if one is so many times as wide as the other, or of so many times its contrast.
+/// Pixels show a stroke of half a pixel as two wide, with a quarter of its contrast.
+const WIDER: f32 = 1.6;
+const BOLDER: f32 = 2.0;
+/// Shorter ones, px, may be parts of letters, which differ as they are thin here and thick there.
+const WEIGHED: f32 = 32.0;
+/// Two strokes of different weight are two lines where they meet in a corner, if the cosine between their directions is
+/// at least the first (45 degrees), and where one goes on in the other, if that between the directions there is less
+/// than the second (10 degrees): a gridline and the top of a bar are one straight line.
+const SHARP: f32 = 0.707;
+const ONE_STRAIGHT: f32 = 0.985;
 /// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
 const BEYOND: f32 = 1.5;
 /// An end goes on in another if the cosine between its direction and the direction there is at least this (18 degrees).
@@ -109,7 +122,10 @@ pub(super) fn join_corners(
                 continue;
             }
             let tip = tip_of(a, b);
-            [a, b].into_iter().for_each(|end| found[end.polyline].lead_to(tip, end.at_start, sigma));
+            for end in [a, b] {
+                let [_, trimmed] = found[end.polyline].heading(sigma);
+                found[end.polyline].lead_to(tip, end.at_start, trimmed);
+            }
         }
         let is_straight =
             |part: &Part, next: &Part| of(part, false).zip(of(next, true)).is_some_and(|(a, b)| goes_on(a, b));
@@ -167,6 +183,22 @@ impl FoundContour {
         Tint::are_two(self.tint, other.tint)
     }
 
+    /// The contrast of most of it.
+    pub(super) fn height(&self) -> f32 {
+        median(self.contour.vertices.iter().map(|vertex| vertex.strength))
+    }
+
+    /// Whether the two are long strokes of which one is far wider or bolder than the other.
+    fn differs_in_weight(&self, other: &Self) -> bool {
+        if self.whole.min(other.whole) < WEIGHED {
+            return false;
+        }
+        let is_more = |one: f32, other: f32, times: f32| one.max(other) >= times * one.min(other);
+        self.stroke.zip(other.stroke).is_some_and(|(width, other_width)| {
+            is_more(width, other_width, WIDER) || is_more(self.height(), other.height(), BOLDER)
+        })
+    }
+
     /// Goes on in another one, as a stroke if most of it is one.
     fn go_on_in(&mut self, next: Self) {
         let (before, after) = (self.contour.length(), next.contour.length());
@@ -191,7 +223,7 @@ impl FoundContour {
     }
 
     /// The least contrast that is seen where it goes on beyond one of its ends.
-    fn least_seen(&self, at_start: bool) -> f32 {
+    pub(super) fn least_seen(&self, at_start: bool) -> f32 {
         let last = if at_start { self.contour.vertices.first() } else { self.contour.vertices.last() };
         last.map_or(0.0, |last| SEEN * last.strength)
     }
@@ -208,9 +240,9 @@ impl FoundContour {
         })
     }
 
-    /// Leads an end straight to the tip of a corner. Beside the tip contrast cannot be measured: it is that before.
-    fn lead_to(&mut self, tip: PxPoint, at_start: bool, sigma: f32) {
-        let [_, trimmed] = self.heading(sigma);
+    /// Leads an end straight to a tip, from where it is this far from it, px. Beside the tip contrast cannot be
+    /// measured: it is that before.
+    pub(super) fn lead_to(&mut self, tip: PxPoint, at_start: bool, trimmed: f32) {
         if at_start {
             self.contour.reverse();
         }
@@ -315,6 +347,9 @@ fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &
     };
     let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
     let cost = sharp_corner(a, b, found, sigma).or_else(|| wide_corner(a, b, found, sigma))?;
+    if a.direction.dot(b.direction) >= SHARP && first.differs_in_weight(second) {
+        return None;
+    }
     (leads_to(a, from_a) && leads_to(b, from_b)).then_some(cost + more)
 }
 
@@ -327,7 +362,8 @@ fn straight_on(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32) -> 
     let are_strokes = first.stroke.is_some() && second.stroke.is_some();
     let are_edges = first.stroke.is_none() && second.stroke.is_none();
     let is_near = distance <= if are_strokes { reach } else { APART_SCALES * sigma };
-    (is_near && !is_short && !are_edges && goes_on(a, b)).then_some(distance)
+    let may_be_one = || -a.direction.dot(b.direction) >= ONE_STRAIGHT || !first.differs_in_weight(second);
+    (is_near && !is_short && !are_edges && goes_on(a, b) && may_be_one()).then_some(distance)
 }
 
 fn sharp_corner(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32) -> Option<f32> {

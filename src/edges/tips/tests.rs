@@ -118,6 +118,31 @@ fn strokes_of_two_tints_make_a_corner_only_where_they_touch_and_go_on_in_their_o
 }
 
 #[test]
+fn a_gridline_that_runs_into_a_corner_of_a_figure_is_none_of_its_sides() {
+    // the sides of a figure meet at (100, 50); 14 degrees from one of them a thin line leads there, too
+    let thin = |width: f32| FoundContour { stroke: Some(width), ..stroke(&[(-60.0, 50.0), (88.0, 50.0)]) };
+    let sides = [stroke(&[(-60.0, 90.0), (94.0, 51.5)]), stroke(&[(102.0, 54.0), (140.0, 130.0)])];
+    let figure = |width: f32| {
+        let all = [thin(width), sides[0].clone(), sides[1].clone()];
+        let mut lengths: Vec<f32> =
+            join_corners(all.to_vec(), SIGMA, &|_, _, _, _| true).iter().map(|found| found.contour.length()).collect();
+        lengths.sort_by(f32::total_cmp);
+        lengths
+    };
+    let [line, figure_of_two] = figure(2.0)[..] else { panic!("{:?}", figure(2.0)) };
+    assert!((line - 148.0).abs() < 0.5 && (figure_of_two - 164.9 - 89.4).abs() < 3.0, "{line} {figure_of_two}");
+    // as wide as the sides it is taken for one
+    let [left, corner] = figure(4.0)[..] else { panic!("{:?}", figure(4.0)) };
+    assert!(left < 90.0 && corner > 300.0, "{left} {corner}");
+    // led aside by a side, it points at the other one
+    let onward = |width: f32| {
+        let side = stroke(&[(108.0, 53.5), (188.0, 83.0)]);
+        join_corners(vec![thin(width), side], SIGMA, &|_, _, _, _| true).len()
+    };
+    assert_eq!([onward(2.0), onward(4.0)], [2, 1]);
+}
+
+#[test]
 fn wires_that_end_on_plates_are_not_joined_over_a_gap_in_which_nothing_is_seen() {
     let wires = [stroke(&[(100.0, 20.0), (100.0, 120.0)]), stroke(&[(100.0, 135.0), (100.0, 250.0)])];
     let plates = [stroke(&[(80.0, 120.0), (120.0, 120.0)]), stroke(&[(85.0, 135.0), (115.0, 135.0)])];
