@@ -8,16 +8,16 @@
 
 use lyon::geom::euclid::Box2D;
 
-use super::contour::{Contour, ContourPoint};
+use super::contour::{Contour, ContourPoint, LineFit};
 use super::params::Params;
 use super::ridge::RidgePoint;
-use super::tips::FoundContour;
+use super::tips::{FoundContour, IsSeen};
 use crate::geom::circle as circle_through;
 use crate::geom::nearby::Index;
 use crate::geom::polygon::circle_points;
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
-use crate::units::{Px, PxPoint, Size};
+use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// Least radius of a disc, in scales of the edge detector: a smaller one has no inside between its edges.
 const SMALLEST: f32 = 2.0;
@@ -45,6 +45,15 @@ const HEADING: f32 = 10.0;
 /// An end leads to the middle if it does not pass it farther away than this share of the radius and this much more, px.
 const MIDDLE: f32 = 0.35;
 const MIDDLE_LEAST: f32 = 0.7;
+/// Between two lines that lead to a disc at a small angle both are one thick spot up to this distance from its side, px
+/// (two of 2.5 px at 10 degrees). One ends before the disc there, and the other is led aside.
+const MERGED: f32 = 18.0;
+/// Where they run before that is taken over this length, px, over which they are straight to this root mean square
+/// distance, px.
+const BEFORE: f32 = 24.0;
+const EVEN: f32 = 0.3;
+/// Where lines have been led aside, there is a disc if one of those that lead to it has this share of its contrast.
+const BOLD: f32 = 0.5;
 
 /// A disc, or a ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,24 +65,34 @@ pub(super) struct Disc {
     height: f32,
 }
 
-/// The contours of a drawing with each disc that lines lead to as a ring, at which they end.
-pub(super) fn split_at_discs(mut found: Vec<FoundContour>, discs: &[Disc], params: &Params) -> Vec<FoundContour> {
+/// The contours of a drawing with each disc that lines lead to as a ring, at which they end. `is_seen` is that of
+/// [`super::tips::join_corners`].
+pub(super) fn split_at_discs(
+    mut found: Vec<FoundContour>,
+    discs: &[Disc],
+    params: &Params,
+    is_seen: &IsSeen<'_>,
+) -> Vec<FoundContour> {
     for disc in discs {
         let reach = disc.radius + BENT * params.sigma;
         let mut others: Vec<FoundContour> = Vec::with_capacity(found.len() + 2);
         let mut arms: Vec<FoundContour> = Vec::new();
-        let mut leads = true;
+        let (mut leads, mut led) = (true, true);
         for contour in &found {
             if !contour.contour.vertices.iter().any(|vertex| (vertex.at - disc.at).length() < reach) {
                 others.push(contour.clone());
                 continue;
             }
             let outside = outside(contour, disc.at, reach);
-            leads &= outside.iter().all(|part| leads_to(&part.contour, disc, reach));
+            leads &= outside.iter().all(|part| leads_to(&part.contour, disc, reach, false));
+            led &= outside.iter().all(|part| leads_to(&part.contour, disc, reach, true));
             arms.extend(outside.into_iter().filter(|part| part.contour.length() >= params.min_length));
         }
-        if leads && !arms.is_empty() {
+        // a gridline that is led round a digit makes no disc of that
+        let has_bold = || arms.iter().any(|arm| arm.height() >= BOLD * disc.height);
+        if !arms.is_empty() && (leads || led && has_bold()) {
             others.extend(arms);
+            others.iter_mut().for_each(|found| disc.lead_to_side(found, reach, is_seen));
             others.push(disc.ring());
             found = others;
         }
@@ -93,20 +112,57 @@ fn outside(found: &FoundContour, middle: PxPoint, radius: f32) -> Vec<FoundConto
     runs.filter(|run| is_outside[run[0]] && run.len() > 1).map(part).collect()
 }
 
-/// Whether those ends of a contour that lie at the side of a disc lead to its middle.
-fn leads_to(contour: &Contour, disc: &Disc, reach: f32) -> bool {
+/// Whether those ends of a contour that lie at the side of a disc lead to its middle; with `or_before` also if they
+/// were led aside, and led there before.
+fn leads_to(contour: &Contour, disc: &Disc, reach: f32, or_before: bool) -> bool {
     let ends = [(0, true), (contour.vertices.len() - 1, false)];
     ends.into_iter().all(|(end, forwards)| {
-        let to_middle = disc.at - contour.vertices[end].at;
-        let is_beside = to_middle.length() <= reach + 2.0;
-        let leads = contour.heading(end, forwards, [0.0, HEADING]).is_some_and(|inwards| {
-            to_middle.dot(inwards) < 0.0 && to_middle.cross(inwards).abs() <= MIDDLE * disc.radius + MIDDLE_LEAST
-        });
-        !is_beside || leads
+        let is_beside = (disc.at - contour.vertices[end].at).length() <= reach + 2.0;
+        let leads_before = || or_before && disc.line_before(contour, end, forwards).is_some();
+        !is_beside || disc.is_ahead(contour, end, forwards) || leads_before()
     })
 }
 
 impl Disc {
+    /// Whether an end of a contour leads to the middle.
+    fn is_ahead(&self, contour: &Contour, end: usize, forwards: bool) -> bool {
+        let inwards = contour.heading(end, forwards, [0.0, HEADING]);
+        inwards.is_some_and(|inwards| self.is_on(contour.vertices[end].at, inwards))
+    }
+
+    /// Whether a line that leads away from the disc passes its middle.
+    fn is_on(&self, from: PxPoint, away: PxVector) -> bool {
+        let to_middle = self.at - from;
+        to_middle.dot(away) < 0.0 && to_middle.cross(away).abs() <= MIDDLE * self.radius + MIDDLE_LEAST
+    }
+
+    /// The straight line away from the middle on which a contour runs before it comes near the disc with one of its
+    /// ends.
+    fn line_before(&self, contour: &Contour, end: usize, forwards: bool) -> Option<LineFit> {
+        let from = self.radius + MERGED - (contour.vertices[end].at - self.at).length();
+        let line = contour.line_fit(end, forwards, from.max(0.0), from.max(0.0) + BEFORE)?;
+        (line.rms <= EVEN && self.is_on(line.centre, line.direction)).then_some(line)
+    }
+
+    /// Leads those ends of a stroke straight on to its side that lie near it, but not before it.
+    fn lead_to_side(&self, found: &mut FoundContour, reach: f32, is_seen: &IsSeen<'_>) {
+        let Some(width) = found.stroke.filter(|_| !found.contour.closed) else { return };
+        for at_start in [true, false] {
+            let contour = &found.contour;
+            let end = if at_start { 0 } else { contour.vertices.len() - 1 };
+            let distance = (contour.vertices[end].at - self.at).length();
+            let is_there = distance <= reach + 2.0 && self.is_ahead(contour, end, at_start);
+            if is_there || distance > self.radius + MERGED {
+                continue;
+            }
+            let Some(line) = self.line_before(contour, end, at_start) else { continue };
+            let [from, to] = [self.radius + MERGED, reach].map(|distance| self.at + line.direction * distance);
+            if is_seen(from, to, width, found.least_seen(at_start)) {
+                found.lead_to(self.at + line.direction * self.radius, at_start, MERGED);
+            }
+        }
+    }
+
     /// Its contour: of a ring the middle of its outline, of a disc its side.
     fn ring(&self) -> FoundContour {
         let radius = self.radius - 0.5 * self.outline.unwrap_or(0.0);

@@ -289,7 +289,8 @@ impl<'a> Ridges<'a> {
             };
             let met = tips::join_corners(found, params.sigma, size, &is_seen);
             let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
-            found = discs::split_at_discs(rings::split_at_contact(reassigned, params.min_length), &discs, params);
+            let parted = rings::split_at_contact(reassigned, params.min_length);
+            found = discs::split_at_discs(parted, &discs, params, &is_seen);
             found = heads::parted(found, &heads);
             heads.retain(|head| found.iter().any(|found| head.has_end(&found.contour)));
         }

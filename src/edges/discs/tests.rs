@@ -32,11 +32,15 @@ fn stroke(points: &[(f32, f32)]) -> FoundContour {
     FoundContour { stroke: Some(3.0), ..FoundContour::edge(polyline(points)) }
 }
 
+fn split(found: Vec<FoundContour>, discs: &[Disc]) -> Vec<FoundContour> {
+    split_at_discs(found, discs, &params(), &|_, _, _, _| true)
+}
+
 #[test]
 fn a_disc_on_a_line_is_a_ring_between_two_straight_ends() {
     // the line was found round the upper half of the disc
     let line = stroke(&[(10.0, 50.0), (90.0, 50.0), (100.0, 44.0), (110.0, 50.0), (190.0, 50.0)]);
-    let parts = split_at_discs(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)), &params());
+    let parts = split(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)));
     let [before, after, ring] = &parts[..] else { panic!("{} contours", parts.len()) };
     assert!(!before.contour.closed && !after.contour.closed && ring.contour.closed && ring.stroke.is_none());
     let length = ring.contour.length();
@@ -49,9 +53,24 @@ fn a_ring_on_a_line_has_its_outline_for_a_stroke() {
     let line = stroke(&[(10.0, 50.0), (190.0, 50.0)]);
     let mut points = circle((100.0, 50.0), 9.0, 3.0);
     points.extend(circle((100.0, 50.0), 5.5, 0.0));
-    let parts = split_at_discs(vec![line], &discs(&points), &params());
+    let parts = split(vec![line], &discs(&points));
     let ring = parts.iter().find(|part| part.contour.closed).expect("a ring");
     assert!(ring.stroke.is_some_and(|width| (width - 3.5).abs() < 1.0), "{:?}", ring.stroke);
+}
+
+#[test]
+fn a_side_that_ends_in_a_line_before_the_disc_is_led_to_it() {
+    // 11 degrees from the line, and bent where both are one spot
+    let discs = discs(&circle((100.0, 50.0), 8.0, 3.0));
+    let all = vec![stroke(&[(10.0, 50.0), (190.0, 50.0)]), stroke(&[(10.0, 68.0), (75.0, 55.0), (83.0, 51.0)])];
+    let end = |parts: &[FoundContour]| {
+        let side = parts.iter().find(|part| part.contour.vertices[0].at.y > 60.0).expect("the side");
+        side.contour.vertices[side.contour.vertices.len() - 1].at
+    };
+    let led = end(&split(all.clone(), &discs)) - PxPoint::new(100.0, 50.0);
+    assert!((led.length() - 8.0).abs() < 0.3 && (led.y + 0.2 * led.x).abs() < 0.3, "{led:?}");
+    let not_seen = split_at_discs(all, &discs, &params(), &|_, _, _, _| false);
+    assert_eq!(end(&not_seen), PxPoint::new(83.0, 51.0), "nothing is there");
 }
 
 #[test]
@@ -64,7 +83,7 @@ fn the_round_end_of_a_stroke_is_no_disc() {
 #[test]
 fn what_no_line_leads_to_or_is_no_circle_stays() {
     let beside = vec![stroke(&[(10.0, 57.0), (190.0, 57.0)])];
-    assert_eq!(split_at_discs(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0)), &params()), beside);
+    assert_eq!(split(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0))), beside);
     // more than half of the circle is hidden
     assert_eq!(discs(&circle((100.0, 50.0), 8.0, 6.0)), []);
 }
