@@ -66,6 +66,9 @@ fn discs_on_gridlines_and_on_one_another_are_found_and_taken_out() {
     assert!(edges.chains.len() == 10 && edges.chains.iter().all(|chain| chain.closed && chain.kind.sign));
 }
 
+/// A shape around its middle.
+type Named<'a> = (&'a str, &'a dyn Fn(f32, f32) -> bool);
+
 #[test]
 fn all_shapes_that_mark_places_are_signs() {
     let triangle = |x: f32, y: f32| y < 4.5 && y > -4.5 && x.abs() < 0.5 * (y + 4.5);
@@ -73,7 +76,7 @@ fn all_shapes_that_mark_places_are_signs() {
     let ring = |x: f32, y: f32| x.hypot(y) < 5.0 && x.hypot(y) > 3.7;
     let cross = |x: f32, y: f32| x.abs().max(y.abs()) < 4.5 && (x - y).abs().min((x + y).abs()) < 1.0;
     let plus = |x: f32, y: f32| x.abs().max(y.abs()) < 5.0 && x.abs().min(y.abs()) < 0.7;
-    let shapes: [(&str, &dyn Fn(f32, f32) -> bool); 6] = [
+    let shapes: [Named<'_>; 6] = [
         ("disc", &is_disc),
         ("triangle", &triangle),
         ("square", &square),
