@@ -397,7 +397,7 @@ fn a_cloud_of_points_is_discs_each_at_its_place_and_those_that_overlap_are_told(
     assert_eq!(checked.errors(), 0, "{:#?}", checked.findings);
     assert!(told(&page).iter().all(|note| !note.contains("point")), "{:#?}", told(&page));
     let page = page_of(&(axes.to_owned() + &circles(&far) + &circles(&[(432, 296)])));
-    assert!(told(&page).iter().any(|note| note.contains("1 point (at ")), "{:#?}", told(&page));
+    assert!(told(&page).iter().any(|note| note.contains("1 of 9 points (at ")), "{:#?}", told(&page));
 }
 
 /// They were rings, hollow ones beside the discs that an SVG gets.

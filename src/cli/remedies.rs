@@ -217,10 +217,9 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             Some(options) => format!("{note}; a larger figure has more {options}"),
             None => note.to_string(),
         },
-        Note::TakenAs(_, Reason::OverviewForWords, _) => match making.larger() {
-            Some(options) => format!("{note} {options}"),
-            None => note.to_string(),
-        },
+        Note::TakenAs(_, Reason::OverviewForWords, _) => {
+            making.larger().map_or_else(|| note.to_string(), |options| format!("{note} {options}"))
+        }
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }

@@ -79,7 +79,8 @@ fn a_hyphen_that_the_table_writes_as_minus_is_one_for_another_translator() {
     }
 }
 
-/// Contracted German has "etwa" for ea, without a sign that tells the letters from the word: liblouis writes both alike.
+/// Contracted German has "etwa" for ea, without a sign that tells the letters from the word: liblouis writes both
+/// alike.
 #[test]
 fn letters_that_are_words_of_a_contracted_code_are_known_by_its_table() {
     let is_read = |language: &str, letters: &str| {
