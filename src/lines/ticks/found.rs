@@ -1,6 +1,8 @@
 //! Which strokes are ticks: short straight ones that stand on a long line or go across it, and those of a round scale
 //! that end before it.
 
+use std::collections::BTreeSet;
+
 use super::bases;
 use super::before::{StrokeBefore, are_ticks};
 use crate::geom::nearby::{Nearby, Segment};
@@ -63,7 +65,11 @@ pub(super) fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Param
     let lines = Bases { polylines, segments: nearby(polylines.iter(), area, params), are_long };
     let on_line = |&number: &usize| lines.crossed_by(number).or_else(|| Some(lines.below(number, STANDS)?.0));
     let mut ticks: Vec<Tick> = straight.iter().filter_map(on_line).collect();
-    ticks.extend(lines.before(&straight, &ticks, params));
+    let before = lines.before(&straight, &ticks, params);
+    // what stands alone on the line of such a scale is no tick of it, as a pointer on the rim of a dial
+    let of_scale: BTreeSet<usize> = before.iter().flat_map(|tick| [tick.base, tick.number]).collect();
+    ticks.retain(|tick| !of_scale.contains(&tick.base) && !of_scale.contains(&tick.number));
+    ticks.extend(before);
     let straight = ticks.iter().map(|tick| tick.base).filter(|base| is_straight(&polylines[*base]));
     let first = bases::first_pieces(straight, polylines, area);
     ticks.iter_mut().for_each(|tick| tick.axis = first.get(&tick.base).copied().unwrap_or(tick.base));
@@ -118,15 +124,16 @@ impl Bases<'_> {
         Some((tick, StrokeBefore { base, gap, foot, arc, way }))
     }
 
-    /// Those of these strokes that are ticks which end before a line, where none of the `others` belongs to it: so near
-    /// to it that there is no room for the stroke and the line as two.
+    /// Those of these strokes that are ticks which end before a line, where the `others` on it are no scale by
+    /// themselves (these may be among them): so near to it that there is no room for the stroke and the line as two.
     fn before(&self, strokes: &[usize], others: &[Tick], params: &Params) -> Vec<Tick> {
-        let mut is_tick = vec![false; self.polylines.len()];
-        let mut has_ticks = vec![false; self.polylines.len()];
-        others.iter().for_each(|tick| (is_tick[tick.number], has_ticks[tick.base]) = (true, true));
-        let rest = strokes.iter().filter(|number| !is_tick[**number]);
+        let mut ticks_on = vec![0; self.polylines.len()];
+        others.iter().for_each(|tick| ticks_on[tick.base] += 1);
+        let of_scales = others.iter().filter(|tick| ticks_on[tick.base] >= SCALE);
+        let of_scales: BTreeSet<usize> = of_scales.map(|tick| tick.number).collect();
+        let rest = strokes.iter().filter(|number| !of_scales.contains(*number));
         let before = rest.filter_map(|&number| self.below(number, params.max_clearance()));
-        let before: Vec<(Tick, StrokeBefore)> = before.filter(|(tick, _)| !has_ticks[tick.base]).collect();
+        let before: Vec<(Tick, StrokeBefore)> = before.filter(|(tick, _)| ticks_on[tick.base] < SCALE).collect();
         let places: Vec<StrokeBefore> = before.iter().map(|(_, place)| *place).collect();
         before.into_iter().zip(are_ticks(&places)).filter(|(_, is_tick)| *is_tick).map(|((tick, _), _)| tick).collect()
     }

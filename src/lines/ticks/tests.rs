@@ -169,6 +169,20 @@ fn ticks_well_inside_of_a_rim_are_led_on_to_it_and_handed_on_as_those_on_it_are(
 }
 
 #[test]
+fn a_pointer_on_the_rim_leaves_the_ticks_inside_of_it_a_scale() {
+    let with_pointer = || {
+        let mut lines = clock(5, 3.0);
+        lines.push(line((90.0, 50.0), (96.0, 50.0)));
+        lines
+    };
+    let mut lines = with_pointer();
+    let thinned = lengthen(&mut lines, &[], AREA, &PARAMS);
+    assert_eq!(thinned.iter().map(|scale| scale.lost.every).collect::<Vec<_>>(), [5]);
+    assert_eq!(lines.len(), 14, "the hours, the rim and the pointer");
+    assert_eq!(take(&mut with_pointer(), AREA, &PARAMS).iter().map(Vec::len).collect::<Vec<_>>(), [60]);
+}
+
+#[test]
 fn ticks_beside_a_tube_are_in_order_wherever_its_outline_begins() {
     let mut tube = line((50.0, 50.0), (50.0, 90.0));
     for to in [(40.0, 90.0), (40.0, 10.0), (50.0, 10.0), (50.0, 50.0)] {
