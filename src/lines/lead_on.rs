@@ -92,6 +92,7 @@ pub(super) fn put_corners(polylines: &mut [Polyline<Vertex>], area: MmRect, para
         let places: Vec<MmPoint> = ring.vertices.iter().map(|vertex| vertex.at).collect();
         let mut stays = vec![true; places.len()];
         let mut put: Vec<MmPoint> = Vec::new();
+        let mut is_put = vec![false; places.len()];
         for corner in ring.view().corners_of_ring() {
             // a corner may be found at two vertices
             let is_new = put.iter().all(|before| (*before - places[corner]).length() >= CORNER_ARMS[1]);
@@ -100,10 +101,10 @@ pub(super) fn put_corners(polylines: &mut [Polyline<Vertex>], area: MmRect, para
             let Some((to, heading)) = target.filter(|target| !is_exact || is_beyond(target)) else { continue };
             for step in [1, -1] {
                 let beside = (1..=BESIDE_CORNER).filter_map(|k| ring.view().next(corner, k * step));
-                let beyond = beside.take_while(|&i| (places[i] - to).dot(heading) > -AT_LINE);
+                let beyond = beside.take_while(|&i| !is_put[i] && (places[i] - to).dot(heading) > -AT_LINE);
                 beyond.for_each(|i| stays[i] = false);
             }
-            stays[corner] = true;
+            (stays[corner], is_put[corner]) = (true, true);
             ring.vertices[corner].at = to;
             put.push(to);
         }

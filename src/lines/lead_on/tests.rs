@@ -46,6 +46,10 @@ fn corners_of_rings_are_put_on_a_line_that_they_nearly_reach() {
     assert!((lowest(&put(exact(-0.15))) - 50.0).abs() < 1e-3, "nobody feels a tip of 0.15 mm beyond it");
     let along = polyline(&[(40.0, 20.0), (60.0, 20.0), (60.0, 49.8), (40.0, 49.8)], true);
     assert_eq!(put(along.clone()), along, "it has a side along the line");
+    // a tip with two corners, 1.1 mm from one another
+    let ring = put(polyline(&[(40.0, 20.0), (60.0, 20.0), (50.55, 50.2), (49.45, 50.2)], true));
+    let on_line: Vec<f32> = ring.vertices.iter().filter(|of| (of.at.y - 50.0).abs() < 1e-3).map(|of| of.at.x).collect();
+    assert!([49.45_f32, 50.55].iter().all(|x| on_line.iter().any(|of| (of - x).abs() < 0.1)), "both: {on_line:?}");
 }
 
 /// The part of a bar below ends at the corner of the part above, whose side goes on in line with it but for rounding:
