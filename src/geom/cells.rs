@@ -23,9 +23,9 @@ pub fn set_along<U>(is_set: &mut [bool], size: Size, [a, b]: [Point2D<f32, U>; 2
     }
 }
 
-/// The cells along the edge of a grid.
+/// The cells along the edge of a grid; none of one that has no cells.
 pub fn edge_cells(size: Size) -> impl Iterator<Item = usize> {
-    let (width, height) = (size.width as usize, size.height as usize);
+    let (width, height) = if size.len() == 0 { (0, 0) } else { (size.width as usize, size.height as usize) };
     let rows = (0..width).flat_map(move |x| [x, (height - 1) * width + x]);
     rows.chain((0..height).flat_map(move |y| [y * width, y * width + width - 1]))
 }

@@ -37,3 +37,9 @@ fn what_a_ring_encloses_is_not_reached_from_the_edge_unless_it_is_open() {
     assert!(!reached(&ring)[middle] && reached(&ring[..4])[middle]);
     assert!(edge_cells(SIZE).all(|cell| reached(&ring)[cell]));
 }
+
+#[test]
+fn a_grid_without_cells_has_no_edge() {
+    let count = |width, height| edge_cells(Size::new(width, height)).count();
+    assert_eq!([count(0, 0), count(4, 0), count(0, 4), count(2, 1)], [0, 0, 0, 6]);
+}
