@@ -5,6 +5,9 @@ use super::texts::{IN_LINE, LEADING};
 use crate::raster::vector::{DrawnText, PixelArea, VectorDrawing};
 use crate::units::PxPoint;
 
+/// With more pairs of texts that may be the lines of names, none is looked at: for each, all texts and paths of the
+/// drawing are. They are more labels than a page takes.
+const MOST_PAIRS: usize = 300;
 /// Most letters of a line of a name.
 const LONGEST: usize = 24;
 /// The sign of a place is so large at most, and so small at least, in sizes of the font.
@@ -24,7 +27,7 @@ const LONGEST_SAMPLE: f32 = 3.0;
 /// texts stand as such lines.
 pub(super) fn joined(texts: Vec<DrawnText>, drawing: impl FnOnce() -> Option<VectorDrawing>) -> Vec<DrawnText> {
     let mut pairs: Vec<usize> = (1..texts.len()).filter(|&next| are_lines(&texts[next - 1], &texts[next])).collect();
-    let Some(drawing) = (!pairs.is_empty()).then(drawing).flatten() else { return texts };
+    let Some(drawing) = (1..=MOST_PAIRS).contains(&pairs.len()).then(drawing).flatten() else { return texts };
     let seconds = pairs.clone();
     // three lines are a list
     pairs.retain(|next| !seconds.contains(&(next - 1)) && !seconds.contains(&(next + 1)));

@@ -56,3 +56,15 @@ fn a_point_and_a_line_of_a_legend_are_two() {
     let drawing = VectorDrawing { paths, ..VectorDrawing::default() };
     assert_eq!(joined(texts, || Some(drawing)).len(), 2);
 }
+
+#[test]
+fn of_more_pairs_than_a_page_has_labels_none_is_joined() {
+    let count = |pairs: usize| {
+        let x = |pair: usize| 300.0 * pair as f32;
+        let name = |pair: usize| [text("Saint", x(pair), 100.0), text("Gallen", x(pair), 124.0)];
+        let texts: Vec<DrawnText> = (0..pairs).flat_map(name).collect();
+        let discs: Vec<(f32, f32)> = (0..pairs).map(|pair| (x(pair) - 14.0, 120.0)).collect();
+        strings(&texts, &discs).len()
+    };
+    assert_eq!([count(MOST_PAIRS), count(MOST_PAIRS + 1)], [MOST_PAIRS, 2 * (MOST_PAIRS + 1)]);
+}
