@@ -14,6 +14,9 @@ const MOST_ASLANT: usize = 4;
 /// One of so many steps of walls may, as the arc of a door may be one line with them. Chosen by us: of a circle every
 /// second or third does.
 const ASLANT_OF_WALLS: usize = 6;
+/// At least half of the steps of walls are in stretches that are level or upright for so many steps: a straight line
+/// that is a little aslant, as a curve of a chart, has shorter ones, one after the other. Chosen by us.
+const STRETCH_OF_WALLS: usize = 12;
 
 /// Outside of an outline with two corners a row has so many dots more than inside, at least: six, and three at one
 /// corner.
@@ -32,7 +35,16 @@ impl RowPiece {
 
     /// Whether it is so for the most part, as walls with a door are.
     fn is_of_walls(&self) -> bool {
-        self.is_of_bar() || ASLANT_OF_WALLS * self.aslant() <= self.cells.len()
+        let has_few_aslant = ASLANT_OF_WALLS * self.aslant() <= self.cells.len();
+        self.is_of_bar() || has_few_aslant && 2 * self.in_stretches() >= self.cells.len()
+    }
+
+    /// How many of its steps are in long level or upright stretches.
+    fn in_stretches(&self) -> usize {
+        let stays = |pair: &[GridDot]| [0, 1].map(|axis| pair[0][axis] == pair[1][axis]);
+        let ways: Vec<[bool; 2]> = self.cells.windows(2).map(stays).collect();
+        let stretches = ways.chunk_by(|a, b| a == b).filter(|of| of[0] != [false, false]);
+        stretches.map(<[[bool; 2]]>::len).filter(|&steps| steps >= STRETCH_OF_WALLS).sum()
     }
 
     /// Of the outline of a bar, whether its second row has dots outside; none of what does not go round three sides.

@@ -54,6 +54,21 @@ fn walls_that_are_one_line_with_the_arc_of_a_door_have_a_whole_second_row_or_non
 }
 
 #[test]
+fn a_straight_line_a_little_aslant_is_no_wall() {
+    let params =
+        Params { diameter: 1.5, line_gap: 1, heavy_from: 9.0, whole_rows: true, min_length: 5.0, ..Params::TEST };
+    let length = |run: i32| {
+        let cells: Vec<GridDot> = (0..60).map(|x| [x, x / run]).collect();
+        let mut taken = taken(std::slice::from_ref(&cells), 1);
+        // lines that end beside it above and below
+        [[20, 20 / run + 2], [10, 10 / run - 2]].into_iter().for_each(|end| taken.take(end, 1));
+        taken.wider_side((0, &RowPiece::cut_out(cells)), 3, &params, |_| true).len()
+    };
+    assert!(length(7) > 30, "8 of 59 steps go aslant, a curve has its second row in parts");
+    assert_eq!(length(20), 0, "level but for two steps");
+}
+
+#[test]
 fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
     let strength = |number: usize| [90.0, 80.0, 75.0, 50.0, 45.0][number];
     let rows = |with: &[usize]| {
