@@ -216,6 +216,8 @@ pub struct LostSign {
 pub enum SignKind {
     /// A small ring.
     Ring,
+    /// One of many small shapes that are alike, as the triangles of a scatter plot, of which none is drawn.
+    Series,
     /// The head of an arrow.
     Arrowhead,
     /// One of a cloud of points.

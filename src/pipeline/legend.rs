@@ -236,7 +236,8 @@ pub(super) fn with_all_patches_or_none(mut drawn: Lines, entries: &[LegendEntry]
     let signs = drawn.lost.signs.clone();
     let is_lost = |patch: &MmRect| {
         let near = patch.inflate(MOVED, MOVED);
-        signs.iter().any(|sign| sign.kind == SignKind::Ring && near.contains(sign.at))
+        let is_ring = |sign: &LostSign| matches!(sign.kind, SignKind::Ring | SignKind::Series);
+        signs.iter().any(|sign| is_ring(sign) && near.contains(sign.at))
     };
     if !patches.iter().any(is_lost) {
         return drawn;

@@ -48,6 +48,7 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
     // points of a cloud are known already: each is drawn at its place or not at all
     let is_point = |sign: &LostSign| sign.kind == SignKind::Point;
     let mut lost: Vec<LostSign> = drawn_lines.lost.signs.iter().copied().filter(is_point).collect();
+    let mut small: Vec<SmallShape> = Vec::new();
     for chain in &edges.chains {
         let points: Vec<MmPoint> =
             edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
@@ -76,11 +77,70 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
                 || lines.iter().any(is_own_line)
                 || is_narrow && !is_arrowhead && lines.iter().any(is_centreline)
         };
-        if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
-            lost.push(LostSign { at: ring.center(), kind: kind_of(is_arrowhead) });
+        if is_small(ring) {
+            let shape = SmallShape { ring, area: area(&points), is_drawn: is_drawn() };
+            if !shape.is_drawn && !lost.iter().any(|sign| near(sign.at)) {
+                lost.push(LostSign { at: ring.center(), kind: kind_of(is_arrowhead) });
+            }
+            small.push(shape);
         }
     }
+    name_series(&mut lost, &small);
     lost
+}
+
+/// So many small shapes that are alike are a series. Among more than so many of a drawing, as those of a texture, none
+/// is looked for.
+const SERIES: usize = 4;
+const MOST_SMALL: usize = 5000;
+/// Sides and areas of shapes that are alike differ by at most this share.
+const ALIKE: f32 = 0.05;
+/// Longest side of a sign that marks a place, mm: a larger shape is a thing by itself, as a window.
+const MARK: f32 = 7.0;
+/// A round shape has this share of its box, but for [`ALIKE`].
+const OF_BOX: f32 = std::f32::consts::FRAC_PI_4;
+
+/// A small closed shape of a drawing.
+#[derive(Debug, Clone, Copy)]
+struct SmallShape {
+    ring: MmRect,
+    area: f32,
+    is_drawn: bool,
+}
+
+impl SmallShape {
+    /// Whether they are of one size and about one shape: a disc, a square and a triangle may have one box.
+    fn is_like(&self, other: &Self) -> bool {
+        let is_as = |a: f32, b: f32| (a - b).abs() <= ALIKE * a.max(b);
+        let (a, b) = (self.ring, other.ring);
+        is_as(a.width(), b.width()) && is_as(a.height(), b.height()) && is_as(self.area, other.area)
+    }
+
+    /// Whether it may be a sign that marks a place, and is no disc, which is drawn as a point where there is room.
+    fn may_mark(&self) -> bool {
+        let is_round = (self.area / self.ring.area() - OF_BOX).abs() <= ALIKE;
+        !is_round && self.ring.width().max(self.ring.height()) <= MARK
+    }
+}
+
+/// Finds the series among lost shapes: many that are alike and no discs, of which none is drawn.
+fn name_series(lost: &mut [LostSign], small: &[SmallShape]) {
+    if small.len() > MOST_SMALL {
+        return;
+    }
+    let shape_of = |sign: &LostSign| {
+        let is_its = |shape: &&SmallShape| sign.kind == SignKind::Ring && shape.ring.center() == sign.at;
+        small.iter().find(is_its)
+    };
+    let shapes = lost.iter().map(|sign| shape_of(sign).filter(|shape| shape.may_mark()));
+    let shapes: Vec<Option<&SmallShape>> = shapes.collect();
+    for (sign, own) in lost.iter_mut().zip(&shapes) {
+        let Some(own) = own else { continue };
+        let count = shapes.iter().flatten().filter(|other| other.is_like(own)).count();
+        if count >= SERIES && !small.iter().any(|other| other.is_drawn && other.is_like(own)) {
+            sign.kind = SignKind::Series;
+        }
+    }
 }
 
 /// The ends of a ring of which another line covers a piece, as the river or the road through a town, are no farther
@@ -174,8 +234,10 @@ pub(super) fn told(
     let all: Vec<(&str, MmRect)> = labels.chain(texts).collect();
     let are_labels = words.own_texts || !words.labels.is_empty();
     let of = |kind: SignKind| lost.iter().copied().filter(|sign| sign.kind == kind).collect::<Vec<_>>();
-    let (heads_lost, rings) = (of(SignKind::Arrowhead), of(SignKind::Ring));
+    let (heads_lost, rings) = (of(SignKind::Arrowhead), [of(SignKind::Series), of(SignKind::Ring)].concat());
     let (of_lines, others): (Vec<LostSign>, Vec<LostSign>) = points_of_lines(rings, &figure.lines);
+    let (series, others): (Vec<LostSign>, Vec<LostSign>) =
+        others.into_iter().partition(|sign| sign.kind == SignKind::Series);
     let arrows = (!heads_lost.is_empty()).then(|| {
         let count = heads_lost.len();
         let (heads, them, line_leads) = match count {
@@ -193,8 +255,9 @@ pub(super) fn told(
         )
     });
     let points = told_of_points(&of(SignKind::Point), &figure.lines, sheets);
+    let series = told_of_shapes(&series, (&all, &tips), are_labels, sheets);
     let shapes = told_of_shapes(&others, (&all, &tips), are_labels, sheets);
-    shapes.into_iter().chain(told_of_line_points(&of_lines, sheets)).chain(points).chain(arrows).collect()
+    series.into_iter().chain(shapes).chain(told_of_line_points(&of_lines, sheets)).chain(points).chain(arrows).collect()
 }
 
 /// So many rings on one line are the points of a curve.
@@ -282,7 +345,7 @@ fn told_of_shapes(
     are_labels: bool,
     sheets: Option<&SheetWindows>,
 ) -> Option<Note> {
-    let first = lost.first()?.at;
+    let LostSign { at: first, kind } = *lost.first()?;
     let led = |at: MmPoint| {
         let far = |tip: &MmPoint| (*tip - at).length();
         let nearest = tips.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
@@ -300,13 +363,22 @@ fn told_of_shapes(
     each_once(&mut beside);
     let (shapes, them, which, at) = match lost.len() {
         1 => ("1 small closed shape".to_owned(), "it", "that", "at"),
+        // some may lie on others
+        count if kind == SignKind::Series => {
+            (format!("all small closed shapes of a series, {count} or more"), "them", "those", "the first at")
+        }
         count => (format!("{count} small closed shapes"), "them", "those", "the first at"),
     };
     let by = |how: &str, names: &[&str]| (!names.is_empty()).then(|| format!("{which} {how} {}; ", named(names)));
     let names: String = [by("of", &of), by("beside", &beside)].into_iter().flatten().collect();
     let labelled = if are_labels && !names.is_empty() { ", so a label may name what is not felt" } else { "" };
-    let what = format!("{shapes} ({names}{at} {}), in part or as a whole", place_in_words(first, sheets));
-    let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger");
+    // round ones become points, however small they are
+    let (part, or_else) = match kind {
+        SignKind::Series => ("", ", or draw them as round points if they mark places"),
+        _ => (", in part or as a whole", ""),
+    };
+    let what = format!("{shapes} ({names}{at} {}){part}", place_in_words(first, sheets));
+    let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger{or_else}");
     Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{what}: {why}")))
 }
 

@@ -66,6 +66,10 @@ fn the_points_of_a_curve_are_told_as_such() {
     assert_eq!(all.len(), 2, "{all:?}");
     assert!(all[0].contains("1 small closed shape (at 80, 80 mm)"), "{all:?}");
     assert!(all[1].contains("3 points of lines (the first at 10, 10 mm)"), "{all:?}");
+    // of triangles, too
+    let sign = |at: MmPoint| LostSign { at, kind: SignKind::Series };
+    let (of_lines, others) = points_of_lines(curve.iter().copied().map(sign).collect(), &figure.lines);
+    assert_eq!((of_lines.len(), others.len()), (3, 0));
     let towns = told(&curve[..2]);
     assert!(towns.len() == 1 && towns[0].contains("2 small closed shapes"), "{towns:?}");
 }
@@ -89,4 +93,37 @@ fn a_ring_of_which_a_line_covers_a_piece_is_a_ring() {
     let hairpin = [(0.0, 0.0), (9.0, 0.0), (9.0, 0.4), (0.0, 0.4)].map(MmPoint::from);
     assert!(!is_nearly_closed(&hairpin), "a line that turns back");
     assert!(!is_nearly_closed(&[]));
+}
+
+#[test]
+fn many_lost_shapes_that_are_alike_are_a_series_if_none_is_drawn() {
+    // (x, area, is_drawn) of shapes in boxes of 3 mm
+    let kinds = |shapes: &[(f32, f32, bool)]| -> Vec<SignKind> {
+        let shape = |&(x, area, is_drawn): &(f32, f32, bool)| {
+            let ring = MmRect::new(MmPoint::new(x, 0.0), MmPoint::new(x + 3.0, 3.0));
+            SmallShape { ring, area, is_drawn }
+        };
+        let small: Vec<SmallShape> = shapes.iter().map(shape).collect();
+        let ring = |shape: &SmallShape| LostSign { at: shape.ring.center(), kind: SignKind::Ring };
+        let mut lost: Vec<LostSign> = small.iter().filter(|shape| !shape.is_drawn).map(ring).collect();
+        name_series(&mut lost, &small);
+        lost.iter().map(|sign| sign.kind).collect()
+    };
+    let triangles = [10.0, 30.0, 50.0, 70.0].map(|x| (x, 4.5, false));
+    assert_eq!(kinds(&triangles), [SignKind::Series; 4]);
+    assert_eq!(kinds(&triangles[1..]), [SignKind::Ring; 3]);
+    let with = |other: (f32, f32, bool)| kinds(&[&triangles[..], &[other]].concat());
+    assert_eq!(with((90.0, 7.07, true)), [SignKind::Series; 4], "a disc is drawn");
+    assert_eq!(with((90.0, 4.5, true)), [SignKind::Ring; 4], "one of them is drawn");
+    assert_eq!(with((90.0, 9.0, false))[4], SignKind::Ring, "a square by itself");
+    assert_eq!(kinds(&triangles.map(|(x, _, is_drawn)| (x, 7.07, is_drawn))), [SignKind::Ring; 4], "discs");
+}
+
+#[test]
+fn a_series_is_told_as_such() {
+    let lost: Vec<LostSign> =
+        (1..=5).map(|k| LostSign { at: MmPoint::new(10.0 * k as f32, 50.0), kind: SignKind::Series }).collect();
+    let told = told_of_shapes(&lost, (&[], &[]), true, None).map(|note| note.to_string()).unwrap_or_default();
+    assert!(told.contains("all small closed shapes of a series, 5 or more (the first at 10, 50 mm): "), "{told}");
+    assert!(told.contains("or draw them as round points"), "{told}");
 }
