@@ -140,7 +140,7 @@ fn with_ticks(marks: LostMarks, found: &[[MmPoint; 2]], strokes: impl FnOnce() -
         found.len()
     } else {
         let strokes = strokes();
-        found.iter().filter(|tick| is_of_scale(**tick, &strokes)).count()
+        found.iter().filter(|tick| is_of_scale(**tick, &strokes) || is_of_dial(**tick, &strokes)).count()
     };
     LostMarks { ticks, strokes: marks.strokes + found.len() - ticks, ..marks }
 }
@@ -189,6 +189,26 @@ fn is_of_scale([from, to]: [MmPoint; 2], strokes: &[[MmPoint; 2]]) -> bool {
         is_parallel && is_in_row && apart.length() > DRAWN
     };
     strokes.iter().filter(is_fellow).count() >= FELLOWS
+}
+
+/// Whether a tick has enough fellows for a scale that goes round among these strokes: all point at one middle, from
+/// which their outer or their inner ends are as far.
+fn is_of_dial([from, to]: [MmPoint; 2], strokes: &[[MmPoint; 2]]) -> bool {
+    let Some(along) = (to - from).try_normalize() else { return false };
+    // how far along the tick the middle is
+    let middle_with = |[a, b]: &[MmPoint; 2]| {
+        let way = (*b - *a).try_normalize()?;
+        let turn = along.cross(way);
+        let to_middle = (*a - from).cross(way) / turn;
+        let far = |end: &MmPoint| (*end - (from + along * to_middle)).length();
+        let [own, other] = [[far(&from), far(&to)], [far(a), far(b)]].map(|[one, two]| [one.min(two), one.max(two)]);
+        let are_as_far = own.iter().zip(other).any(|(own, other)| (own - other).abs() <= DRAWN);
+        let are_apart = own[0].min(other[0]) > (to - from).length();
+        (turn.abs() > PARALLEL && are_as_far && are_apart).then_some(to_middle)
+    };
+    let mut middles: Vec<f32> = strokes.iter().filter_map(middle_with).collect();
+    middles.sort_by(f32::total_cmp);
+    middles.windows(FELLOWS).any(|of| of[FELLOWS - 1] - of[0] <= DRAWN)
 }
 
 /// What points on lines cover, as the ticks behind them: nobody misses that.

@@ -138,6 +138,17 @@ fn one_stroke_on_a_line_is_no_tick() {
     assert_eq!(told(&beside, &scale), "1 short tick and 1 other short line", "it is not in the row");
     let along = [MmPoint::new(18.0, 40.0), MmPoint::new(22.0, 40.0)];
     assert_eq!(told(&[along], &scale), "1 short line");
+    // of a dial, the hours longer
+    let dial = |k: usize| {
+        let (sin, cos) = (15.0 * k as f32).to_radians().sin_cos();
+        let inner = if k.is_multiple_of(3) { 34.0 } else { 36.5 };
+        [40.0, inner].map(|far| MmPoint::new(50.0 - far * cos, 50.0 - far * sin))
+    };
+    let dial: Vec<[MmPoint; 2]> = (0..13).map(dial).collect();
+    assert_eq!(told(&dial[6..8], &dial), "2 short ticks", "of a sundial");
+    assert_eq!(told(&dial[6..8], &dial[5..9]), "2 short lines", "four rays");
+    let crossing = [MmPoint::new(50.0, 10.0), MmPoint::new(54.0, 13.0)];
+    assert_eq!(told(&[crossing], &dial), "1 short line", "it points elsewhere");
 }
 
 #[test]
