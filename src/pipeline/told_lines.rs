@@ -90,15 +90,16 @@ pub(super) fn told_of_lost(
     left_out.into_iter().chain(whole).chain(told_gridlines(lost))
 }
 
-/// Less than this share of the lines of a drawing is not told once more where lines are told one by one.
+/// Less than this share of the lines of a drawing is not told once more where lines are told one by one that are longer
+/// together.
 const REST: f32 = 0.05;
 
 /// Whether lines that are told one by one, as gone, open or in pieces, are all that is left out, but for less than so
-/// much, mm, or a small share.
+/// much, mm, or a small share that is less than what is told.
 fn is_told_by_lines(lost: &Lost, least: f32) -> bool {
     let all = lost.gone.iter().chain(&lost.gaps).chain(&lost.torn);
     let told: f32 = all.map(|line| line.length).sum();
-    told > 0.0 && of_lines(lost) - told < least.max(REST * lost.wanted)
+    told > 0.0 && of_lines(lost) - told < least.max(told.min(REST * lost.wanted))
 }
 
 /// A text stands beside a line no farther from it than this, mm.
