@@ -4,6 +4,9 @@ use super::{About, Note, Reason};
 
 /// What helps against most of what has no room, as remarks say it.
 const LARGER: &str = "; make the figure larger";
+/// A part of the picture alone is larger too, and of a chart or a family tree it is not what is wanted.
+const CROP: &str = "crop the picture";
+const CROP_OR: &str = "crop the picture, or ";
 
 /// Leaves out remarks on an overview that others have in them: where it lacks much of the lines, shapes and areas are
 /// among these; and shapes that it leaves out are among the areas that are not closed in it.
@@ -50,11 +53,16 @@ pub(super) fn share_remedy(notes: &mut [Note]) {
     }
 }
 
-/// A sentence without its advice to make the figure larger; none of one that has no such advice.
+/// A sentence without its advice to make the figure larger, or to crop the picture so that it is; none of one that has
+/// no such advice.
 fn without_larger(told: &str) -> Option<String> {
     let (what, rest) = told.split_once(LARGER)?;
     let other = rest.strip_prefix(", or ").or_else(|| rest.strip_prefix(", "));
-    Some(other.map_or_else(|| format!("{what}{rest}"), |other| format!("{what}; {other}")))
+    Some(match other.map(|other| other.strip_prefix(CROP_OR).unwrap_or(other)) {
+        None => format!("{what}{rest}"),
+        Some(CROP) => what.to_owned(),
+        Some(other) => format!("{what}; {other}"),
+    })
 }
 
 #[cfg(test)]
@@ -73,6 +81,9 @@ mod tests {
             "3 ticks: no room; make the figure larger, draw them longer, or say it in a label",
             "4 lines: no room; make the figure larger, or say it in a label",
             "5 shapes: no room; make the figure larger",
+            "6 textures: no room; make the figure larger, crop the picture, or say in labels what matters",
+            "7 textures: no room; make the figure larger, or crop the picture",
+            "8 outlines: no room; make the figure larger, or crop the picture around them",
         ]
         .map(missing);
         share_remedy(&mut notes);
@@ -82,6 +93,9 @@ mod tests {
             "3 ticks: no room; draw them longer, or say it in a label",
             "4 lines: no room; say it in a label",
             "5 shapes: no room",
+            "6 textures: no room; say in labels what matters",
+            "7 textures: no room",
+            "8 outlines: no room; crop the picture around them",
         ];
         assert_eq!(notes, wanted.map(missing));
     }
