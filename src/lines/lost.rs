@@ -1,6 +1,7 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
 use std::collections::BTreeMap;
+use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::clearance::LEVEL;
 use super::faint::is_faint;
@@ -10,6 +11,7 @@ use crate::geom::form::{Form, OpenForm, SLACK, from_to};
 use crate::geom::nearby::Segment;
 use crate::geom::ninths::{NAMES, most_of, ninth};
 use crate::geom::polyline::{self, Polyline};
+use crate::geom::segment_distance;
 use crate::units::{MmPoint, MmRect};
 
 /// What was worth a line and is not drawn: too near to others, or in a drawing too short.
@@ -166,6 +168,27 @@ fn closed_on_page<'a>(
 /// A closed line is another one on the page if it is so for at least this share of the longer of the two.
 const SAME_RING: f32 = 0.5;
 
+/// Two strokes are a cross if they come so near to one another, mm: one may be cut off where they meet.
+const MEET: f32 = 1.2;
+
+/// Whether two straight strokes between these ends are a cross: they cross or meet at 45 degrees or more.
+pub(crate) fn is_cross([a, b]: [MmPoint; 2], [c, d]: [MmPoint; 2]) -> bool {
+    let (one, other) = (b - a, d - c);
+    let (across, longest) = (one.cross(other).abs(), one.length() * other.length());
+    longest > 0.0 && across >= FRAC_1_SQRT_2 * longest && segment_distance((a, b), (c, d)) <= MEET
+}
+
+/// The ends of a line; none of one without points.
+fn ends(line: &Polyline<Vertex>) -> Option<[MmPoint; 2]> {
+    Some([line.vertices.first()?.at, line.vertices.last()?.at])
+}
+
+/// A straight line with this box around it is one of these two.
+fn diagonals(extent: MmRect) -> [[MmPoint; 2]; 2] {
+    let (min, max) = (extent.min, extent.max);
+    [[min, max], [MmPoint::new(min.x, max.y), MmPoint::new(max.x, min.y)]]
+}
+
 /// A line stands for a closed one if it is so near, mm: nearly all are moved by less, and those side by side are
 /// further apart.
 pub(super) const STANDS: f32 = 2.0;
@@ -261,17 +284,20 @@ impl Lost {
     }
 
     /// Adds lines of a drawing that lie in a hollow point, where nothing is drawn, each with the middle of that. Two
-    /// are the strokes of a cross, as in the sign of a lamp, also if one of them is gone already; one alone is a tick
-    /// behind its point, which nobody misses.
+    /// that cross are the strokes of a cross, as in the sign of a lamp, also if one of them is gone already; others are
+    /// ticks behind their point, which nobody misses.
     pub(super) fn add_crosses(&mut self, hidden: &[(MmPoint, &Polyline<Vertex>)], area: MmRect, params: &Params) {
         if !params.of_drawing || params.part != PagePart::Figure {
             return;
         }
-        let strokes = |at: MmPoint| {
-            let gone = self.gone.iter().filter(|line| (line.extent.center() - at).length() <= STANDS);
-            gone.count() + hidden.iter().filter(|(of, _)| *of == at).count()
+        let is_crossed = |at: MmPoint, line: &Polyline<Vertex>| {
+            let Some(stroke) = ends(line) else { return false };
+            let crosses = |other: [MmPoint; 2]| is_cross(stroke, other);
+            let is_here = |line: &&LostLine| !line.closed && (line.extent.center() - at).length() <= STANDS;
+            let beside = hidden.iter().filter(|(of, _)| *of == at).filter_map(|(_, other)| ends(other));
+            self.gone.iter().filter(is_here).flat_map(|line| diagonals(line.extent)).chain(beside).any(crosses)
         };
-        let of_crosses = hidden.iter().filter(|(at, _)| strokes(*at) >= 2).map(|(_, line)| *line);
+        let of_crosses = hidden.iter().filter(|(at, line)| is_crossed(*at, line)).map(|(_, line)| *line);
         let of_crosses: Vec<&Polyline<Vertex>> = of_crosses.collect();
         self.add(of_crosses.iter().copied(), area);
         self.gone.extend(of_crosses.into_iter().map(LostLine::of));

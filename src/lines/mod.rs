@@ -53,7 +53,7 @@ pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
 pub use few::Beyond;
 pub use line::{HeavyStrokes, Height, Line, Pen, Run};
-pub(crate) use lost::{GAP, lost_form};
+pub(crate) use lost::{GAP, is_cross, lost_form};
 pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign, SignKind};
 pub use marks::{HeadMark, LineMarks, PointMark, TickMark, whole_series};
 pub use outlines::Outlines;

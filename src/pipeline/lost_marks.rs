@@ -12,7 +12,9 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
-use crate::lines::{LONGEST_TICK, Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale, SHORTEST_TICK};
+use crate::lines::{
+    LONGEST_TICK, Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale, SHORTEST_TICK, is_cross,
+};
 use crate::listing::list;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::profile::Plan;
@@ -170,12 +172,7 @@ fn strokes_of_crosses(strokes: Vec<[MmPoint; 2]>, lines: &[Line]) -> Vec<[MmPoin
         rings.iter().any(holds)
     };
     let strokes: Vec<[MmPoint; 2]> = strokes.into_iter().filter(is_in_ring).collect();
-    let crosses = |[a, b]: [MmPoint; 2], [c, d]: [MmPoint; 2]| {
-        let (one, other) = (b - a, d - c);
-        let is_across = one.cross(other).abs() >= ALONG * one.length() * other.length();
-        is_across && (a.lerp(b, 0.5) - c.lerp(d, 0.5)).length() <= DRAWN
-    };
-    let is_crossed = |stroke: &&[MmPoint; 2]| strokes.iter().any(|other| crosses(**stroke, *other));
+    let is_crossed = |stroke: &&[MmPoint; 2]| strokes.iter().any(|other| is_cross(**stroke, *other));
     strokes.iter().filter(is_crossed).copied().collect()
 }
 

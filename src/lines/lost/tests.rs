@@ -78,6 +78,20 @@ fn the_ring_of_a_lamp_does_not_stand_for_the_cross_in_it() {
 }
 
 #[test]
+fn strokes_that_cross_or_meet_are_a_cross_and_those_side_by_side_are_none() {
+    let stroke = |from: (f32, f32), to: (f32, f32)| [MmPoint::from(from), MmPoint::from(to)];
+    let slanting = stroke((46.0, 46.0), (54.0, 54.0));
+    let crosses = |from: (f32, f32), to: (f32, f32)| is_cross(slanting, stroke(from, to));
+    assert!(crosses((46.0, 54.0), (54.0, 46.0)));
+    assert!(crosses((50.5, 49.5), (54.0, 46.0)), "a half of the other stroke");
+    assert!(!crosses((48.0, 46.0), (56.0, 54.0)), "side by side");
+    assert!(!crosses((54.0, 50.0), (58.0, 46.0)), "far from it");
+    assert!(!crosses((50.0, 50.0), (50.0, 50.0)), "a place");
+    let [one, other] = diagonals(MmRect::from_points(&slanting));
+    assert!(one == slanting && is_cross(one, other));
+}
+
+#[test]
 fn what_is_lost_is_told_with_its_length_and_its_place() {
     let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
     let (mut wanted, mut kept) = (LossTally::new(area), LossTally::new(area));

@@ -115,7 +115,7 @@ fn of_a_tick_under_a_hollow_point_nothing_sticks_out() {
 
 /// As in the sign of a lamp, whose cross is not drawn either.
 #[test]
-fn two_strokes_in_a_hollow_point_are_a_cross_that_is_told_and_one_is_a_tick_behind_it() {
+fn two_strokes_that_cross_in_a_hollow_point_are_told_and_others_are_ticks_behind_it() {
     let (at, radius) = (MmPoint::new(50.0, 50.0), 5.0);
     let drawn = DrawnPoints { holes: vec![(at, radius)], ..DrawnPoints::default() };
     let stroke = |from: (f32, f32), to: (f32, f32)| line(&[from, to], false, 0.0, FoundIn::Vector);
@@ -128,6 +128,8 @@ fn two_strokes_in_a_hollow_point_are_a_cross_that_is_told_and_one_is_a_tick_behi
     };
     assert_eq!(lost_of(&[&wire, &cross[0], &cross[1]]), (2, 20.0));
     assert_eq!(lost_of(&[&wire, &cross[0]]), (0, 0.0), "a tick behind a point");
+    let beside = stroke((47.5, 46.5), (54.5, 53.5));
+    assert_eq!(lost_of(&[&wire, &cross[0], &beside]), (0, 0.0), "two ticks side by side");
 }
 
 #[test]
