@@ -163,7 +163,7 @@ pub fn convert<'p>(
 }
 
 /// As [`convert`], with words in braille, and with what a person gives beside the picture. A drawing, such as a
-/// table, whose words have no room beside its overview has none.
+/// table, whose words have no room beside its overview has none, if nobody asked for one.
 ///
 /// # Errors
 /// As [`convert`].
@@ -176,8 +176,8 @@ pub fn convert_with_words<'p>(
 ) -> Result<Drawing, Error> {
     let picture = picture.into();
     let drawing = convert_as_asked(picture, words, given, request, watch)?;
-    let has_own_words = words.own_texts && drawing.is_larger_without_overview;
-    if !has_own_words || !overview_for_words::lack(&drawing.notes, &drawing.texts) {
+    let may_go = words.own_texts && drawing.is_larger_without_overview && !overview_for_words::is_asked(request.plan);
+    if !may_go || !overview_for_words::lack(&drawing.notes, &drawing.texts) {
         return Ok(drawing);
     }
     let plan = overview_for_words::plan_without(request.plan)?;

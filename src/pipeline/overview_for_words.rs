@@ -1,5 +1,5 @@
 //! A drawing whose words are most of it, as a table, has no overview where that takes the room of most of them: a
-//! reader of a table seeks its words, and the overview has only its lines.
+//! reader of a table seeks its words, and the overview has only its lines. One that was asked for stays.
 
 use super::texts::Text;
 use crate::profile::Plan;
@@ -27,6 +27,11 @@ fn without_room(notes: &[Note]) -> usize {
         _ => 0,
     });
     lost.sum()
+}
+
+/// Whether the maker of the page asked for an overview, so that it does not go by itself; the settings have one.
+pub(super) fn is_asked(plan: &Plan) -> bool {
+    plan.profile().own_place("overview.on").is_some()
 }
 
 /// The same settings without an overview.
@@ -80,5 +85,19 @@ mod tests {
         let plan = Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("a plan");
         let without = plan_without(&plan).expect("a plan");
         assert!(plan.layout().overview.is_some() && without.layout().overview.is_none());
+    }
+
+    #[test]
+    fn an_overview_that_was_asked_for_stays() {
+        let is_asked = |profile: &Profile| is_asked(&Plan::new(profile).expect("a plan"));
+        let mut profile = Profile::named("swell-a4").expect("it is built in");
+        profile.set("lines.width_max", 1.2).expect("a width");
+        assert!(!is_asked(&profile), "what the built-in profile has is the default");
+        profile.set("overview", true).expect("a switch");
+        assert!(is_asked(&profile));
+        let own = |text: &str| Profile::from_toml(text, "my.toml").expect("it is right");
+        assert!(!is_asked(&own("inherits = \"swell-a3\"")));
+        assert!(is_asked(&own("inherits = \"swell-a3\"\noverview = true")));
+        assert!(!is_asked(&own("inherits = \"swell-a3\"\n[overview]\nscale = 0.4")));
     }
 }

@@ -121,6 +121,13 @@ impl Profile {
         last.filter(|origin| origin.order > 0).map_or_else(|| self.name.clone(), |origin| origin.place.clone())
     }
 
+    /// Where the maker of this profile gave this key: in its own file, or by [`Profile::set`]; none if it has what it
+    /// inherits.
+    pub(crate) fn own_place(&self, path: &str) -> Option<&str> {
+        let index = KEYS.iter().position(|key| key.path == path)?;
+        self.origins.get(index).filter(|origin| origin.own && origin.held).map(|origin| origin.place.as_str())
+    }
+
     /// Gives the key at `index` of [`KEYS`] the value of a text such as `1.2`; a refused one changes nothing.
     pub(super) fn put_text(&mut self, index: usize, text: &str, place: String) -> Result<(), Fault> {
         let key = &KEYS[index];

@@ -2,7 +2,7 @@
 //! grid.
 
 use super::fault::Fault;
-use super::keys::{KEYS, Profile};
+use super::keys::Profile;
 
 /// A key that one kind of page does not look at.
 struct Unused {
@@ -57,11 +57,10 @@ impl Profile {
     /// count on its pages, each with the place where it was given, why it does not count and what does instead.
     pub fn unused(&self) -> Vec<Fault> {
         let told = |unused: &Unused| {
-            let index = KEYS.iter().position(|key| key.path == unused.path)?;
-            let origin = self.origins.get(index).filter(|origin| origin.own && origin.held)?;
+            let place = self.own_place(unused.path)?;
             let page = if self.dots.device.is_some() { "a page of dots" } else { "a printed page" };
             let what = format!("{} does not count on {page}: {}", unused.path, unused.why);
-            Some(Fault::of_keys(&[unused.path], &origin.place, what))
+            Some(Fault::of_keys(&[unused.path], place, what))
         };
         self.not_counting().iter().filter_map(told).collect()
     }
@@ -89,6 +88,7 @@ pub(super) fn listing() -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::keys::KEYS;
     use super::*;
 
     #[test]
