@@ -186,9 +186,10 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             format!("{note} (--set figure.ground=true)")
         }
         Note::NotOnPage(_, Reason::PaperEdge, _) => format!("{note} (--crop, --keep-ground)"),
-        Note::NotOnPage(_, Reason::FirstNotInOverview | Reason::ThingNotInOverview, _) => {
+        Note::NotOnPage(_, Reason::FirstNotInOverview, _) => {
             format!("{note} (--subject with this place, or --simplify 5)")
         }
+        Note::NotOnPage(_, Reason::ThingNotInOverview, _) => format!("{note} (--subject X,Y, or --simplify 5)"),
         Note::TooDense { .. } if making.has_sheets() => match making.larger() {
             Some(_) if making.is_larger_without_overview() => format!("{note} (--no-overview, {SHEETS}, --crop)"),
             Some(_) => format!("{note} ({SHEETS}, --crop)"),

@@ -7,11 +7,11 @@ use super::lines_of_part::LinesOfPart;
 use super::overview::DrawnOverview;
 use crate::edges::Edges;
 use crate::lines::Line;
-use crate::listing::first_few;
 use crate::page::layout::Layout;
+use crate::page::sheet_windows::place_from_edges;
 use crate::profile::Plan;
 use crate::regions::{Chosen, Mask};
-use crate::units::{MmRect, PageTransform, PxPoint, Size};
+use crate::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 use crate::{About, Note, Reason};
 
 /// A region that has no more of its outline on the edge of the picture is a thing: others are ground.
@@ -28,9 +28,6 @@ const THERE: f32 = 0.6;
 /// A line of the overview is that of an outline up to this far from it, mm: one that is there lies nearer nearly all
 /// along, and one of something else seldom.
 const ALONG: f32 = 1.5;
-
-/// So many places are named.
-const MOST_NAMED: usize = 3;
 
 /// What the maker is told of the first region of a figure if the overview lacks most of its outline, and of large ones.
 /// Subjects that were named, and pages of few shapes, are told otherwise.
@@ -54,7 +51,7 @@ pub(super) fn told(
         (first, others.collect::<Vec<_>>())
     });
     let (first, others) = told.unwrap_or_default();
-    first.map(told_of_first).into_iter().chain(told_of_others(&others))
+    first.map(told_of_first).into_iter().chain(told_of_others(&others, layout))
 }
 
 /// A thing of the figure of whose outline the overview lacks much.
@@ -62,6 +59,8 @@ pub(super) fn told(
 struct Lacking {
     /// A place in it, percent of the picture from its left and its top.
     at: [f32; 2],
+    /// A place on the page where the figure has what the overview lacks of its outline.
+    lacks: MmPoint,
     /// The share of the outline that is there.
     share: f32,
 }
@@ -104,9 +103,13 @@ impl BothOutlines {
         if share >= THERE {
             return None;
         }
+        // in the middle of what is missing, row by row
+        let missing = outline.iter().filter(|at| !of_overview.has(in_overview.to_mm(**at)));
+        let missing: Vec<&PxPoint> = missing.collect();
+        let lacks = in_figure.to_mm(**missing.get(missing.len() / 2)?);
         let at = thing.inside()?;
         let at = [at.x / self.picture.width as f32, at.y / self.picture.height as f32].map(|share| 100.0 * share);
-        Some(Lacking { at, share })
+        Some(Lacking { at, lacks, share })
     }
 }
 
@@ -122,17 +125,19 @@ fn told_of_first(first: Lacking) -> Note {
     Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, what)
 }
 
-/// What is told of others, the first of the figure first.
-fn told_of_others(others: &[Lacking]) -> Option<Note> {
-    let places = first_few(others, MOST_NAMED, Lacking::place);
-    let (outlines, this) = match others.len() {
+/// What is told of others, the first of the figure first. As its subject a place in one may name something else, which
+/// counts more there, so that it is told where the figure has what is missing.
+fn told_of_others(others: &[Lacking], layout: &Layout) -> Option<Note> {
+    let (outlines, about) = match others.len() {
         0 => return None,
-        1 => (format!("the outline of a large thing of the figure, at {places}"), "this place"),
-        count => (format!("the outlines of {count} large things of the figure, at {places}"), "one of these places"),
+        1 => ("outline of a large thing".to_owned(), "it"),
+        count => (format!("outlines of {count} large things"), "one of them"),
     };
+    let at = place_from_edges(others.first()?.lacks, layout.sheets.as_ref(), layout.medium.name_of_sheet());
     let what = format!(
-        "much of {outlines}, in the overview, as other shapes come first there; name {this} as the subject if the \
-         picture is about it, or ask for few shapes (lines.shapes = 5), which are the same in both"
+        "in the overview, much of the {outlines} of the figure, such as what this has around {at}: other shapes come \
+         first there; if the picture is about {about}, name a place on it as the subject, or ask for few shapes \
+         (lines.shapes = 5), which are the same in both"
     );
     Some(Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, what))
 }

@@ -47,6 +47,8 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert_eq!(of_note(&Note::EmptyPage, Making::PageAnew), Note::EmptyPage.to_string());
     let first = Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, String::new());
     assert!(of_note(&first, print).ends_with("(--subject with this place, or --simplify 5)"));
+    let other = Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, String::new());
+    assert!(of_note(&other, print).ends_with("(--subject X,Y, or --simplify 5)"));
     let ground = Note::NotOnPage(About::Areas, Reason::GroundBlank, String::new());
     assert!(of_note(&ground, Making::Pins).ends_with("(--set figure.ground=true)"));
     let among_rows = Note::Faulty(About::Lines, Reason::AmongRows, String::new());
