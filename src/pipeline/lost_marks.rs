@@ -39,6 +39,9 @@ const PLACES: usize = 12;
 const STRAIGHT: f32 = 0.05;
 /// A mark of a right angle has one corner, and is straight otherwise but for this share of its length.
 const OFF_CORNER: f32 = 0.08;
+/// With both arms as straight as this it is one, and else a bend, told as a short line: the arc of a ring with such a
+/// corner in its middle has 139 degrees or more, and lies 0.073 off.
+const OFF_ARMS: f32 = 0.065;
 /// The corner of a mark of a right angle has at most this cosine (70 to 110 degrees).
 const RIGHT: f32 = 0.35;
 /// The legs of an angle differ in their direction by at least 10 degrees: the sine.
@@ -66,6 +69,8 @@ enum MarkKind {
     Tick,
     Arc,
     Corner,
+    /// Bent as a mark of a right angle, and none.
+    Bend,
     Stroke,
 }
 
@@ -123,10 +128,10 @@ pub(super) fn find(
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
             MarkKind::Tick => ticks.push([first, last]),
-            MarkKind::Arc | MarkKind::Corner if has_rest(&points, &pieces) => marks.pieces += 1,
+            MarkKind::Arc | MarkKind::Corner | MarkKind::Bend if has_rest(&points, &pieces) => marks.pieces += 1,
             MarkKind::Arc => marks.arcs += 1,
             MarkKind::Corner => marks.corners += 1,
-            MarkKind::Stroke => marks.strokes += 1,
+            MarkKind::Bend | MarkKind::Stroke => marks.strokes += 1,
         }
         marks.length += length;
         marks.first.get_or_insert(middle);
@@ -339,7 +344,8 @@ fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], 
         _ => false,
     };
     if is_right {
-        return Some(MarkKind::Corner);
+        let is_square = one.dot(other).abs() <= RIGHT && simplify(line, OFF_ARMS * length).len() == corners.len();
+        return Some(if is_square { MarkKind::Corner } else { MarkKind::Bend });
     }
     is_around_vertex(points, [one, other]).then_some(MarkKind::Arc)
 }

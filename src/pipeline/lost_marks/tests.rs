@@ -25,6 +25,9 @@ fn marks_are_told_apart() {
     assert_eq!(is(&straight, [Some((0.2, upright)), Some((0.2, upright))]), None, "a piece of a gridline");
     assert_eq!(is(&straight, legs), None, "a piece of a slanting line");
     assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(MarkKind::Corner));
+    let slanting = [legs[0], Some((0.2, MmVector::new(0.8, 0.6)))];
+    assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), slanting), Some(MarkKind::Bend), "its legs are not");
+    assert_eq!(is(&arc(145.0), legs), Some(MarkKind::Bend), "a piece of a ring");
     let leg = |degrees: f32| {
         let (y, x) = degrees.to_radians().sin_cos();
         Some((0.2, MmVector::new(x, y)))
