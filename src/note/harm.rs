@@ -11,6 +11,8 @@ pub(super) enum Harm {
     ThingsMissing,
     /// Parts of things are missing, or what tells them apart.
     PartsMissing,
+    /// Textures of areas are missing, whose outlines are there.
+    TexturesMissing,
     /// All is there, otherwise than in the picture: merged, moved, shorter, calmer.
     Changed,
     /// It is about the overview only, which a reader has beside the figure.

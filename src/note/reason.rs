@@ -239,21 +239,21 @@ reasons! {
     MarksNotInOverview => "marks-not-in-overview", InOverview;
     // of areas
     /// An area is too small for a texture.
-    AreaTooSmall => "area-too-small", PartsMissing;
+    AreaTooSmall => "area-too-small", TexturesMissing;
     /// What is erased leaves too little of an area for a texture.
-    AreaCut => "area-cut", PartsMissing;
+    AreaCut => "area-cut", TexturesMissing;
     /// No area of a colour is large enough to learn its texture.
-    ColourTooSmall => "colour-too-small", PartsMissing;
+    ColourTooSmall => "colour-too-small", TexturesMissing;
     /// Areas have no room for the signs of a texture clear of lines.
-    NoRoomForTexture => "no-room-for-texture", PartsMissing;
+    NoRoomForTexture => "no-room-for-texture", TexturesMissing;
     /// Bars of a chart have no room for the signs of a texture clear of lines.
     BarsTooSmall => "bars-too-small", ThingsMissing;
     /// The ground has no texture, so that lines stand out.
     GroundBlank => "ground-blank", Changed;
     /// A label stands in the place of an area's texture.
-    UnderLabel => "under-label", PartsMissing;
+    UnderLabel => "under-label", TexturesMissing;
     /// Signs of textures are too near to a line or dot that was drawn or moved.
-    SignNearLine => "sign-near-line", PartsMissing;
+    SignNearLine => "sign-near-line", TexturesMissing;
     /// The legend is in the key, and not in the figure.
     LegendInKey => "legend-in-key", Changed;
     /// No key tells what the colours of a legend mean.

@@ -16,10 +16,30 @@ fn what_harms_a_reader_most_is_told_first() {
         Note::TakenAs(About::Leaders, Reason::LeadsToNothing, String::new()),
         missing(Reason::NoRoomForLine),
         Note::OfFile(crate::GivenFile::Lines, Box::new(missing(Reason::TooShort))),
+        missing(Reason::NoRoomForTexture),
+        missing(Reason::NoRoomForArrowhead),
     ];
     let mut sorted = notes.to_vec();
     Note::sort(&mut sorted);
-    assert_eq!(sorted, [5, 6, 7, 8, 2, 3, 4, 1, 0].map(|number: usize| notes[number].clone()));
+    assert_eq!(sorted, [5, 6, 7, 8, 2, 3, 10, 9, 4, 1, 0].map(|number: usize| notes[number].clone()));
+}
+
+/// A texture of a small area was told first, with what makes the figure larger.
+#[test]
+fn what_makes_the_figure_larger_is_told_with_the_worst_that_it_helps() {
+    let lost = |reason: Reason, told: &str| Note::NotOnPage(About::Lines, reason, told.to_owned());
+    let mut notes = vec![
+        lost(Reason::NoRoomForTexture, "1 texture; make the figure larger, crop the picture, or say it in a label"),
+        lost(Reason::NoRoomForArrowhead, "1 head; make the figure larger, or say it in the title"),
+        lost(Reason::NoRoomForLine, "1 line; make the figure larger, or say it in a label"),
+    ];
+    Note::sort(&mut notes);
+    let wanted = [
+        lost(Reason::NoRoomForLine, "1 line; make the figure larger, or say it in a label"),
+        lost(Reason::NoRoomForArrowhead, "1 head; say it in the title"),
+        lost(Reason::NoRoomForTexture, "1 texture; say it in a label"),
+    ];
+    assert_eq!(notes, wanted);
 }
 
 #[test]
