@@ -1,4 +1,4 @@
-//! Which words stay on one line: those of an equation, and a number with its unit.
+//! Which words stay on one line: those of an equation, a number with its unit, and the day of a month with the month.
 
 /// Signs that join what stands beside them with blanks.
 const SIGNS: &str = "=+\u{2212}\u{d7}\u{f7}\u{b7}<>\u{2264}\u{2265}\u{2248}\u{2260}\u{b1}\u{221d}";
@@ -19,6 +19,25 @@ const UNITS: [&str; 56] = [
     "kHz", "MHz", "V", "mV", "kV", "A", "mA", "W", "kW", "MW", "kWh", "J", "kJ", "N", "kN", "Pa", "hPa", "kPa", "bar",
     "mol",
 ];
+
+/// The months in small letters as they stand behind a day, in English, German, Dutch and Swedish, French, Spanish,
+/// Portuguese, Italian, Polish and Czech, each as far as they differ; of abbreviations those that are no other word.
+const MONTHS: [&str; 12] = [
+    "january february march april may june july august september october november december",
+    "jan feb apr aug sept oct nov dec",
+    "januar j\u{e4}nner februar m\u{e4}rz mai juni juli oktober dezember okt dez",
+    "januari februari maart mei augustus mars maj augusti",
+    "janvier f\u{e9}vrier avril juin juillet ao\u{fb}t septembre octobre novembre d\u{e9}cembre",
+    "janv f\u{e9}vr juil d\u{e9}c",
+    "enero febrero marzo abril mayo junio julio agosto septiembre setiembre octubre noviembre diciembre",
+    "janeiro fevereiro mar\u{e7}o maio junho julho setembro outubro novembro dezembro",
+    "gennaio febbraio aprile maggio giugno luglio settembre ottobre dicembre",
+    "stycznia lutego marca kwietnia maja czerwca lipca sierpnia wrze\u{15b}nia pa\u{17a}dziernika listopada grudnia",
+    "ledna \u{fa}nora b\u{159}ezna dubna kv\u{11b}tna \u{10d}ervna \u{10d}ervence srpna",
+    "z\u{e1}\u{159}\u{ed} \u{159}\u{ed}jna listopadu prosince",
+];
+/// What stands between the day and the month in Spanish and Portuguese.
+const OF: &str = "de";
 
 /// The spaces of a text at which no line ends, in order.
 pub(super) fn spaces(text: &[char]) -> Vec<usize> {
@@ -67,7 +86,30 @@ fn is_joined(words: &[&[char]], next: usize) -> bool {
         || is_one_of(after, SIGNS_OF_TERMS) && is_term(before) && other(Some(next + 1));
     let is_measure = is_number(before) && (is_unit(after) || is_group(before, after) || is_one_of(after, CURRENCIES))
         || is_one_of(before, CURRENCIES) && is_number(after);
-    is_sign || is_between_terms || is_measure
+    is_sign || is_between_terms || is_measure || is_date(words, next)
+}
+
+/// Whether a word is the month of the day before it, or what stands between the two.
+fn is_date(words: &[&[char]], next: usize) -> bool {
+    let is_of = |at: usize| words.get(at).is_some_and(|word| word.iter().copied().eq(OF.chars()));
+    let is_day_at = |at: Option<usize>| at.and_then(|at| words.get(at)).is_some_and(|word| is_day(word));
+    let is_month_at = |at: usize| words.get(at).is_some_and(|word| is_month(word));
+    let is_behind_day = is_day_at(next.checked_sub(1)) && (is_month_at(next) || is_of(next) && is_month_at(next + 1));
+    is_behind_day || is_of(next - 1) && is_day_at(next.checked_sub(2)) && is_month_at(next)
+}
+
+/// Whether a word is the day of a month: one digit or two, perhaps with the point or the letters of an order.
+fn is_day(word: &[char]) -> bool {
+    let digits = word.iter().take_while(|digit| digit.is_ascii_digit()).count();
+    let order: String = word[digits..].iter().collect();
+    (1..=2).contains(&digits) && ["", ".", "st", "nd", "rd", "th", "er", "\u{ba}"].contains(&order.as_str())
+}
+
+/// Whether a word is a month, perhaps with punctuation behind it.
+fn is_month(word: &[char]) -> bool {
+    let word: String = word.iter().collect::<String>().to_lowercase();
+    let word = word.trim_end_matches([',', '.', ';', ':', '?', '!', ')']);
+    MONTHS.iter().any(|months| months.split(' ').any(|month| month == word))
 }
 
 fn is_one_of(word: &[char], signs: &str) -> bool {

@@ -26,6 +26,15 @@ fn equations_and_measures_stay_on_one_line() {
         ("\u{20ac} 5 or 5 \u{20ac}", "\u{20ac}_5 or 5_\u{20ac}"),
         ("3 apples", "3 apples"),
         ("Area 12", "Area 12"),
+        ("History, 14 July 1789", "History, 14_July 1789"),
+        ("on the 1st May, Paris", "on the 1st_May, Paris"),
+        ("am 14. Juli 1789", "am 14._Juli 1789"),
+        ("9. M\u{e4}rz", "9._M\u{e4}rz"),
+        ("el 14 de julio de 1789", "el 14_de_julio de 1789"),
+        ("1er mai", "1er_mai"),
+        ("Room 114 July", "Room 114 July"),
+        ("14 de 20", "14 de 20"),
+        ("3 Mayors", "3 Mayors"),
         ("height = length \u{d7} width", "height =_length_\u{d7}_width"),
     ] {
         assert_eq!(joined(text), want);
