@@ -20,6 +20,7 @@
 //! charges 56-35-126 345                before and after the number and the sign of a charge
 //! formulas uncontracted                in contracted braille, too, as by this table
 //! contracted ea sr                     letters that are words of the contracted code, without a sign before them
+//! short-words of to                    words of the language that no abbreviation is to be
 //! ordinal-digits 356 2 23 25 256 26 235 2356 236 35    of numbers of an order, such as 1.º
 //! capital 6                            before one
 //! capital-word 6-6
@@ -133,6 +134,7 @@ fn read_numbers(word: &str, parts: &[&str], table: &mut Table) -> Result<(), Str
         }
         ("formulas", ["uncontracted"]) => table.formulas_are_uncontracted = true,
         ("contracted", words) => table.contracted.extend(words.iter().map(|&word| word.to_owned())),
+        ("short-words", words) => table.short_words.extend(words.iter().map(|&word| word.to_owned())),
         ("ordinal-digits", _) => table.ordinals = Some(Ordinals { digits: ten(parts)? }),
         _ => return Err(format!("no such word as {word}")),
     }

@@ -33,6 +33,8 @@ pub struct Table {
     pub(super) formulas_are_uncontracted: bool,
     /// Words and parts of words of the contracted code by the letters that they are written with.
     pub(super) contracted: BTreeSet<String>,
+    /// The commonest words of two letters in the language.
+    pub(super) short_words: BTreeSet<String>,
     /// Numbers of an order, such as the first.
     pub(super) ordinals: Option<Ordinals>,
     /// None for codes that do not write capitals.

@@ -57,11 +57,16 @@ impl<'a> Translator<'a> {
         self.table.as_ref().map_or_else(|| self.translate(text), |table| Ok(table.translate(text)))
     }
 
-    /// Whether letters that are spelled stand for these alone: the other translator writes a sign before them, or other
-    /// cells, where the code reads a word or a part of one in theirs, or the table knows them as such: where a code has
-    /// no sign for it, both have the same cells. What has a digit is known as no word.
+    /// Whether letters that are spelled stand for these alone, and are no short word of the language: the other
+    /// translator writes a sign before them, or other cells, where the code reads a word or a part of one in theirs, or
+    /// the table knows them as such: where a code has no sign for it, both have the same cells. What has a digit is
+    /// known as no word.
     pub fn is_read_as_letters(&self, letters: &str) -> bool {
-        let (Some(_), Some(table)) = (self.other, &self.table) else { return true };
+        let Some(table) = &self.table else { return true };
+        let is_short_word = table.short_words.contains(letters);
+        if is_short_word || self.other.is_none() {
+            return !is_short_word;
+        }
         let has_digit = letters.contains(|letter: char| letter.is_ascii_digit());
         let is_known = table.contracted.contains(letters);
         let is_same = || self.translate(letters).is_ok_and(|other| other.cells == table.translate(letters).cells);

@@ -19,8 +19,8 @@ const MOST_CELLS: usize = 3;
 
 /// An abbreviation for each text; none for texts without two letters, which are short or numbers, and where all
 /// are taken. The same text has the same one. Letters are spelled, also where texts are contracted, those that the
-/// code lacks are passed over, and so are those that are a word by themselves, as "fr" is "friend" in contracted
-/// English. `known` has the texts in braille, and `written` are on the page already.
+/// code lacks are passed over, and so are those that are a word by themselves, as "of", and "fr" for "friend" in
+/// contracted English. `known` has the texts in braille, and `written` are on the page already.
 pub(super) fn all(
     texts: &[&str],
     written: &[WrittenLabel],
