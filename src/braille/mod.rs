@@ -34,4 +34,4 @@ pub use numbers::{is_script, power};
 pub use table::Table;
 pub use translate::{Braille, Lacking, unicode};
 pub use translator::{Translate, Translator};
-pub use wrap::{Divide, Wrapped, in_two, in_two_at_any_blank, wrap};
+pub use wrap::{Divide, Wrapped, in_two, in_two_at_any_blank, wrap, wrap_beside};

@@ -29,11 +29,17 @@ const HYPHEN: u8 = 0b10_0100;
 /// word is divided, and within an equation or in front of a unit only where these are longer than a line. A word that
 /// is longer than a line and cannot be divided is cut; an address goes on behind the sign that its code has for that.
 pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
-    let (cells, width) = (&braille.cells, width.max(1));
+    wrap_beside(braille, width, width, divide)
+}
+
+/// The same where the first line has at most `first` cells, as beside a page number.
+pub fn wrap_beside(braille: &Braille, first: usize, width: usize, divide: Divide) -> Wrapped {
+    let cells = &braille.cells;
     let mut wrapped = Wrapped { lines: Vec::new(), cut: false };
     let mut from = 0;
     while let Some(begin) = cells[from..].iter().position(|&cell| cell != 0) {
         from += begin;
+        let width = if wrapped.lines.is_empty() { first } else { width }.max(1);
         let longest = (from + width).min(cells.len());
         let last_end =
             |can_end: fn(&Braille, usize) -> bool| (from + 1..=longest).rev().find(|&end| can_end(braille, end));

@@ -10,7 +10,7 @@
 
 use super::cells::CellGrid;
 use super::medium::Medium;
-use crate::braille::{Braille, CellSize, Divide, wrap};
+use crate::braille::{Braille, CellSize, Divide, wrap, wrap_beside};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Most lines of a title.
@@ -52,6 +52,10 @@ impl Align {
 pub struct HeadingParams {
     /// In how many cells the title takes one line, two and three: with whole words, and with divided ones.
     widths: [[usize; MOST_LINES]; 2],
+    /// The same where its first line in the middle leaves `blank` cells on either side to what stands there.
+    widths_beside: [[usize; MOST_LINES]; 2],
+    /// How many cells these are.
+    blank: usize,
     /// How many cells the title has; 0 without one.
     title: usize,
     /// How many cells the page number has; 0 without one.
@@ -72,6 +76,8 @@ pub struct Heading {
     pub place: MmRect,
     /// How many cells a line holds.
     pub cells: usize,
+    /// How many the first one holds.
+    first: usize,
     /// How many lines the title has; 0 without one, or if it has no room.
     pub lines: usize,
     /// Where the page number begins.
@@ -98,7 +104,13 @@ impl HeadingParams {
                 _ => [usize::MAX; MOST_LINES],
             }
         });
-        Some(Self { widths, title: title.cells.len(), number, cell, align })
+        let blank = if number == 0 { 0 } else { number + BEFORE_NUMBER };
+        let widths_beside = match (blank, title.cells.len()) {
+            (0, _) => widths,
+            (_, ..=MOST_CELLS) => [Divide::Never, Divide::Words].map(|divide| least_beside(title, blank, divide)),
+            _ => [[usize::MAX; MOST_LINES]; 2],
+        };
+        Some(Self { widths, widths_beside, blank, title: title.cells.len(), number, cell, align })
     }
 
     /// The same where so many cells stand in each corner, if not those of the page number.
@@ -106,9 +118,40 @@ impl HeadingParams {
         Self { number: self.number.max(cells), ..self }
     }
 
-    fn with(&self, divide: Divide) -> [usize; MOST_LINES] {
-        self.widths[usize::from(divide == Divide::Words)]
+    /// In how many lines the title has room, with how many cells in the first one and in the others: if the first holds
+    /// `first`, and the others `others` where it stands in the middle.
+    fn lines_of(&self, divide: Divide, first: usize, others: usize) -> Option<(usize, [usize; 2])> {
+        let which = usize::from(divide == Divide::Words);
+        let (alike, beside) = (self.widths[which], self.widths_beside[which]);
+        let of_lines = |at: usize| {
+            let is_beside = || {
+                let of_first = beside[at].saturating_sub(2 * self.blank);
+                (beside[at] <= others && of_first <= first).then_some([of_first, beside[at]])
+            };
+            let cells = if alike[at] <= first { Some([alike[at]; 2]) } else { is_beside() };
+            cells.map(|cells| (at + 1, cells))
+        };
+        (0..MOST_LINES).find_map(of_lines)
     }
+}
+
+/// In how many cells a title takes one line, two and three without a word cut, if its first line has `blank` cells less
+/// on either side.
+fn least_beside(title: &Braille, blank: usize, divide: Divide) -> [usize; MOST_LINES] {
+    let wrapped = |width: usize| wrap_beside(title, width - 2 * blank, width, divide);
+    let mut least = [usize::MAX; MOST_LINES];
+    for width in 2 * blank + 1..=2 * blank + title.cells.len() {
+        let with_width = wrapped(width);
+        let lines = with_width.lines.len();
+        // as few lines are in as many as well
+        for of_lines in least.iter_mut().skip(lines.saturating_sub(1)).filter(|_| !with_width.cut) {
+            *of_lines = width.min(*of_lines);
+        }
+        if least[0] < usize::MAX {
+            break;
+        }
+    }
+    least
 }
 
 impl Heading {
@@ -154,8 +197,13 @@ impl Heading {
             return None;
         }
         let most = cells.cells_in(free);
+        // only the first line of a title in the middle stands beside the number
+        let most_below = match params.align {
+            Align::Centre => cells.cells_in(inner - 2.0 * beside),
+            Align::Left => 0,
+        };
         // whole words, if three lines are enough for them
-        let fits = |divide: Divide| Some((divide, params.with(divide).iter().position(|&width| width <= most)?));
+        let fits = |divide: Divide| Some((divide, params.lines_of(divide, most, most_below)?));
         let fitting = (params.title > 0).then(|| fits(Divide::Never).or_else(|| fits(Divide::Words))).flatten();
         let of_lines = |lines: usize| {
             let extent = cells.extent(most, lines.max(1));
@@ -163,20 +211,14 @@ impl Heading {
             (extent.y + GAP <= MOST_SHARE * height).then_some(place)
         };
         // lines of about one length rather than full ones and a short one
-        let with_title = fitting.and_then(|(divide, number)| {
-            let cells = params.with(divide)[number];
-            Some(Self {
-                place: of_lines(number + 1)?,
-                cells,
-                lines: number + 1,
-                number: number_at,
-                divide,
-                params: *params,
-            })
+        let with_title = fitting.and_then(|(divide, (lines, [first, cells]))| {
+            let place = of_lines(lines)?;
+            Some(Self { place, cells, first, lines, number: number_at, divide, params: *params })
         });
         let number_alone = || {
             let place = of_lines(0).filter(|_| params.number > 0)?;
-            Some(Self { place, cells: 0, lines: 0, number: number_at, divide: Divide::Never, params: *params })
+            let divide = Divide::Never;
+            Some(Self { place, cells: 0, first: 0, lines: 0, number: number_at, divide, params: *params })
         };
         with_title.or_else(number_alone)
     }
@@ -203,7 +245,17 @@ impl Heading {
 
     /// The lines of the title as they stand on the sheet.
     pub fn lines(&self, title: &Braille) -> Vec<Vec<u8>> {
-        if self.lines == 0 { Vec::new() } else { wrap(title, self.cells, self.divide).lines }
+        if self.lines == 0 {
+            return Vec::new();
+        }
+        let wrapped = |width: usize| wrap_beside(title, self.first.min(width), width, self.divide);
+        // beside a number the first line is shorter, and the others no longer than they must be
+        let is_enough = |width: &usize| {
+            let wrapped = wrapped(*width);
+            wrapped.lines.len() <= self.lines && !wrapped.cut
+        };
+        let least = (self.first..self.cells).find(is_enough).unwrap_or(self.cells);
+        wrapped(least).lines
     }
 
     /// The dots of the page number, which has these cells.
@@ -222,9 +274,14 @@ impl Heading {
                 Align::Centre => 0.5 * (self.place.width() - cells.extent(line.len(), 1).x),
                 Align::Left => 0.0,
             };
+            // below the first line, which has this place to itself, others may begin before it
+            let indent = if number == 0 { indent.max(0.0) } else { indent };
             let down = number as f32 * cells.size().line;
-            cells.dots(&[line], self.place.min + MmVector::new(indent.max(0.0), down))
+            cells.dots(&[line], self.place.min + MmVector::new(indent, down))
         };
         self.lines(title).into_iter().enumerate().flat_map(of_line).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

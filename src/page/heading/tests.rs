@@ -1,0 +1,54 @@
+//! Tests of `heading`.
+
+use super::*;
+use crate::braille::Code;
+use crate::page::medium::Print;
+
+const MARGIN: f32 = 10.0;
+
+fn title(text: &str) -> Braille {
+    Code::of_language("en").and_then(Code::table).expect("a table").translate(text)
+}
+
+/// A title in the middle, and from where to where each of its lines has dots.
+fn in_the_middle(text: &str, number: usize, width: f32) -> Option<(Heading, Vec<[f32; 2]>)> {
+    let (title, medium) = (title(text), Medium::Print(Print::default()));
+    let params = HeadingParams::of(&title, number, CellSize::MARBURG, Align::Centre)?;
+    let cells = CellGrid::printed(CellSize::MARBURG);
+    let heading = Heading::aligned(&params, &cells, [width, 297.0], MARGIN, 0.0).filter(|heading| heading.lines > 0)?;
+    let dots = heading.dots(&title, &medium);
+    let of_line = |line: usize| {
+        let top = MARGIN + line as f32 * CellSize::MARBURG.line;
+        let own = || dots.iter().filter(move |at| (top..top + CellSize::MARBURG.line).contains(&at.y)).map(|at| at.x);
+        [own().fold(f32::MAX, f32::min), own().fold(0.0, f32::max)]
+    };
+    let spans = (0..heading.lines(&title).len()).map(of_line).collect();
+    Some((heading, spans))
+}
+
+/// Only the first line stands beside the number: a word that has no room there has it below, whole and in the middle.
+#[test]
+fn lines_below_the_page_number_may_be_wider() {
+    let text = "A map of electromagneticinduction";
+    let (heading, spans) = in_the_middle(text, 3, 210.0).expect("there is room in the middle");
+    let lengths: Vec<usize> = heading.lines(&title(text)).iter().map(Vec::len).collect();
+    assert_eq!((lengths, heading.divide), (vec![9, 24], Divide::Never));
+    for [from, to] in spans {
+        assert!((0.5 * (from + to) - 105.0).abs() < CellSize::MARBURG.cell, "{from} to {to}");
+    }
+}
+
+#[test]
+fn lines_keep_clear_of_the_page_number_and_of_the_margins() {
+    for text in ["A cup", "A cup of coffee on a table", "Electromagneticinduction in a coil, and what it is for"] {
+        for (number, width) in (0..5).flat_map(|number| (6..40).map(move |width| (number, 10.0 * width as f32))) {
+            let Some((heading, spans)) = in_the_middle(text, number, width) else { continue };
+            assert!(spans.len() <= heading.lines, "{text}, {number} cells, {width} mm");
+            for (line, [from, to]) in spans.into_iter().enumerate() {
+                let beside = if line == 0 && number > 0 { (number + BEFORE_NUMBER - 1) as f32 } else { 0.0 };
+                let least = MARGIN + beside * CellSize::MARBURG.cell;
+                assert!(from >= least && to <= width - least, "{text}, {number} cells, {width} mm: {from} to {to}");
+            }
+        }
+    }
+}
