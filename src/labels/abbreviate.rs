@@ -29,7 +29,8 @@ pub(super) fn all(
 ) -> Vec<Option<Short>> {
     // labels as they are written, and as they would be spelled
     let whole = known.iter().flat_map(|(text, braille)| {
-        let is_short = text.chars().nth(MOST_CELLS).is_none();
+        // a formula may keep its letters and digits
+        let is_short = text.chars().nth(MOST_CELLS).is_none() && formula(text).is_none();
         let spelled = is_short.then(|| translator.spell(&text.to_lowercase()).ok()).flatten();
         [braille.as_ref().ok().map(|braille| braille.cells.clone()), spelled.map(|braille| braille.cells)]
     });
@@ -48,19 +49,17 @@ pub(super) fn all(
             let quantity = written.and_then(|_| quantity(text, numbered.is_some()));
             // of a quantity without its minus sign it would be another one
             let numbered = numbered.filter(|_| quantity.is_none());
-            let in_letters = written.filter(|_| quantity.is_none());
+            let formula = written.and_then(|_| formula(text));
+            let in_letters = written.filter(|_| quantity.is_none() && formula.is_none());
             let proposals = in_letters.map(|braille| proposals(&without(text, &braille.lacking), texts));
             let own_word = texts.iter().find_map(|other| own_word(text, other));
-            let as_numbered = own_word.into_iter().chain(numbered).chain(quantity.into_iter().flatten());
-            let possible = as_numbered.chain(proposals.into_iter().flatten()).filter_map(|letters| {
+            let as_formula = formula.into_iter().flat_map(of_formula);
+            let numbers = numbered.into_iter().chain(quantity.into_iter().flatten());
+            let in_letters = proposals.into_iter().flatten();
+            let all = own_word.into_iter().chain(as_formula).chain(numbers).chain(in_letters);
+            let possible = all.filter_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
-                let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
-                // a letter behind a number may have a sign before it
-                let begins_with_number = usize::from(letters.starts_with(is_of_number) && of_number < letters.len());
-                // in English a minus sign has two cells
-                let of_minus = 2 * letters.chars().filter(|letter| scale::is_minus(*letter)).count();
-                let most = MOST_CELLS + of_number.saturating_sub(1) + begins_with_number + of_minus;
-                let is_whole = lacking.is_empty() && (2..=most).contains(&cells.len());
+                let is_whole = lacking.is_empty() && (2..=most_cells(&letters)).contains(&cells.len());
                 (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
             });
             let short = first_of_letters(possible, translator);
@@ -69,6 +68,19 @@ pub(super) fn all(
         }
     }
     texts.iter().map(|text| of_text.get(text).cloned().flatten()).collect()
+}
+
+/// Most cells of an abbreviation of these letters: more where it has a number.
+fn most_cells(letters: &str) -> usize {
+    let of_number = letters.chars().filter(|letter| is_of_number(*letter)).count();
+    // a letter behind a number may have a sign before it
+    let begins_with_number = usize::from(letters.starts_with(is_of_number) && of_number < letters.len());
+    // a formula has two letters and the sign of its number
+    let of_letters = letters.chars().filter(|letter| letter.is_alphabetic()).count();
+    let is_formula = of_number > 0 && of_letters > 1 && letters.starts_with(char::is_alphabetic);
+    // in English a minus sign has two cells
+    let of_minus = 2 * letters.chars().filter(|letter| scale::is_minus(*letter)).count();
+    MOST_CELLS + of_number.saturating_sub(1) + begins_with_number + usize::from(is_formula) + of_minus
 }
 
 /// Most proposals of which another translator is asked, which may be a process for each.
@@ -125,6 +137,38 @@ fn own_word(text: &str, other: &str) -> Option<String> {
     let is_alike = of_text.len() == of_other.len() && of_text.len() > 1 && next.is_none();
     let is_short = own.chars().count() < MOST_DIGITS && own.chars().all(char::is_alphanumeric);
     (is_alike && is_numbered && is_short).then(|| own.clone())
+}
+
+/// The letters and digits of a word that is a chemical formula with a number, as "co2" of CO2, perhaps with lowered
+/// digits: symbols of elements, two letters and more, and digits behind some.
+fn formula(text: &str) -> Option<String> {
+    let digit = |letter: char| match letter {
+        '\u{2080}'..='\u{2089}' => char::from_digit(u32::from(letter) - 0x2080, 10),
+        _ => Some(letter),
+    };
+    let plain: String = text.chars().filter_map(digit).collect();
+    let of_letters = |is_one: fn(&char) -> bool| plain.chars().filter(is_one).count();
+    let (letters, digits) = (of_letters(char::is_ascii_alphabetic), of_letters(char::is_ascii_digit));
+    let is_only_of_these = letters + digits == plain.chars().count();
+    let begins_with_symbol = plain.starts_with(|letter: char| letter.is_ascii_uppercase());
+    // the second letter of a symbol is a small one
+    let pairs = || plain.chars().zip(plain.chars().skip(1));
+    let are_symbols = pairs().all(|(before, after)| !after.is_ascii_lowercase() || before.is_ascii_uppercase());
+    let has_number = pairs().any(|(before, after)| before.is_ascii_alphabetic() && after.is_ascii_digit());
+    // the number of a room rather
+    let has_long_number = pairs().any(|(before, after)| before.is_ascii_digit() && after.is_ascii_digit());
+    let goes_on = pairs().any(|(before, after)| before.is_ascii_digit() && after.is_ascii_alphabetic());
+    let is_written_so = is_only_of_these && begins_with_symbol && are_symbols && has_number;
+    (letters > 1 && is_written_so && (goes_on || !has_long_number)).then(|| plain.to_lowercase())
+}
+
+/// Abbreviations of such a formula: all of it, else a letter twice, its first one before others. Two of its letters
+/// would be another substance, as "co" is.
+fn of_formula(formula: String) -> impl Iterator<Item = String> {
+    let first = formula.chars().next();
+    let letters = first.into_iter().chain('a'..='z');
+    let twice: Vec<String> = letters.map(|letter| letter.to_string().repeat(2)).collect();
+    std::iter::once(formula).chain(twice)
 }
 
 /// "100" or else "k100" for "100 km": an abbreviation of a quantity has its number, as the unit alone says nothing.

@@ -73,6 +73,17 @@ fn a_quantity_keeps_its_number() {
     assert_eq!(short(&["-25 m", "-12 m", "25 m"], "en"), ["-25", "-12", "-"]);
 }
 
+/// "co" for CO2 would be another substance.
+#[test]
+fn a_formula_keeps_its_digits_or_has_a_letter_twice() {
+    assert_eq!(short(&["CO2", "H2O", "O2", "Air"], "en"), ["co2", "h2o", "-", "ai"]);
+    assert_eq!(short(&["CO\u{2082}", "CO\u{2082} level"], "en"), ["co2", "cl"]);
+    assert_eq!(short(&["C6H12O6", "C2H5OH", "SO2", "SO3"], "en"), ["cc", "aa", "so2", "so3"]);
+    assert_eq!(short(&["Class5", "Room 12", "A4"], "en"), ["cl", "ro", "-"], "these are none");
+    assert_eq!(short(&["AB12", "AB13"], "en"), ["a12", "a13"], "nor are numbers of rooms");
+    assert_eq!(short(&["CO2", "co2"], "en")[0], "cc", "it is a label of its own");
+}
+
 /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may
 /// write two letters alike, and cells of abbreviations are never the same.
 #[test]
