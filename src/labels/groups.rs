@@ -12,6 +12,8 @@ const FEWEST: usize = 3;
 /// Texts of one row have their middles at one height, and those of a column one edge below the other, up to so much,
 /// mm: more than rounding, less than print lines are apart.
 const ALIGNED: f32 = 0.7;
+/// The lines between two cells of a table are no broader than this, mm: two rows of dots.
+const BETWEEN_CELLS: f32 = 4.5;
 /// Points that a person gives by hand are in a row up to so much, mm.
 const BY_HAND: f32 = 2.0;
 
@@ -78,9 +80,9 @@ impl Group {
         Self { members, steps: Some(steps), ..self.clone() }
     }
 
-    /// Whether its labels stand in the cells of a table, of which `cell` gives that of each. Numbers in even steps do
-    /// if each has a cell of its own, with another text, as in a table of the elements; those of an axis may stand in
-    /// the squares of its grid.
+    /// Whether its labels stand in the cells of a table, of which `cell` gives that of each: boxes that stand apart, as
+    /// those of a family tree, are none. Numbers in even steps do if each has a cell of its own, with another text, as
+    /// in a table of the elements; those of an axis may stand in the squares of its grid.
     pub(super) fn is_of_table(&self, wanted: &[Wanted], cell: impl Fn(usize) -> Option<MmRect>) -> bool {
         let is_in = |of: &MmRect, label: usize| of.contains(wanted[label].anchor.center());
         let is_own = |own: usize, of: &MmRect| self.members.iter().all(|&label| label == own || !is_in(of, label));
@@ -88,7 +90,12 @@ impl Group {
             (0..wanted.len()).any(|label| label != own && !wanted[label].anchor.is_empty() && is_in(of, label))
         };
         let is_of_cell = |own: usize, of: &MmRect| self.steps.is_none() || is_own(own, of) && has_other(own, of);
-        self.members.iter().all(|&label| cell(label).is_some_and(|of| is_of_cell(label, &of)))
+        let is_beside = |a: &MmRect, b: &MmRect| a.inflate(BETWEEN_CELLS, BETWEEN_CELLS).intersects(b);
+        let has_next = |own: usize, of: &MmRect| {
+            (0..wanted.len()).any(|label| label != own && cell(label).is_some_and(|other| is_beside(of, &other)))
+        };
+        self.members.iter().any(|&label| cell(label).is_some_and(|of| has_next(label, &of)))
+            && self.members.iter().all(|&label| cell(label).is_some_and(|of| is_of_cell(label, &of)))
     }
 }
 

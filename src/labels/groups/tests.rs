@@ -1,7 +1,7 @@
 //! Tests of `groups`.
 
 use super::*;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmVector};
 
 /// A text with its box: its left and upper edge, its width and height, mm.
 fn text(text: &str, [x, y, width, height]: [f32; 4]) -> Wanted {
@@ -89,6 +89,24 @@ fn numbers_in_even_steps_are_of_a_table_where_each_has_a_cell_with_another_text(
     let wide = MmRect::new(MmPoint::zero(), MmPoint::new(60.0, 20.0));
     let scale = all.iter().find(|group| group.steps.is_some()).expect("numbers in even steps");
     assert!(!scale.is_of_table(&table, |_| Some(wide)), "all are in one frame");
+}
+
+/// The boxes of a family tree have names in a row as the cells of a table have, but do not touch one another.
+#[test]
+fn boxes_that_stand_apart_are_no_cells_of_a_table() {
+    let names: Vec<Wanted> =
+        ["Otto", "Hilde", "Karl"].iter().zip([5.0, 45.0, 85.0]).map(|(of, x)| text(of, [x, 10.0, 10.0, 4.0])).collect();
+    let all = of(&names, |_| true, |_| true, |_| true);
+    let is_of_table = |width: f32| {
+        let cell = |label: usize| {
+            let middle = names[label].anchor.center();
+            MmRect::from_points([middle - MmVector::new(0.5 * width, 6.0), middle + MmVector::new(0.5 * width, 6.0)])
+        };
+        all.iter().all(|group| group.is_of_table(&names, |label| Some(cell(label))))
+    };
+    assert_eq!(all.len(), 1);
+    assert!(is_of_table(39.0), "a line lies between two cells");
+    assert!(!is_of_table(28.0), "there is blank between two boxes");
 }
 
 #[test]
