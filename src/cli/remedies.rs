@@ -214,10 +214,9 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             (None, Making::PageAnew) if *is_larger_turned => format!("{note} ({TURNED})"),
             (None, _) => note.to_string(),
         },
-        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => match making.larger() {
-            Some(options) => format!("{note}; a larger figure has more {options}"),
-            None => note.to_string(),
-        },
+        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => making
+            .larger()
+            .map_or_else(|| note.to_string(), |options| format!("{note}; a larger figure has more {options}")),
         Note::TakenAs(_, Reason::OverviewForWords, _) => {
             making.larger().map_or_else(|| note.to_string(), |options| format!("{note} {options}"))
         }

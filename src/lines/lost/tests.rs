@@ -87,7 +87,7 @@ fn strokes_that_cross_or_meet_are_a_cross_and_those_side_by_side_are_none() {
     assert!(!crosses((48.0, 46.0), (56.0, 54.0)), "side by side");
     assert!(!crosses((54.0, 50.0), (58.0, 46.0)), "far from it");
     assert!(!crosses((50.0, 50.0), (50.0, 50.0)), "a place");
-    let [one, other] = diagonals(MmRect::from_points(&slanting));
+    let [one, other] = diagonals(MmRect::from_points(slanting));
     assert!(one == slanting && is_cross(one, other));
 }
 
