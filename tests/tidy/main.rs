@@ -163,24 +163,53 @@ fn files_of_a_module_form_no_circle() {
     complain(circles::circles(&House::of(&sources()).code));
 }
 
-/// The overview for those who change the library has a row for each module, in the order of [`MAY_USE`], and in it
+/// The overview for those who change the library has rows for each module, in the order of [`MAY_USE`], and in them
 /// every file of the module, as often as there are files of that name, and none that is gone.
 #[test]
 fn the_overview_names_every_module_and_file() {
     let overview = std::fs::read_to_string(root().join("src/ARCHITECTURE.md")).expect("the overview");
-    let rows: Vec<(&str, &str)> =
-        overview.lines().filter_map(|line| line.strip_prefix("| [`")?.split_once("`] | ")).collect();
+    let rows = rows_of_modules(&overview);
     let modules: Vec<&str> = MAY_USE.iter().map(|(module, _)| *module).collect();
     assert_eq!(rows.iter().map(|(module, _)| *module).collect::<Vec<_>>(), modules);
     let mut files = Vec::new();
     walk(&root().join("src"), &mut files);
     let files: Vec<String> = files.iter().map(|file| name_of(file)).collect();
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
-    complain(rows.iter().flat_map(|(module, row)| faults_of_row(module, row, &files)).collect());
+    complain(rows.iter().flat_map(|(module, rows)| faults_of_rows(module, rows, &files)).collect());
 }
 
-/// What of the files of a module its row does not name, and what it names of files that are not there.
-fn faults_of_row(module: &str, row: &str, files: &[&str]) -> Vec<String> {
+/// Most letters of a row of the overview: nobody reads longer ones.
+const LONGEST_ROW: usize = 300;
+
+#[test]
+fn rows_of_the_overview_are_short() {
+    let overview = std::fs::read_to_string(root().join("src/ARCHITECTURE.md")).expect("the overview");
+    let rows = overview.lines().enumerate().filter(|(_, line)| line.starts_with("| "));
+    let long = rows.filter(|(_, row)| row.chars().count() > LONGEST_ROW);
+    complain(
+        long.map(|(number, _)| {
+            let line = number + 1;
+            format!("src/ARCHITECTURE.md:{line}: a row of more than {LONGEST_ROW} letters; begin another with `| | `")
+        })
+        .collect(),
+    );
+}
+
+/// The modules of the overview with their rows: the one with the name of the module, and those that go on with it.
+fn rows_of_modules(overview: &str) -> Vec<(&str, Vec<&str>)> {
+    let mut modules: Vec<(&str, Vec<&str>)> = Vec::new();
+    for line in overview.lines() {
+        if let Some((module, row)) = line.strip_prefix("| [`").and_then(|row| row.split_once("`] | ")) {
+            modules.push((module, vec![row]));
+        } else if let (Some(row), Some((_, rows))) = (line.strip_prefix("| | "), modules.last_mut()) {
+            rows.push(row);
+        }
+    }
+    modules
+}
+
+/// What of the files of a module its rows do not name, and what they name of files that are not there.
+fn faults_of_rows(module: &str, rows: &[&str], files: &[&str]) -> Vec<String> {
     let mut folders_and_files = BTreeSet::new();
     let mut all_names: BTreeSet<&str> = BTreeSet::new();
     for file in files {
@@ -197,12 +226,12 @@ fn faults_of_row(module: &str, row: &str, files: &[&str]) -> Vec<String> {
     }
     let names: Vec<&str> = folders_and_files.iter().filter_map(|parts| parts.last().copied()).collect();
     let count = |name: &str, all: &[&str]| all.iter().filter(|other| **other == name).count();
-    let told = told_in(row);
+    let told: Vec<&str> = rows.iter().flat_map(|row| told_in(row)).collect();
     let untold = folders_and_files.iter().filter_map(|parts| {
         let name = parts.last()?;
         (count(name, &told) < count(name, &names)).then(|| {
             format!(
-                "src/{}: `{name}` is not in its row of src/ARCHITECTURE.md as often as there are such",
+                "src/{}: `{name}` is not in its rows of src/ARCHITECTURE.md as often as there are such",
                 parts.join("/")
             )
         })
@@ -225,10 +254,14 @@ fn told_in(row: &str) -> Vec<&str> {
 fn rows_without_a_file_and_files_without_a_row_are_found() {
     let rust = ["src/a/mod.rs", "src/a/b.rs", "src/a/b/tests.rs", "src/a/c/mod.rs", "src/a/c/b.rs", "src/d.rs"];
     let files = [&rust[..], &["src/a/data/e.txt"]].concat();
-    let faults = |row: &str| faults_of_row("a", row, &files);
+    let faults = |row: &str| faults_of_rows("a", &[row], &files);
     assert_eq!(faults("what it does | `b` (as [`d`] has it, in `data/`), `c/` (its own `b`) |"), [""; 0]);
     assert_eq!(faults("what it does | `b`, `c/` |").len(), 2, "which of the two is not told");
     assert_eq!(faults("what it does | `b`, `b`, `c`, `gone` |"), ["src/ARCHITECTURE.md: `gone` is no file of `a`"]);
+    let rows = "| [`a`] | what it does | `b` |\n| | the rest | `c/`: `b` |\n| [`d`] | more | |\n| a word | another |";
+    let rows = rows_of_modules(rows);
+    assert_eq!(rows.iter().map(|(module, rows)| (*module, rows.len())).collect::<Vec<_>>(), [("a", 2), ("d", 1)]);
+    assert_eq!(faults_of_rows("a", &rows[0].1, &files), [""; 0]);
 }
 
 #[test]
