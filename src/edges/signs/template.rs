@@ -3,6 +3,7 @@
 
 use super::blobs::{Blob, apart};
 use crate::edges::faint::BLACK;
+use crate::edges::stroke::smoothed;
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
@@ -262,21 +263,7 @@ impl Inks {
 
 /// Values smoothed over a pixel.
 fn softened(values: &[f32], size: Size) -> Vec<f32> {
-    smoothed(&smoothed(values, size), size)
-}
-
-/// Each value averaged with its neighbours, by halves with those in its row and then in its column.
-fn smoothed(values: &[f32], size: Size) -> Vec<f32> {
-    let width = size.width as usize;
-    let mean = |values: &[f32], step: usize, cell: usize, is_first: bool, is_last: bool| {
-        let before = if is_first { values[cell] } else { values[cell - step] };
-        let after = if is_last { values[cell] } else { values[cell + step] };
-        0.25 * before + 0.5 * values[cell] + 0.25 * after
-    };
-    let along = |cell: usize| mean(values, 1, cell, cell.is_multiple_of(width), cell % width == width - 1);
-    let rows: Vec<f32> = (0..values.len()).map(along).collect();
-    let across = |cell: usize| mean(&rows, width, cell, cell < width, cell + width >= rows.len());
-    (0..values.len()).map(across).collect()
+    smoothed(&smoothed(&Plane { size, values: values.to_vec() })).values
 }
 
 impl<'a> Sought<'a> {

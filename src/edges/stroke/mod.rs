@@ -250,7 +250,7 @@ impl Turn {
 }
 
 /// Each value averaged with its neighbours, by halves with those in its row and then in its column.
-fn smoothed(plane: &Plane) -> Plane {
+pub(super) fn smoothed(plane: &Plane) -> Plane {
     let (width, height) = (plane.size.width as usize, plane.size.height as usize);
     let mean = |before: f32, here: f32, after: f32| 0.25 * before + 0.5 * here + 0.25 * after;
     let mut rows = vec![0.0; plane.values.len()];
