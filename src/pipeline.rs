@@ -34,6 +34,7 @@ mod margins;
 mod misread;
 mod named;
 mod next_cell;
+mod on_sheet;
 mod open_rings;
 mod outlines;
 mod overview;

@@ -1,10 +1,11 @@
 //! Leader lines that a drawing has from its texts to what they name. Cut at the lines that it crosses, the rest of one
 //! leads from a word to the wrong thing or to nothing, so a leader line is on the page as a whole or not at all.
 
+use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::braille::CellSize;
-use crate::edges::{ChainRange, Edges};
+use crate::edges::Edges;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polygon::distance_to_box;
 use crate::geom::polyline::PolylineRef;
@@ -304,10 +305,8 @@ fn find(
     if !edges.of_drawing() || of_words.is_empty() {
         return Vec::new();
     }
-    let points = |chain: &ChainRange| -> Vec<MmPoint> {
-        edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
-    };
-    let chains: Vec<Vec<MmPoint>> = edges.chains.iter().map(points).collect();
+    let chains: Vec<Vec<MmPoint>> =
+        edges.chains.iter().map(|chain| on_sheet(edges, chain, transform).collect()).collect();
     let mut index = Nearby::new(figure, beside);
     for (line, (points, chain)) in (0..).zip(chains.iter().zip(&edges.chains)) {
         index.insert_line(line, PolylineRef { vertices: points, closed: chain.closed }, 0.0);

@@ -1,6 +1,7 @@
 //! What the colours of a drawing mean where that is not told by areas: a legend, small patches of colour with words
 //! beside them, and lines that only their colours tell apart. A patch has no room for a texture, and a line has none.
 
+use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::classes::{Class, class_at};
@@ -84,8 +85,7 @@ pub(super) fn entries(
     let params = plan.classes(transform.px_per_mm());
     let mut patches: Vec<(&Text, MmRect, usize)> = Vec::new();
     for chain in edges.chains.iter().filter(|chain| chain.closed && chain.kind.of_drawing) {
-        let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
-        let place = MmRect::from_points(points);
+        let place = MmRect::from_points(on_sheet(edges, chain, &transform));
         // in a legend in one line a patch has the word of another on its other side
         let beside = texts.iter().filter(|text| text.is_read() && is_beside(place, text.place));
         let text = beside.min_by(|a, b| gap(place, a.place).total_cmp(&gap(place, b.place)));
@@ -129,8 +129,7 @@ fn may_be_patch(place: MmRect) -> bool {
 fn is_on_line(place: MmRect, edges: &Edges, transform: &PageTransform) -> bool {
     let around = place.inflate(OF_POINT, OF_POINT);
     let lines = edges.chains.iter().filter(|chain| !chain.closed && chain.kind.of_drawing && !chain.kind.faint);
-    let mut places = lines.flat_map(|chain| &edges.edgels[chain.edgels.clone()]).map(|edgel| transform.to_mm(edgel.at));
-    places.any(|at| around.contains(at))
+    lines.flat_map(|chain| on_sheet(edges, chain, transform)).any(|at| around.contains(at))
 }
 
 /// A line that is seen up to a point ends no farther from it, mm.
@@ -156,7 +155,7 @@ pub(super) fn moved_to_key(
     let patches: Vec<MmRect> =
         entries.iter().filter_map(|entry| entry.place).map(|of| of.inflate(OF_PATCH, OF_PATCH)).collect();
     let is_patch = |chain: &ChainRange| {
-        let mut points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
+        let mut points = on_sheet(edges, chain, &transform);
         let first = points.next();
         first
             .and_then(|first| patches.iter().find(|patch| patch.contains(first)))
@@ -183,17 +182,14 @@ pub(super) fn frames(
     raster: &Raster,
     transform: &PageTransform,
 ) -> Vec<bool> {
-    let points = |chain: &ChainRange| -> Vec<MmPoint> {
-        edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
-    };
     let is_frame = |(number, chain): (usize, &ChainRange)| {
         if !chain.closed || of_patches[number] {
             return false;
         }
-        let own = points(chain);
+        let own: Vec<MmPoint> = on_sheet(edges, chain, transform).collect();
         let place = MmRect::from_points(&own);
         let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
-        let holds = |chain: &ChainRange| points(chain).into_iter().any(|at| inside.contains(at));
+        let holds = |chain: &ChainRange| on_sheet(edges, chain, transform).any(|at| inside.contains(at));
         let has_others = || {
             let others = edges.chains.iter().zip(of_patches).enumerate();
             // the lines of a grid may lie behind it

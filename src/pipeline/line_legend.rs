@@ -2,6 +2,7 @@
 //! page all lines are alike and a sample says nothing, so each word becomes the label of its curve.
 
 use super::legend::{MOST, OF_PATCH, frames, gap, is_beside, places_along};
+use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::Edges;
@@ -117,10 +118,8 @@ pub(super) fn to_curves(
 
 impl<'a> Contours<'a> {
     fn of(edges: &'a Edges, raster: &'a Raster, transform: &PageTransform) -> Self {
-        let of_chain = |edgels: std::ops::Range<usize>| -> Vec<MmPoint> {
-            edges.edgels[edgels].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
-        };
-        let points: Vec<Vec<MmPoint>> = edges.chains.iter().map(|chain| of_chain(chain.edgels.clone())).collect();
+        let points: Vec<Vec<MmPoint>> =
+            edges.chains.iter().map(|chain| on_sheet(edges, chain, transform).collect()).collect();
         let places = points.iter().map(MmRect::from_points).collect();
         Self { edges, raster, points, places }
     }

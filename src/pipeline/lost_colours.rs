@@ -2,6 +2,7 @@
 //! told where much of one colour is not drawn.
 
 use super::legend::places_along;
+use super::on_sheet::on_sheet;
 use crate::classes::{Class, class_at};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline;
@@ -51,8 +52,7 @@ pub(super) fn told(drawn: &Lines, edges: &Edges, raster: &Raster, layout: &Layou
         let places = places_along(edges, chain, chain.kind.stroke?, raster).into_iter();
         let on_ground = places.filter(|(_, ground)| ground.is_some());
         let class = most_common(&on_ground.filter_map(|(at, _)| class_at(raster, at, &params)).collect::<Vec<_>>())?;
-        let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
-        Some(ColouredStroke::new(class, points))
+        Some(ColouredStroke::new(class, on_sheet(edges, chain, &transform).collect()))
     };
     let strokes: Vec<ColouredStroke> = edges.chains.iter().filter_map(stroke).collect();
     told_of(&lost, &strokes)

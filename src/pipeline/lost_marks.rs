@@ -6,6 +6,7 @@ use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::areas::index_of_lines;
 use super::lost_signs::{beads, extent, is_nearly_closed, is_small_ring};
+use super::on_sheet::on_sheet;
 use crate::edges::{ChainKind, ChainRange, Edges};
 use crate::geom::gridlines::{straight_ends, which_are_gridlines};
 use crate::geom::nearby::{Nearby, Segment};
@@ -97,14 +98,11 @@ pub(super) fn find(
         Some((distance, (b - a).try_normalize().unwrap_or_default()))
     };
     let cover = PointCover::of(lines);
-    let points = |chain: &ChainRange| -> Vec<MmPoint> {
-        edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
-    };
     let gridlines = LazyCell::new(|| gridlines_of(edges, transform));
     let pieces = LazyCell::new(|| undrawn(edges, transform, &index));
     let crosses = LazyCell::new(|| strokes_of_crosses(short_strokes(edges, transform, least), lines));
     for chain in edges.chains.iter().filter(|chain| !chain.closed && !chain.kind.added) {
-        let points = points(chain);
+        let points: Vec<MmPoint> = on_sheet(edges, chain, transform).collect();
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let middle = first.lerp(last, 0.5);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use super::label::Label;
 use super::legend::LegendEntry;
+use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use super::words::Words;
@@ -50,8 +51,7 @@ pub(super) fn find(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform
     let mut lost: Vec<LostSign> = drawn_lines.lost.signs.iter().copied().filter(is_point).collect();
     let mut small: Vec<SmallShape> = Vec::new();
     for chain in &edges.chains {
-        let points: Vec<MmPoint> =
-            edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
+        let points: Vec<MmPoint> = on_sheet(edges, chain, transform).collect();
         if !(chain.closed || chain.kind.exact && is_nearly_closed(&points)) {
             continue;
         }

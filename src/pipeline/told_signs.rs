@@ -1,6 +1,7 @@
 //! Signs of a bitmap that mark places, such as the points of a scatter plot: what is told of those of several kinds.
 
 use super::lost_signs::{MOVED, extent};
+use super::on_sheet::on_sheet;
 use crate::edges::{ChainRange, Edges};
 use crate::lines::{Line, SignKind};
 use crate::page::layout::Layout;
@@ -15,9 +16,7 @@ const LARGEST: f32 = 8.0;
 /// Where the middles of signs are in a figure, and whether they are filled.
 pub(super) fn places(edges: &Edges, figure: MmRect) -> Vec<(MmPoint, bool)> {
     let transform = PageTransform::new(edges.size, figure);
-    let middle = |range: &ChainRange| {
-        MmRect::from_points(edges.chain(range).vertices.iter().map(|edgel| transform.to_mm(edgel.at))).center()
-    };
+    let middle = |range: &ChainRange| MmRect::from_points(on_sheet(edges, range, &transform)).center();
     let signs = edges.chains.iter().filter(|range| range.kind.sign);
     signs.map(|range| (middle(range), range.kind.stroke.is_none())).collect()
 }
