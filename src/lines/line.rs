@@ -1,5 +1,6 @@
 //! Finished lines: what they are drawn with, run by run.
 
+use crate::geom::nearby::Nearby;
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::units::{MmPoint, MmRect};
 
@@ -118,6 +119,16 @@ impl Run {
     pub fn polyline(&self) -> PolylineRef<'_, MmPoint> {
         PolylineRef { vertices: &self.points, closed: self.closed }
     }
+}
+
+/// Lines to be found by their places, mostly within `reach`, mm: the number of each segment is that of its run among
+/// those of all lines.
+pub(crate) fn index_of_lines(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
+    let mut index = Nearby::new(area, reach);
+    for (number, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
+        index.insert_line(number, run.polyline(), 0.5 * run.width);
+    }
+    index
 }
 
 /// The smallest ring of dots around an empty one has eight, and one of them may be missing.

@@ -52,6 +52,7 @@ pub(crate) use clearance::{APART, BEND, BEND_LEAST, HIGHEST_STACK, TOUCH};
 pub(crate) use corner::{SHARPEST, STRAIGHTNESS};
 pub use faint::which_are_weak;
 pub use few::Beyond;
+pub(crate) use line::index_of_lines;
 pub use line::{HeavyStrokes, Height, Line, Pen, Run};
 pub(crate) use lost::{GAP, is_cross, lost_form};
 pub use lost::{GONE, Lost, LostLine, LostMarks, LostScale, LostSign, SignKind};

@@ -13,8 +13,9 @@ use std::collections::BTreeSet;
 use crate::classes::{Classes, Region};
 use crate::geom::crossing;
 use crate::geom::nearby::{Index, Nearby};
+use crate::lines::index_of_lines;
 use crate::listing::{first_few, list};
-use crate::page::{Glyph, Line, Page, Shape, Texture};
+use crate::page::{Glyph, Page, Shape, Texture};
 use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::units::{Mm, MmPoint, MmRect, Size};
@@ -256,15 +257,6 @@ pub(super) fn lightness(colour: [u8; 3]) -> f32 {
 
 /// How many signs are looked at from a cell: behind a line there are others.
 const MOST_TRIED: usize = 12;
-
-/// Lines in an area, to be found by their places; mostly within `reach`, mm.
-pub(super) fn index_of_lines(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
-    let mut index = Nearby::new(area, reach);
-    for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
-        index.insert_line(line, run.polyline(), 0.5 * run.width);
-    }
-    index
-}
 
 /// Whether a line lies between two places.
 fn is_between(lines: &Nearby, a: MmPoint, b: MmPoint) -> bool {

@@ -1,10 +1,9 @@
 //! Bars of a chart among the contours of a drawing: where they stand, and whether the lines on a page have them whole.
 
-use super::areas::index_of_lines;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
-use crate::lines::Line;
+use crate::lines::{Line, index_of_lines};
 use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 
 /// Two coordinates nearer than this, px of the working picture, are one: the sides of a stroke, and what rounds its

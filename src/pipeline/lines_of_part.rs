@@ -1,7 +1,7 @@
 //! Where lines are on a page, to know of a curve whether it is drawn.
 
 use crate::geom::nearby::Nearby;
-use crate::lines::Line;
+use crate::lines::{Line, index_of_lines};
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect};
@@ -26,11 +26,7 @@ impl LinesOfPart {
 
     /// The same, to be looked for no farther off than this, mm.
     pub(super) fn within(lines: &[Line], place: MmRect, reach: f32) -> Self {
-        let mut index = Nearby::new(place, reach);
-        for (number, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
-            index.insert_line(number, run.polyline(), 0.0);
-        }
-        Self { index, reach }
+        Self { index: index_of_lines(lines, place, reach), reach }
     }
 
     /// The share of a line of the other part of the page, which lies at the first place, at which there is one in this.

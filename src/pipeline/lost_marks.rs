@@ -4,7 +4,6 @@
 use std::cell::LazyCell;
 use std::f32::consts::FRAC_1_SQRT_2;
 
-use super::areas::index_of_lines;
 use super::lost_signs::{beads, extent, is_nearly_closed, is_small_ring};
 use super::on_sheet::on_sheet;
 use crate::edges::{ChainKind, ChainRange, Edges};
@@ -14,7 +13,7 @@ use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::{
-    LONGEST_TICK, Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale, SHORTEST_TICK, is_cross,
+    LONGEST_TICK, Line, LineMarks, Lines, Lost, LostLine, LostMarks, LostScale, SHORTEST_TICK, index_of_lines, is_cross,
 };
 use crate::listing::list;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};

@@ -10,7 +10,7 @@ use crate::classes::{Class, Classes, Region};
 use crate::geom::components::Components;
 use crate::geom::nearby::Nearby;
 use crate::geom::{components, nearest_on_segment};
-use crate::lines::Line;
+use crate::lines::{Line, index_of_lines};
 use crate::units::{MmPoint, MmRect};
 
 /// A connected component of fewer glyphs than this is no texture: single glyphs that stand apart, in a tongue of their
@@ -35,7 +35,7 @@ const LEAST_IN_ROWS: f32 = 0.5;
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
     let runs = lines.iter().flat_map(|line| &line.runs);
     let widest = runs.map(|run| run.width).fold(0.0, f32::max);
-    let lines_near = index(lines, area, params);
+    let lines_near = index_of_lines(lines, area, params.line_gap + params.length);
     let reach = params.line_gap + 0.5 * widest;
     let density = line_density(lines, area, params.density_blur);
     let regions = RegionMap::new(classes, area);
@@ -98,15 +98,6 @@ fn glyph_at(class: Class, position: LatticePoint, density: f32, lightness: f32, 
     let dense = density >= position.from_density * params.dense_from;
     (dense && glyph::is_left(position.from_boldness, boldness))
         .then(|| glyph::bold(class, position.at, boldness, params))
-}
-
-/// The segments of all lines, in a grid index.
-fn index(lines: &[Line], area: MmRect, params: &Params) -> Nearby {
-    let mut nearby = Nearby::new(area, params.line_gap + params.length);
-    for (number, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
-        nearby.insert_line(number, run.polyline(), 0.5 * run.width);
-    }
-    nearby
 }
 
 /// Whether a glyph has a clearance of `gap` from every line; `reach` is `gap` and half the width of the widest line.

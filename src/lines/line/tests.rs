@@ -34,3 +34,17 @@ fn a_filled_point_is_broader_than_long_and_than_its_line() {
     assert_eq!(beads(vec![run(1.0, 20.0), run(4.0, 10.0)]), [0.0; 0], "a broad piece of a line");
     assert_eq!(beads(vec![run(4.0, 0.1)]), [0.0; 0], "on no line");
 }
+
+#[test]
+fn lines_are_found_by_their_places_with_their_widths() {
+    let run = |width: f32, y: f32| Run::stroke(width, vec![MmPoint::new(0.0, y), MmPoint::new(20.0, y)]);
+    let lines = [vec![run(1.0, 5.0), run(2.0, 10.0)], vec![run(3.0, 15.0)]].map(|runs| Line { strength: 60.0, runs });
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(20.0, 20.0));
+    let index = index_of_lines(&lines, area, 2.0);
+    let found = |y: f32| {
+        let (_, _, segment) = index.nearest(MmPoint::new(10.0, y), 2.0, |_| true)?;
+        Some((segment.line, segment.half_width))
+    };
+    assert_eq!([5.0, 10.5, 15.0].map(found), [Some((0, 0.5)), Some((1, 1.0)), Some((2, 1.5))]);
+    assert_eq!(found(19.0), None);
+}
