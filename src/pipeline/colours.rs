@@ -31,7 +31,7 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let working_size =
         |source: Header| working_size(source, &|size, overview| fit.layout(size, plan, overview), fit, plan);
     let options = request.decoding(&working_size);
-    let Read { picture, content } = read(Picture::file(picture), &options, None, watch)?;
+    let Read { picture, content, .. } = read(Picture::file(picture), &options, None, watch)?;
     let layout = fit.layout(picture.source.size, plan, OverviewSize::Own)?;
     let edges = find_edges(&picture, &content, &layout, plan, watch);
     let classes = sort_colours(&picture.raster, [1.0], &edges, &layout, plan, watch).map(|[classes]| classes);

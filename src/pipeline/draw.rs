@@ -109,7 +109,7 @@ pub(super) fn find(
     watch: &mut Watch<'_>,
 ) -> Result<Found, Error> {
     let (FromPerson { given, words }, plan, fit) = (person, request.plan, &request.fit);
-    let ReadPicture { file, read: Read { picture, content } } = picture;
+    let ReadPicture { file, read: Read { picture, content, is_on_paper } } = picture;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
     let overview = overview_of(&picture, &content, given, plan);
@@ -131,7 +131,7 @@ pub(super) fn find(
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
     notes.extend(told);
-    notes.extend(paper_edge::taken_out(&mut edges, given, &picture.notes));
+    notes.extend(paper_edge::taken_out(&mut edges, given, is_on_paper));
     let of_other = given.told_other_picture(source);
     let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
@@ -358,7 +358,7 @@ fn edges_of_drawn(
         Ok(size)
     };
     let options = decode::DecodeOptions { crop: None, page: None, ..request.decoding(&working_size) };
-    let Read { picture, content } = read_lines(bytes.into(), &options)?;
+    let Read { picture, content, .. } = read_lines(bytes.into(), &options)?;
     let texts = picture.texts.iter().filter(|text| !text.hidden).count();
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";

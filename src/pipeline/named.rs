@@ -53,7 +53,7 @@ impl NamedThings {
             let side = |side: u32| ((side as f32 * scale).round() as u32).max(1);
             Ok(Size::new(side(size.width), side(size.height)))
         };
-        let Read { picture, content } = read(picture, &request.decoding(&working_size), None, &mut |_| ())?;
+        let Read { picture, content, .. } = read(picture, &request.decoding(&working_size), None, &mut |_| ())?;
         if picture.drawing.is_some() || content.kind().is_none_or(|kind| kind.is_drawing) {
             return Ok(None);
         }

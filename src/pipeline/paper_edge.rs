@@ -19,13 +19,13 @@ const BOWED: f32 = 0.01;
 /// What is no farther beyond it is itself, px: the same edge may be found as two contours.
 const BESIDE: f32 = 4.0;
 
-/// Takes the edges of the paper out of the contours of a picture of which a ground was taken for paper. Tells of it.
+/// Takes the edges of the paper out of the contours of a picture whose ground was taken for paper, if it is on one.
+/// Tells of it.
 ///
 /// They are borders without a stroke, straight, light on the side of the drawing and darker outside, and nothing lies
 /// beyond them. A sheet on a scanner shows two neighbouring sides at least: a strip of ground at one side of a drawing
 /// is a part of that.
-pub(super) fn taken_out(edges: &mut Edges, given: &Given, of_picture: &[Note]) -> Option<Note> {
-    let is_on_paper = of_picture.iter().any(|note| matches!(note, Note::GroundAsPaper { .. }));
+pub(super) fn taken_out(edges: &mut Edges, given: &Given, is_on_paper: bool) -> Option<Note> {
     if !is_on_paper || given.lines.is_some() {
         return None;
     }

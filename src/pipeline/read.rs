@@ -30,6 +30,8 @@ const FONT_SIZE: f32 = 1.6;
 pub(super) struct Read {
     pub(super) picture: decode::Decoded,
     pub(super) content: Content,
+    /// Whether its ground was taken for paper, which is divided out.
+    pub(super) is_on_paper: bool,
 }
 
 /// A picture as it was given, and as it was read for its size on the sheet.
@@ -135,7 +137,7 @@ fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Opt
     let may_be_paper = !is_painted && !options.keep_ground;
     let needs_no_kind = is_painted && (options.keep_text || picture.drawing.as_ref().is_some_and(has_no_letters));
     Ok(match content.is_uniform() || needs_no_kind {
-        true => (Read { picture, content }, None),
+        true => (Read { picture, content, is_on_paper: false }, None),
         false => on_white_paper(picture, may_be_paper),
     })
 }
@@ -145,7 +147,7 @@ fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option
     let kind_of = if picture.drawing.is_none() { PictureKind::of_bitmap } else { PictureKind::of };
     let kind = kind_of(&picture.raster, picture.lossy);
     if !kind.is_drawing && may_be_paper {
-        return (Read { picture: without_rim(picture), content: Content::OfKind(kind) }, None);
+        return (Read { picture: without_rim(picture), content: Content::OfKind(kind), is_on_paper: false }, None);
     }
     let paper = if kind.is_drawing && may_be_paper {
         let capture = Capture { noise: kind.noise_of_lightness(), lossy: picture.lossy.is_some() };
@@ -153,13 +155,15 @@ fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option
     } else {
         None
     };
-    let Some(found) = &paper else { return (Read { picture, content: Content::OfKind(kind) }, None) };
+    let Some(found) = &paper else {
+        return (Read { picture, content: Content::OfKind(kind), is_on_paper: false }, None);
+    };
     let raster = found.divided(&picture.raster);
     let (colour, darkest) = (found.colour, (100.0 * found.darkest).round() as u32);
     let mut notes = picture.notes;
     notes.push(Note::GroundAsPaper { colour, darkest });
     let content = Content::of(&raster, Some(kind.again_of(&raster)));
-    (Read { picture: decode::Decoded { raster, notes, ..picture }, content }, paper)
+    (Read { picture: decode::Decoded { raster, notes, ..picture }, content, is_on_paper: true }, paper)
 }
 
 /// A photograph without the rim that a scanner gave it: it would be lines along the edge, and sides of all that
@@ -187,7 +191,7 @@ fn without_text(
     options: &DecodeOptions<'_>,
     reader: Option<&TextReader>,
 ) -> Read {
-    let Read { picture: decoded, content } = known;
+    let Read { picture: decoded, content, is_on_paper } = known;
     let is_drawing = content.kind().is_some_and(|kind| kind.is_drawing);
     let working = decoded.raster.size();
     let finer = if is_drawing { finer(picture, &decoded, options) } else { None };
@@ -203,7 +207,7 @@ fn without_text(
     };
     let found = Lettering::find(raster, is_drawing).keeping(is_painted);
     if found.is_empty() {
-        return Read { picture: decoded, content };
+        return Read { picture: decoded, content, is_on_paper };
     }
     let mut notes = decoded.notes;
     let mut words = reader.and_then(|reader| {
@@ -225,7 +229,7 @@ fn without_text(
         None => decoded.drawing.is_none().then(|| PictureKind::of_bitmap(&raster, decoded.lossy)),
     };
     let content = Content::of(&raster, kind);
-    Read { picture: decode::Decoded { raster, texts, notes, ..decoded }, content }
+    Read { picture: decode::Decoded { raster, texts, notes, ..decoded }, content, is_on_paper }
 }
 
 /// Takes out the words that were seen to be read wrongly; gives them.

@@ -176,7 +176,7 @@ fn lines_as_data(
 
 /// The contours that are asked for; none in a picture of one colour.
 fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Edges {
-    let Read { picture, content } = read;
+    let Read { picture, content, .. } = read;
     if content.is_uniform() {
         skip_edges(ONE_COLOUR, watch);
         return Edges::none(picture.raster.size());

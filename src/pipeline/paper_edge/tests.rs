@@ -27,8 +27,7 @@ fn scan(sides: [bool; 3], to_right: f32) -> Edges {
 }
 
 fn left(mut edges: Edges) -> (usize, Option<String>) {
-    let of_picture = [Note::GroundAsPaper { colour: [225; 3], darkest: 90 }];
-    let told = taken_out(&mut edges, &Given::default(), &of_picture);
+    let told = taken_out(&mut edges, &Given::default(), true);
     (edges.chains.len(), told.map(|note| note.to_string()))
 }
 
@@ -39,7 +38,7 @@ fn the_edges_of_the_paper_of_a_scan_are_no_lines() {
     assert!(chains == 1 && told.contains("the edges of the paper along the sides of the scan (3 lines)"), "{told}");
     assert_eq!(left(scan([true, true, false], 5.0)).0, 1);
     let mut edges = scan([true; 3], 5.0);
-    assert_eq!((taken_out(&mut edges, &Given::default(), &[]), edges.chains.len()), (None, 4), "no scan on paper");
+    assert_eq!((taken_out(&mut edges, &Given::default(), false), edges.chains.len()), (None, 4), "no scan on paper");
 }
 
 #[test]
