@@ -13,6 +13,7 @@ mod decisions;
 mod dots;
 mod draw;
 mod drawn_areas;
+mod figure_lines;
 mod find_edges;
 mod finish;
 mod given;

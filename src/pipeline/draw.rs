@@ -3,44 +3,42 @@
 use super::areas_of_colours::AreasOfColours;
 use super::areas_of_overview;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
-use super::dots;
+use super::figure_lines::{FigureLines, draw_lines};
 use super::find_edges::{GIVEN, edges_of, find_edges, skip_edges};
 use super::finish::{PageSays, PictureFacts};
 use super::given::{Given, GivenLines, erase, is_in};
-use super::hand_lines::{SAME_SHAPE, by_hand_first, weaken_thin_strokes};
-use super::joined_bars::{BarTolerances, Redraw};
+use super::hand_lines::{SAME_SHAPE, weaken_thin_strokes};
 use super::key::KeySheets;
 use super::legend::{self, LegendEntry};
 use super::margins::Lettered;
 use super::named::NamedThings;
-use super::outlines::{outlines_of_figure, regions_of_figure};
+use super::outlines::regions_of_figure;
 use super::overview::{
     DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
 };
 use super::paper_edge;
-use super::progress::{Event, Stage, Watch, in_parallel, run_stage};
+use super::progress::{Watch, in_parallel};
 use super::read::{Content, Read, ReadPicture, read_lines};
 use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series::{self, TexturedPicture};
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::thing_of_overview;
-use super::told_bars::{self, BarStyle};
+use super::told_bars;
 use super::told_given::{told_no_drawing, told_no_lines, told_short, told_words};
 use super::told_lines::{
     left_out, told_beside_added, told_cut, told_dashed, told_of_lost, told_opened, told_overlaid, told_simplified,
 };
-use super::too_near::{self, Rules};
 use super::words::{Words, become_labels};
-use super::{leaders, line_legend, links_of_overview, lost_colours, lost_marks, lost_signs};
+use super::{leaders, line_legend, links_of_overview, lost_colours, lost_marks};
 use crate::edges::{self, Edges};
-use crate::lines::{self, Line, Lines, LostSign, Outlines};
+use crate::lines::{Line, Lines, LostSign};
 use crate::page::layout::Layout;
-use crate::page::{Figure, LeftOut, Medium};
+use crate::page::{Figure, LeftOut};
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
-use crate::regions::{Chosen, OutlineAreas};
+use crate::regions::Chosen;
 use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::{About, Error, GivenFile, Note, Reason};
 
@@ -382,105 +380,6 @@ pub(super) fn overview_of(picture: &decode::Decoded, content: &Content, given: &
     // few shapes need no more room
     let has_regions = plan.region_detail().is_some() && plan.lines().most_shapes.is_none();
     if is_photograph && has_regions && given.lines.is_none() { OverviewSize::OfPhotograph } else { OverviewSize::Own }
-}
-
-/// What becomes of the lines of a figure.
-#[derive(Default)]
-pub(super) struct FigureLines {
-    pub(super) lines: Lines,
-    /// The areas that the outlines of regions among them surround.
-    pub(super) areas: Option<OutlineAreas>,
-    /// How the bars of a chart are drawn that have no room as they are.
-    pub(super) instead: Option<BarStyle>,
-}
-
-impl FigureLines {
-    /// The same with all patches of a legend or none.
-    fn with_legend(self, entries: &[LegendEntry]) -> Self {
-        Self { lines: legend::with_all_patches_or_none(self.lines, entries), ..self }
-    }
-}
-
-/// The lines of the figure.
-pub(super) fn draw_lines(
-    edges: &Edges,
-    lines_of: LinesOf<'_>,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> FigureLines {
-    let reason = if !plan.profile().figure.lines {
-        "figure.lines is off"
-    } else if edges.is_empty() && !lines_of.has_subject() {
-        "there are no contours"
-    } else {
-        let transform = PageTransform::new(edges.size, layout.figure);
-        return run_stage(watch, Stage::Lines, || {
-            let (outlines, areas) = outlines_of_figure(edges, lines_of.regions(), &transform, plan);
-            // a figure has one place
-            let draw = |edges: &Edges, _: MmRect, detail: f32| {
-                let params = lines::Params { detail, ..plan.lines() };
-                draw_whole(edges, &outlines, &transform, layout, &params, plan)
-            };
-            let (place, detail) = (layout.figure, plan.lines().detail);
-            let mut drawn = draw(edges, place, detail);
-            let are_few = plan.lines().most_shapes.is_some();
-            // what of the few shapes of a drawing has no room is a loss, as of any drawing
-            if are_few && !edges.of_drawing() && matches!(lines_of, LinesOf::Picture(_)) {
-                drawn.lost.lack_on_purpose();
-            }
-            if are_few || matches!(lines_of, LinesOf::Person) {
-                return FigureLines { lines: drawn, areas, instead: None };
-            }
-            let (places, tolerances) = (&[place], BarTolerances::of(layout, plan));
-            let redraw =
-                Redraw { edges, places, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
-            let (lines, instead) = redraw.whole(drawn, place);
-            FigureLines { lines, areas, instead }
-        });
-    };
-    watch(Event::Skip(Stage::Lines, reason));
-    FigureLines::default()
-}
-
-/// The lines of the figure, with what is lost. What has no room as a point of dots may have room as it is.
-fn draw_whole(
-    edges: &Edges,
-    outlines: &Outlines,
-    transform: &PageTransform,
-    layout: &Layout,
-    params: &lines::Params,
-    plan: &Plan,
-) -> Lines {
-    let is_print = matches!(layout.medium, Medium::Print(_));
-    let rules = Rules::of(edges, layout.figure, false, layout, plan);
-    let (of_strokes, of_dots) = (rules.filter(|_| is_print), rules.filter(|_| !is_print));
-    let draw = |params: &lines::Params| {
-        let mut drawn = lines::draw_with(edges, outlines, transform, layout.figure, params);
-        of_strokes.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
-        // those beyond as many shapes as are asked for are left out on purpose
-        let is_all = params.most_shapes.is_none();
-        if is_all {
-            drawn.lost.signs = lost_signs::find(edges, &drawn, transform, params.max_spacing());
-        }
-        if matches!(layout.medium, Medium::Dots(_)) {
-            drawn.lines = by_hand_first(drawn.lines, edges, transform);
-        }
-        let mut drawn = dots::pressed(drawn, edges, layout.figure, layout, plan);
-        of_dots.iter().for_each(|rules| too_near::cut(&mut drawn, rules));
-        if is_all {
-            let (marks, boxes) = lost_marks::find(edges, &drawn, layout.figure, transform, params.min_length);
-            drawn.lost.marks = marks;
-            drawn.lost.gone.retain(|line| !lost_marks::is_one_of(line, &boxes));
-        }
-        drawn
-    };
-    let drawn = draw(params);
-    if drawn.marks.points.is_empty() || drawn.lost.signs.is_empty() {
-        return drawn;
-    }
-    let plain = draw(&lines::Params { takes_points: false, ..*params });
-    if plain.lost.signs.len() < drawn.lost.signs.len() { plain } else { drawn }
 }
 
 /// What the maker is told of a figure that is narrower than asked for.

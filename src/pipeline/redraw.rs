@@ -2,7 +2,8 @@
 
 use super::areas;
 use super::decisions::LinesOf;
-use super::draw::{DrawnMarks, FigureLines, draw_lines};
+use super::draw::DrawnMarks;
+use super::figure_lines::{FigureLines, draw_lines};
 use super::finish::{PageSays, PictureFacts};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};

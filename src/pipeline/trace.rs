@@ -1,7 +1,8 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
 use super::decisions::Decisions;
-use super::draw::{Contours, FigureLines, contours_of, draw_lines, lines_of, overview_of};
+use super::draw::{Contours, contours_of, lines_of, overview_of};
+use super::figure_lines::{FigureLines, draw_lines};
 use super::find_edges::{GIVEN, edges_of, skip_edges};
 use super::given::Given;
 use super::named::NamedThings;
