@@ -97,6 +97,7 @@ use draw::{DrawnMarks, FromPerson, WithRoom, draw, find};
 use finish::{PageSays, finished, origin, told_empty, told_of_pages};
 use read::ReadPicture;
 use request::OverviewSize;
+use told_labels::LabelCounts;
 use words::{OnPage, WrittenWords};
 
 /// A page and what its maker should know.
@@ -135,20 +136,24 @@ impl Drawing {
         std::iter::once(&self.page).chain(&self.overview).chain(&self.key)
     }
 
-    /// How many labels stand in the figure with all their letters.
-    fn whole_labels(&self) -> usize {
-        let labels = self.page.braille.iter().filter(|text| text.role == TextRole::Label).count();
-        let abbreviated = self.notes.iter().map(|note| match note {
-            Note::Abbreviated(words) => words.len(),
-            _ => 0,
-        });
-        labels.saturating_sub(abbreviated.sum())
-    }
-
     /// The same sheets as [`write_pdf`](crate::write_pdf) and [`write_dots`](crate::write_dots) take them.
     #[must_use]
     pub fn into_pages(self) -> Vec<Page> {
         std::iter::once(self.page).chain(self.overview).chain(self.key).collect()
+    }
+}
+
+/// A page, and what is asked of its labels where one of two pages is chosen.
+struct Composed {
+    drawing: Drawing,
+    labels: LabelCounts,
+}
+
+impl Composed {
+    /// How many labels stand in the figure with all their letters.
+    fn whole_labels(&self) -> usize {
+        let labels = self.drawing.page.braille.iter().filter(|text| text.role == TextRole::Label).count();
+        labels.saturating_sub(self.labels.abbreviated)
     }
 }
 
@@ -177,15 +182,16 @@ pub fn convert_with_words<'p>(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let picture = picture.into();
-    let drawing = convert_as_asked(picture, words, given, request, watch)?;
+    let Composed { drawing, labels } = convert_as_asked(picture, words, given, request, watch)?;
     let may_go = words.own_texts && drawing.is_larger_without_overview && !overview_for_words::is_asked(request.plan);
-    if !may_go || !overview_for_words::lack(&drawing.notes, &drawing.texts) {
+    if !may_go || !overview_for_words::lack(labels, &drawing.texts) {
         return Ok(drawing);
     }
     let plan = overview_for_words::plan_without(request.plan)?;
     // stages are told of once
-    let mut without = convert_as_asked(picture, words, given, &request.with_plan(&plan), &mut |_| ())?;
-    let Some(told) = overview_for_words::told(&drawing.notes, &without.notes) else { return Ok(drawing) };
+    let without = convert_as_asked(picture, words, given, &request.with_plan(&plan), &mut |_| ())?;
+    let Some(told) = overview_for_words::told(labels, without.labels) else { return Ok(drawing) };
+    let mut without = without.drawing;
     without.notes.push(told);
     Note::sort(&mut without.notes);
     Ok(without)
@@ -198,7 +204,7 @@ fn convert_as_asked<'p>(
     given: &Given,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Drawing, Error> {
+) -> Result<Composed, Error> {
     let person = FromPerson { given, words };
     let written = WrittenWords::new(words, request.plan);
     let layout_of = |size: Size, overview: OverviewSize| written.layout(size, overview, request);
@@ -228,9 +234,9 @@ fn convert_as_asked<'p>(
 fn narrowed_or_whole(
     narrowed: DrawnMarks,
     whole: Option<impl FnOnce() -> Result<DrawnMarks, Error>>,
-    page_of: impl Fn(DrawnMarks, &mut Watch<'_>) -> Result<Drawing, Error>,
+    page_of: impl Fn(DrawnMarks, &mut Watch<'_>) -> Result<Composed, Error>,
     watch: &mut Watch<'_>,
-) -> Result<Drawing, Error> {
+) -> Result<Composed, Error> {
     let loss = narrowed.loss();
     let narrowed = page_of(narrowed, watch)?;
     let Some(whole) = whole.filter(|_| loss >= MOST_LOST) else { return Ok(narrowed) };
@@ -284,7 +290,7 @@ pub fn redraw(
     let narrowed = marks(roomy, watch)?;
     let whole = was_narrowed.then_some(|| marks(layout, &mut |_| ()));
     let page_of = |marks: DrawnMarks, watch: &mut Watch<'_>| compose(marks, &words, &written, request, watch);
-    let drawing = narrowed_or_whole(narrowed, whole, page_of, watch)?;
+    let Composed { drawing, .. } = narrowed_or_whole(narrowed, whole, page_of, watch)?;
     // its labels are no texts of a picture
     Ok(Drawing { texts: Vec::new(), ..drawing })
 }
@@ -296,7 +302,7 @@ fn compose(
     written: &WrittenWords<'_>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Drawing, Error> {
+) -> Result<Composed, Error> {
     let plan = request.plan;
     let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
     let legend = words.told_legend(legend);
@@ -304,11 +310,8 @@ fn compose(
     let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
-    if words.own_texts {
-        notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
-    }
-    let (page, overview, key) = run_stage(watch, Stage::Page, || {
-        let OnPage { braille, notes: of_words, .. } = written.on(&layout, &mut figure, &texts, words, plan);
+    let (page, overview, key, labels) = run_stage(watch, Stage::Page, || {
+        let OnPage { braille, notes: of_words, counts, .. } = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
         let before = 1 + u32::from(alone);
@@ -316,7 +319,7 @@ fn compose(
         key.tell_of_title(&mut notes);
         key.tell_of_blank(&mut notes);
         notes.extend(key.notes);
-        let said = said.with_words(&notes);
+        let said = said.with_labels(counts.left_out);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, said, braille, &layout, request)?, None)),
             Medium::Dots(medium) => {
@@ -324,7 +327,7 @@ fn compose(
                 dots::assemble(figure, overview, said, braille, &layout, medium, request)
             }
         }?;
-        Ok::<_, Error>((page.with_key(&key.told), overview, key.sheets))
+        Ok::<_, Error>((page.with_key(&key.told), overview, key.sheets, counts))
     })?;
     notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
     if page.is_empty() {
@@ -336,7 +339,8 @@ fn compose(
     Note::sort(&mut notes);
     let is_larger_without_overview = page.overview.is_some() && request.fit.is_larger_without_overview(&layout, plan);
     let is_larger_turned = told_lines::is_larger_turned(&layout);
-    Ok(Drawing { page, overview, key, texts, notes, is_larger_without_overview, is_larger_turned })
+    let drawing = Drawing { page, overview, key, texts, notes, is_larger_without_overview, is_larger_turned };
+    Ok(Composed { drawing, labels })
 }
 
 /// Puts all marks on the sheet.

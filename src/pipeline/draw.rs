@@ -117,7 +117,9 @@ pub(super) fn find(
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
     let mut texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
-    notes.extend(texts::left_out(&texts, layout.figure, picture.drawing.as_ref()));
+    let drawing = picture.drawing.as_ref();
+    let (texts_left_out, told_texts) = texts::left_out(&texts, words.own_texts, layout.figure, drawing);
+    notes.extend(told_texts);
 
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
@@ -134,7 +136,7 @@ pub(super) fn find(
     let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
     let none_sought = content.is_uniform() || given.lines.is_some();
-    let mut facts = PictureFacts { none_sought, all_erased, ..PictureFacts::default() };
+    let mut facts = PictureFacts { none_sought, all_erased, texts_left_out, ..PictureFacts::default() };
     if plan.profile().figure.lines {
         let (is_label, beside) = (become_labels(words), leaders::FROM_PRINT);
         let of_legend = line_legend::to_curves(&mut edges, &mut texts, &is_label, &picture.raster, &layout);
@@ -194,7 +196,7 @@ pub(super) fn draw(
         notes.extend(of_colours.fit_to_page(given, &mut decisions, areas.as_ref(), edges.size, &layout, plan));
         facts.coloured_ground = of_colours.coloured_ground;
     }
-    let said = said_of(&drawn, &overview, &edges, areas_of_colours.as_ref());
+    let said = said_of(&drawn, &overview, &edges, areas_of_colours.as_ref(), facts.texts_left_out);
     notes.extend(told_of_overview(&overview, &drawn.lost.marks));
     notes.extend(told_of_shapes((&edges, regions.as_ref(), &decisions), &drawn.lines, &overview, &layout, plan));
     notes.extend(told_of_person((given, &decisions), &drawn.lines, &overview, &layout, plan));
@@ -219,9 +221,15 @@ pub(super) fn draw(
 }
 
 /// What a page says of what is left out of it.
-fn said_of(drawn: &Lines, overview: &DrawnOverview, edges: &Edges, areas: Option<&AreasOfColours>) -> PageSays {
+fn said_of(
+    drawn: &Lines,
+    overview: &DrawnOverview,
+    edges: &Edges,
+    areas: Option<&AreasOfColours>,
+    texts: u32,
+) -> PageSays {
     let areas = areas.map_or(0, |of_colours| of_colours.too_small as u32);
-    PageSays::of(LeftOut { areas, ..left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()) })
+    PageSays::of(LeftOut { areas, texts, ..left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()) })
 }
 
 /// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.

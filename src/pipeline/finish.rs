@@ -35,10 +35,9 @@ pub(super) struct PictureFacts {
     pub(super) coloured_ground: bool,
     /// Whether the words of a legend became labels of its lines, which tell them apart on the page.
     pub(super) has_named_lines: bool,
+    /// How many of its texts are neither drawn nor to be written.
+    pub(super) texts_left_out: u32,
 }
-
-/// So few parts of a picture that were taken for text may be none.
-const MAY_BE_NONE: usize = 2;
 
 /// What a page says of itself, beside how it was made.
 #[derive(Debug, Clone)]
@@ -57,22 +56,10 @@ impl PageSays {
         Self { left_out, in_set: None, label: None }
     }
 
-    /// The same, with as many texts and labels as these remarks say to be left out. Few parts that were taken for text
-    /// may be none, and do not count.
-    pub(super) fn with_words(self, notes: &[Note]) -> Self {
-        let texts = |note: &Note| match note {
-            Note::TextsLeftOut(texts) => texts.len(),
-            Note::LetteringLeftOut { texts, .. } if *texts > MAY_BE_NONE => *texts,
-            _ => 0,
-        };
-        let labels = |note: &Note| match note {
-            Note::LabelsLeftOut { texts, .. } => texts.len(),
-            _ => 0,
-        };
-        let count = |of: fn(&Note) -> usize| notes.iter().map(of).sum::<usize>() as u32;
+    /// The same, with so many more labels that are left out.
+    pub(super) fn with_labels(self, left_out: usize) -> Self {
         let before = self.left_out;
-        let left_out = LeftOut { texts: before.texts + count(texts), labels: before.labels + count(labels), ..before };
-        Self { left_out, ..self }
+        Self { left_out: LeftOut { labels: before.labels + left_out as u32, ..before }, ..self }
     }
 
     /// As entries of its origin.

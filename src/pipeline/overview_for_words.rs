@@ -2,6 +2,7 @@
 //! reader of a table seeks its words, and the overview has only its lines. One that was asked for stays.
 
 use super::texts::Text;
+use super::told_labels::LabelCounts;
 use crate::profile::Plan;
 use crate::{About, Error, Note, Reason};
 
@@ -11,22 +12,13 @@ const LEAST: usize = 6;
 /// pages lack much, and one has an overview.
 const STILL: f32 = 0.25;
 
-/// Whether half of a drawing's own words or more have no room, as the notes on its page say.
-pub(super) fn lack(notes: &[Note], texts: &[Text]) -> bool {
-    is_most(without_room(notes), texts.iter().filter(|text| text.is_read()).count())
+/// Whether half of a drawing's own words or more have no room.
+pub(super) fn lack(labels: LabelCounts, texts: &[Text]) -> bool {
+    is_most(labels.without_room, texts.iter().filter(|text| text.is_read()).count())
 }
 
 fn is_most(lost: usize, words: usize) -> bool {
     lost >= LEAST && 2 * lost >= words
-}
-
-/// How many labels are not on a page for want of room.
-fn without_room(notes: &[Note]) -> usize {
-    let lost = notes.iter().map(|note| match note {
-        Note::LabelsLeftOut { texts, reason: Reason::NoRoomForLabel, .. } => texts.len(),
-        _ => 0,
-    });
-    lost.sum()
 }
 
 /// Whether the maker of the page asked for an overview, so that it does not go by itself; the settings have one.
@@ -46,8 +38,8 @@ pub(super) fn plan_without(plan: &Plan) -> Result<Plan, Error> {
 
 /// What is told of a page without its overview, where it has most of the words that one `with` it lacks; none where the
 /// latter is as good.
-pub(super) fn told(with: &[Note], without: &[Note]) -> Option<Note> {
-    let (lost, still) = (without_room(with), without_room(without));
+pub(super) fn told(with: LabelCounts, without: LabelCounts) -> Option<Note> {
+    let (lost, still) = (with.without_room, without.without_room);
     (still as f32 <= STILL * lost as f32).then(|| {
         let saved = lost - still;
         let told = format!(
@@ -65,13 +57,8 @@ mod tests {
 
     #[test]
     fn words_are_most_of_a_table_and_not_of_a_chart() {
-        let lost = |count: usize, reason: Reason| {
-            let texts = (0..count).map(|number| number.to_string()).collect();
-            Note::LabelsLeftOut { texts, reason, why: "" }
-        };
-        let notes = [lost(5, Reason::NoRoomForLabel), lost(9, Reason::NumbersThinned), lost(3, Reason::NoRoomForLabel)];
-        assert_eq!(without_room(&notes), 8);
-        let told = |still: usize| told(&notes, &[lost(still, Reason::NoRoomForLabel)]).map(|note| note.to_string());
+        let lost = |without_room: usize| LabelCounts { left_out: 17, without_room, ..LabelCounts::default() };
+        let told = |still: usize| told(lost(8), lost(still)).map(|note| note.to_string());
         assert!(told(2).is_some_and(|told| told.starts_with("6 words have room only without the overview")));
         assert_eq!(told(3), None, "both lack much");
         assert_eq!(

@@ -74,18 +74,15 @@ pub fn convert<'p>(
     let coloured_ground = facts.coloured_ground;
     let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
-    if words.own_texts {
-        notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
-    }
     let laid = lay(figure.source)?;
     let sheet = laid.spread.layout_of_sheet();
     let mut sheets = run_stage(watch, Stage::Page, || {
         notes.extend(written.notes().iter().cloned());
         let tiles = laid.spread.tiles();
-        let OnPage { braille: labels, notes: of_labels, .. } =
+        let OnPage { braille: labels, notes: of_labels, counts, .. } =
             written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
-        let said = said.with_words(&notes).with_words(&of_labels);
-        let mut sheets = assemble((&figure, &labels), overview, said.left_out, &laid, &written, request)?;
+        let left_out = said.with_labels(counts.left_out).left_out;
+        let mut sheets = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
         notes.extend(sheets.notes.drain(..).chain(of_labels));
         let before = sheets.all().count() as u32;
         let key = written.key(words, &labels, &figure, before, &sheet, request)?;

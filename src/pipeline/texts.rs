@@ -129,17 +129,29 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
     texts.iter().map(placed).collect()
 }
 
-/// What the maker is told of texts that are not drawn in a figure. Those of which nobody knows what they say are shapes
-/// where the picture is a `drawing` of paths alone.
-pub(super) fn left_out(texts: &[Text], figure: MmRect, drawing: Option<&VectorDrawing>) -> Vec<Note> {
+/// So few parts of a picture that were taken for text may be none.
+const MAY_BE_NONE: usize = 2;
+
+/// How many texts of a figure are neither drawn nor to be written, and what the maker is told of those that are not
+/// drawn: of texts that `are_labels` those are told that have no room, elsewhere. Those of which nobody knows what they
+/// say are shapes where the picture is a `drawing` of paths alone; few of them may be none, and do not count.
+pub(super) fn left_out(
+    texts: &[Text],
+    are_labels: bool,
+    figure: MmRect,
+    drawing: Option<&VectorDrawing>,
+) -> (u32, Vec<Note>) {
     let seen = || texts.iter().filter(|text| !text.hidden);
-    let known: Vec<String> = seen().map(|text| text.string.clone()).filter(|string| !string.is_empty()).collect();
-    let unknown = || seen().filter(|text| text.string.is_empty());
-    let largest = unknown().max_by(|a, b| a.size.total_cmp(&b.size));
+    let known = seen().filter(|text| !are_labels && !text.string.is_empty());
+    let known: Vec<String> = known.map(|text| text.string.clone()).collect();
+    let unknown: Vec<&Text> = seen().filter(|text| text.string.is_empty()).collect();
+    let count = known.len() + if unknown.len() > MAY_BE_NONE { unknown.len() } else { 0 };
+    let largest = unknown.iter().max_by(|a, b| a.size.total_cmp(&b.size));
     let told = largest.map(|largest| Note::LetteringLeftOut {
-        texts: unknown().count(),
+        texts: unknown.len(),
         place: ninths::NAMES[ninths::ninth(largest.place.center(), figure)],
         are_shapes: drawing.is_some_and(|drawing| drawing.pixel_areas.is_empty()),
     });
-    (!known.is_empty()).then_some(Note::TextsLeftOut(known)).into_iter().chain(told).collect()
+    let notes = (!known.is_empty()).then_some(Note::TextsLeftOut(known)).into_iter().chain(told).collect();
+    (count as u32, notes)
 }

@@ -271,8 +271,20 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
     of_margin.into_iter().chain(tell(&those(|label| label.is_bare), Reason::OneUnit, bare)).collect()
 }
 
-/// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
-pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
+/// How many labels are not on a page, or not as they are. Remarks tell of them; what depends on them asks here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct LabelCounts {
+    /// Those that are left out, but for those that the translator could not write.
+    pub(super) left_out: usize,
+    /// Those of them that have no room.
+    pub(super) without_room: usize,
+    /// Those that are abbreviated, the same text once.
+    pub(super) abbreviated: usize,
+}
+
+/// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why; and how
+/// many these are.
+pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> (Vec<Note>, LabelCounts) {
     let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), RefusedTexts::default(), Lacks::default());
     let mut thinned: BTreeMap<i64, Vec<String>> = BTreeMap::new();
     let mut misleading = Vec::new();
@@ -302,6 +314,7 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
             Err(Unplaced::NotTranslated(why)) => refused.add(text, why.clone()),
         }
     }
+    let (abbreviated_count, without_room) = (abbreviated.len(), no_room.len());
     let mut notes: Vec<Note> = lacks.note().into_iter().collect();
     notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
     notes.extend(refused.notes());
@@ -309,6 +322,7 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
         let why = EVERY.iter().find(|(count, _)| *count == every).map_or(AT_TICKS, |(_, why)| why);
         left_out(texts, (Reason::NumbersThinned, why))
     };
+    let mut left_out_count: usize = thinned.values().map(Vec::len).sum();
     notes.extend(thinned.into_iter().filter_map(every));
     let missing = [
         (no_cells, NO_CELLS),
@@ -317,8 +331,9 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
         (too_many, TOO_MANY),
         (too_long, TOO_LONG),
     ];
+    left_out_count += missing.iter().map(|(texts, _)| texts.len()).sum::<usize>();
     notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
-    notes
+    (notes, LabelCounts { left_out: left_out_count, without_room, abbreviated: abbreviated_count })
 }
 
 #[cfg(test)]

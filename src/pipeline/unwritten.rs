@@ -19,10 +19,14 @@ pub(super) fn title(text: &str, translator: &Translator<'_>) -> (Option<Braille>
         notes.push(not_written(FORMULA.to_owned()));
         return (None, notes);
     }
-    notes.extend(on_line(&[text], translator));
-    notes.extend(in_other_letters(&[text], translator));
-    notes.extend(sign_by_sign(&[text], translator));
+    notes.extend(told_otherwise(&[text], translator));
     ((!braille.cells.is_empty()).then_some(braille), notes)
+}
+
+/// What is told of texts that are written, but not as they stand in print.
+pub(super) fn told_otherwise(texts: &[&str], translator: &Translator<'_>) -> Vec<Note> {
+    let told = [on_line(texts, translator), in_other_letters(texts, translator), sign_by_sign(texts, translator)];
+    told.into_iter().flatten().collect()
 }
 
 /// Why a title is not written.
@@ -39,7 +43,7 @@ fn is_in_greek_word(text: &str, at: usize) -> bool {
 }
 
 /// Tells of texts some of whose characters are written in others.
-pub(super) fn in_other_letters(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
+fn in_other_letters(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
     let mut characters: Vec<char> = Vec::new();
     let mut named_texts: Vec<&str> = Vec::new();
     for text in texts.iter().filter(|text| !text.is_ascii()) {
@@ -66,7 +70,7 @@ pub(super) fn in_other_letters(texts: &[&str], translator: &Translator<'_>) -> O
 }
 
 /// Tells of texts whose lowered or raised numbers stand on the line.
-pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
+fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
     let is_on_line = |text: &&&str| translator.translate(text).is_ok_and(|braille| braille.has_script_on_line);
     let has_script = |text: &&&str| text.contains(is_script);
     let mut named_texts: Vec<&str> = Vec::new();
@@ -83,7 +87,7 @@ pub(super) fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Not
 
 /// Tells of formulas that our table writes sign by sign, where a mathematical code has rules: of roots, powers and
 /// indices beside operators, and fractions with brackets. Another translator may have such a code.
-pub(super) fn sign_by_sign(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
+fn sign_by_sign(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
     let mut formulas: Vec<&str> = Vec::new();
     for &text in texts {
         if translator.is_own() && is_formula(text) && !formulas.contains(&text) {

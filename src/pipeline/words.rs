@@ -8,8 +8,8 @@ use super::next_cell;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
-    self, NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others,
-    of_axes, of_headings, of_nothing, told,
+    self, LabelCounts, NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out,
+    nearer_to_others, of_axes, of_headings, of_nothing, told,
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
@@ -62,6 +62,8 @@ pub(super) struct OnPage {
     pub(super) braille: Vec<BrailleText>,
     /// What the maker should know of them.
     pub(super) notes: Vec<Note>,
+    /// How many labels are not there, or not as they are.
+    pub(super) counts: LabelCounts,
     /// Of each line of the figure, which one it is a part of: gridlines are interrupted at labels.
     pub(super) lines: Vec<usize>,
 }
@@ -182,7 +184,7 @@ impl<'a> WrittenWords<'a> {
         let (heading, of_heading) = self.heading(0, layout, plan);
         let labels = self.labels(layout, &[], figure, texts, words, plan);
         let notes = self.notes.iter().cloned().chain(of_heading).chain(labels.notes).collect();
-        OnPage { braille: heading.into_iter().chain(labels.braille).collect(), notes, lines: labels.lines }
+        OnPage { braille: heading.into_iter().chain(labels.braille).collect(), notes, ..labels }
     }
 
     /// What could not be written at all.
@@ -234,12 +236,14 @@ impl<'a> WrittenWords<'a> {
         let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
         notes.extend(no_texts.then_some(Note::NoTexts));
         let (wanted, outside) = wanted(texts, words, figure);
+        let beyond = outside.len();
         notes.extend(left_out(outside, OUTSIDE));
         let Some(translator) = &self.translator else {
             let why = if plan.profile().braille.on { NO_CODE } else { OFF };
+            let counts = LabelCounts { left_out: beyond + wanted.len(), ..LabelCounts::default() };
             notes.extend(left_out(wanted.into_iter().map(|label| label.text).collect(), why));
             let lines = (0..figure.lines.len()).collect();
-            return OnPage { braille: Vec::new(), notes, lines };
+            return OnPage { braille: Vec::new(), notes, counts, lines };
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
@@ -270,14 +274,13 @@ impl<'a> WrittenWords<'a> {
         };
         notes.extend(told_labels::without_texture(&texts(without_texture)));
         notes.extend(told_labels::with_less_texture(&texts(with_less_texture)));
-        notes.extend(told(&wanted, &results));
-        notes.extend(unwritten::on_line(&of_placed, translator));
-        notes.extend(unwritten::in_other_letters(&of_placed, translator));
-        notes.extend(unwritten::sign_by_sign(&of_placed, translator));
+        let (of_labels, counts) = told(&wanted, &results);
+        notes.extend(of_labels.into_iter().chain(unwritten::told_otherwise(&of_placed, translator)));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });
-        OnPage { braille: labels.collect(), notes, lines }
+        let counts = LabelCounts { left_out: beyond + counts.left_out, ..counts };
+        OnPage { braille: labels.collect(), notes, counts, lines }
     }
 
     /// What stands above the overview where that has a sheet of its own: the same title, and its own number.

@@ -61,3 +61,31 @@ fn a_heading_that_is_abbreviated_is_told_and_what_stands_beside_others_is_none()
     let name = [wanted("Rain", 20.0, 10.0), wanted("Mon", 20.0, 60.0)];
     assert_eq!(told(&name, &[short(), short()]), "", "too short for a heading");
 }
+
+#[test]
+fn labels_are_counted_as_they_are_told() {
+    let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(20.0, 16.0));
+    let short = |brief: &str| Ok(Placed { abbreviation: Some(brief.to_owned()), ..Placed::of_test(place) });
+    let all = [
+        ("North", short("n")),
+        ("North", short("n")),
+        ("South", Ok(Placed::of_test(place))),
+        ("East", Err(Unplaced::NoRoom)),
+        ("West", Err(Unplaced::NoRoom)),
+        ("10", Err(Unplaced::Thinned(2))),
+        ("Town", Err(Unplaced::TooMany)),
+    ];
+    let wanted = |text: &str| Wanted {
+        text: text.to_owned(),
+        anchor: place,
+        lost_leader: None,
+        kept_leader: None,
+        is_nameless: false,
+    };
+    let (texts, results): (Vec<Wanted>, Vec<Result<Placed, Unplaced>>) =
+        all.into_iter().map(|(text, result)| (wanted(text), result)).unzip();
+    let (notes, counts) = told(&texts, &results);
+    assert_eq!(counts, LabelCounts { left_out: 4, without_room: 2, abbreviated: 1 });
+    let told_of = |note: &Note| if let Note::LabelsLeftOut { texts, .. } = note { texts.len() } else { 0 };
+    assert_eq!(notes.iter().map(told_of).sum::<usize>(), counts.left_out);
+}
