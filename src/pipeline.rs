@@ -16,6 +16,7 @@ mod drawn_areas;
 mod figure_lines;
 mod find_edges;
 mod finish;
+mod for_words;
 mod given;
 mod hand_lines;
 mod joined_bars;
@@ -46,6 +47,7 @@ mod progress;
 mod read;
 mod read_key;
 mod redraw;
+mod remarks;
 mod request;
 mod series;
 pub mod sheets;
@@ -94,8 +96,10 @@ use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{DrawnMarks, FromPerson, WithRoom, draw, find};
-use finish::{PageSays, finished, origin, told_empty, told_of_pages};
+use finish::{PageSays, finished, origin};
+use for_words::ForWords;
 use read::ReadPicture;
+use remarks::{FinishedSheets, Remarks};
 use request::OverviewSize;
 use told_labels::LabelCounts;
 use words::{OnPage, WrittenWords};
@@ -304,21 +308,17 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Composed, Error> {
     let plan = request.plan;
-    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
-    let legend = words.told_legend(legend);
-    let lost_points = lost_signs::points(&lost_signs, &legend);
-    let coloured_ground = facts.coloured_ground;
-    let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
-    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
+    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, notes, .. } = marks;
+    let for_words = ForWords::of(words, legend, &lost_signs, facts.coloured_ground);
+    let words = &for_words.known_to(words);
+    let mut remarks = Remarks::of_marks(notes);
+    remarks.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
     let (page, overview, key, labels) = run_stage(watch, Stage::Page, || {
-        let OnPage { braille, notes: of_words, counts, .. } = written.on(&layout, &mut figure, &texts, words, plan);
-        notes.extend(of_words);
+        let OnPage { braille, notes, counts, above, .. } = written.on(&layout, &mut figure, &texts, words, plan);
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
         let before = 1 + u32::from(alone);
         let key = written.key(words, &braille, &figure, before, &layout, request)?;
-        key.tell_of_title(&mut notes);
-        key.tell_of_blank(&mut notes);
-        notes.extend(key.notes);
+        remarks.add_words(written.notes(), above, notes, &key);
         let said = said.with_labels(counts.left_out);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, said, braille, &layout, request)?, None)),
@@ -329,14 +329,9 @@ fn compose(
         }?;
         Ok::<_, Error>((page.with_key(&key.told), overview, key.sheets, counts))
     })?;
-    notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
-    if page.is_empty() {
-        told_empty(&mut notes, facts.all_erased);
-    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !facts.none_sought {
-        notes.push(Note::NoLines);
-    }
-    notes.extend(told_of_pages(std::iter::once(&page), &layout.medium, plan));
-    Note::sort(&mut notes);
+    let has_lines = !page.figure.lines.is_empty();
+    let sheets = FinishedSheets { of_picture: vec![&page], key: &key, has_lines, medium: &layout.medium };
+    let notes = remarks.of_sheets(&sheets, facts, plan);
     let is_larger_without_overview = page.overview.is_some() && request.fit.is_larger_without_overview(&layout, plan);
     let is_larger_turned = told_lines::is_larger_turned(&layout);
     let drawing = Drawing { page, overview, key, texts, notes, is_larger_without_overview, is_larger_turned };

@@ -8,9 +8,15 @@ const LARGER: &str = "; make the figure larger";
 const CROP: &str = "crop the picture";
 const CROP_OR: &str = "crop the picture, or ";
 
-/// Leaves out remarks on an overview that others have in them: where it lacks much of the lines, shapes and areas are
-/// among these; and shapes that it leaves out are among the areas that are not closed in it.
+/// Leaves out remarks that others have in them. Of a page from which all was erased nothing else is told that is not
+/// there. Where an overview lacks much of the lines, shapes and areas are among these; and shapes that it leaves out
+/// are among the areas that are not closed in it.
 pub(super) fn leave_out(notes: &mut Vec<Note>) {
+    let is_missing =
+        |note: &Note| matches!(note, Note::NotOnPage(..) | Note::TextsLeftOut(_) | Note::LetteringLeftOut { .. });
+    if notes.contains(&Note::AllErased) {
+        notes.retain(|note| !is_missing(note));
+    }
     let is_of_lines = |note: &Note| matches!(note, Note::LinesNotInOverview { .. } | Note::NoRoomForOverview);
     let is_of_areas = |note: &Note| matches!(note, Note::TakenAs(About::Overview, Reason::AreaNotInOverview, _));
     // which of few shapes the overview lacks is news
@@ -113,6 +119,19 @@ mod tests {
         wanted[2] = at("20, 40 mm");
         share_origin(&mut notes);
         assert_eq!(notes, wanted);
+    }
+
+    #[test]
+    fn what_is_missing_is_not_told_of_a_page_from_which_all_was_erased() {
+        let all = || vec![missing("a line"), Note::TextsLeftOut(vec!["rain".to_owned()]), Note::UnevenDots];
+        let left = |more: Note| {
+            let mut notes = all();
+            notes.push(more);
+            leave_out(&mut notes);
+            notes
+        };
+        assert_eq!(left(Note::AllErased), [Note::UnevenDots, Note::AllErased]);
+        assert_eq!(left(Note::EmptyPage).len(), 4);
     }
 
     #[test]

@@ -69,16 +69,6 @@ impl PageSays {
     }
 }
 
-/// Tells of a page with nothing on it; of one from which all was erased, nothing else that is not there.
-pub(super) fn told_empty(notes: &mut Vec<Note>, all_erased: bool) {
-    if all_erased {
-        let lacks =
-            |note: &Note| matches!(note, Note::NotOnPage(..) | Note::TextsLeftOut(_) | Note::LetteringLeftOut { .. });
-        notes.retain(|note| !lacks(note));
-    }
-    notes.push(if all_erased { Note::AllErased } else { Note::EmptyPage });
-}
-
 /// What the maker is told when more of the figure is black than the profile allows.
 fn too_black(share: f32, print: &Print) -> Option<Note> {
     let most = print.max_black;

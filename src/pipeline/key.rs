@@ -119,15 +119,6 @@ pub struct Key {
 }
 
 impl Key {
-    /// Says of a title without room above the figure whether it stands in this key.
-    pub(super) fn tell_of_title(&self, notes: &mut [Note]) {
-        for note in notes {
-            if let Note::NoRoomForTitle { in_key, .. } = note {
-                *in_key = self.told.title.is_some();
-            }
-        }
-    }
-
     /// Says of bars without a texture which of them this key names as blank.
     pub(super) fn tell_of_blank(&self, notes: &mut [Note]) {
         let name = |(class, means): &(Class, Option<String>)| means.clone().unwrap_or_else(|| class.name().to_owned());

@@ -1,13 +1,15 @@
 //! From bytes to a picture on several sheets.
 
 use super::draw::{DrawnMarks, FromPerson, draw, find};
-use super::finish::{finished, origin, title_of_overview, title_of_sheet, told_empty, told_of_pages};
+use super::finish::{finished, origin, title_of_overview, title_of_sheet};
+use super::for_words::ForWords;
 use super::given::Given;
 use super::lost_signs;
-use super::print_words;
 use super::progress::{Stage, Watch, run_stage};
 use super::read::ReadPicture;
+use super::remarks::{FinishedSheets, Remarks};
 use super::request::{Request, SLACK};
+use super::unwritten::NoRoomAbove;
 use super::words::{OnPage, Words, WrittenWords};
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
@@ -68,40 +70,29 @@ pub fn convert<'p>(
     let picture = ReadPicture::of(picture.into(), given, request, &layout_of, watch)?;
     let found = find(picture, FromPerson { given, words }, request, &layout_of, &|_, layout, _| layout, watch)?;
     let marks = draw(found, given, request, watch)?;
-    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, mut notes, .. } = marks;
-    let legend = words.told_legend(legend);
-    let lost_points = lost_signs::points(&lost_signs, &legend);
-    let coloured_ground = facts.coloured_ground;
-    let words = &Words { legend: &legend, lost_points: &lost_points, coloured_ground, ..*words };
-    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
+    let DrawnMarks { mut figure, overview, layout, facts, said, lost_signs, legend, texts, notes, .. } = marks;
+    let for_words = ForWords::of(words, legend, &lost_signs, facts.coloured_ground);
+    let words = &for_words.known_to(words);
+    let mut remarks = Remarks::of_marks(notes);
+    remarks.extend(lost_signs::told(&lost_signs, &texts, words, &figure, layout.sheets.as_ref()));
     let laid = lay(figure.source)?;
     let sheet = laid.spread.layout_of_sheet();
     let mut sheets = run_stage(watch, Stage::Page, || {
-        notes.extend(written.notes().iter().cloned());
         let tiles = laid.spread.tiles();
-        let OnPage { braille: labels, notes: of_labels, counts, .. } =
+        let OnPage { braille: labels, notes, counts, .. } =
             written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
         let left_out = said.with_labels(counts.left_out).left_out;
-        let mut sheets = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
-        notes.extend(sheets.notes.drain(..).chain(of_labels));
+        let (sheets, above) = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
         let before = sheets.all().count() as u32;
         let key = written.key(words, &labels, &figure, before, &sheet, request)?;
-        key.tell_of_title(&mut notes);
-        key.tell_of_blank(&mut notes);
-        notes.extend(key.notes);
+        remarks.add_words(written.notes(), above, notes, &key);
         let pages = sheets.pages.into_iter().map(|page| page.with_key(&key.told)).collect();
         Ok::<_, Error>(Sheets { pages, key: key.sheets, ..sheets })
     })?;
-    notes.extend(print_words::left_out(sheets.all(), plan));
-    let of_picture = || sheets.overview.iter().chain(&sheets.pages);
-    if of_picture().all(Page::is_empty) {
-        told_empty(&mut notes, facts.all_erased);
-    } else if plan.profile().figure.lines && figure.lines.is_empty() && !facts.none_sought {
-        notes.push(Note::NoLines);
-    }
-    notes.extend(told_of_pages(of_picture(), &sheet.medium, plan));
-    Note::sort(&mut notes);
-    sheets.notes = notes;
+    let of_picture = sheets.overview.iter().chain(&sheets.pages).collect();
+    let has_lines = !figure.lines.is_empty();
+    let all = FinishedSheets { of_picture, key: &sheets.key, has_lines, medium: &sheet.medium };
+    sheets.notes = remarks.of_sheets(&all, facts, plan);
     Ok(sheets)
 }
 
@@ -186,7 +177,7 @@ fn overview_sheet(size: Size, spread: &Spread, written: &WrittenWords<'_>, reque
     layout::fit(aspect(size), f32::MAX, &params)
 }
 
-/// The sheets without their key, with notes of what has no room at the top of them.
+/// The sheets without their key and without remarks, and what has no room at the top of them.
 fn assemble(
     (figure, labels): (&Figure, &[BrailleText]),
     overview: Option<(MmRect, Vec<Line>)>,
@@ -194,18 +185,14 @@ fn assemble(
     laid: &Laid,
     written: &WrittenWords<'_>,
     request: &Request<'_>,
-) -> Result<Sheets, Error> {
+) -> Result<(Sheets, NoRoomAbove), Error> {
     let Laid { grid, spread, .. } = laid;
     let cuts = spread.cut(figure, &around(figure.place, &spread.together, request), labels);
     let names: Vec<String> = cuts.iter().map(|cut| cut.name.clone()).collect();
-    let (mut on_overview, mut pages, mut notes) = (None, Vec::new(), Vec::new());
+    let (mut on_overview, mut pages, mut above) = (None, Vec::new(), NoRoomAbove::default());
     let mut heading = |layout: &Layout, number: usize| {
-        let (braille, told) = written.heading(number as u32, layout, request.plan);
-        for note in told {
-            if !notes.contains(&note) {
-                notes.push(note);
-            }
-        }
+        let (braille, own) = written.heading(number as u32, layout, request.plan);
+        above = above.or(own);
         braille
     };
     if let Some(((place, lines), layout)) = overview.zip(laid.overview.as_ref()) {
@@ -236,7 +223,7 @@ fn assemble(
         let origin = [parts.origin.clone(), left_out.clone()].concat();
         pages.push(finished(Parts { origin, ..parts }, request)?);
     }
-    Ok(Sheets { overview: on_overview, pages, key: Vec::new(), notes })
+    Ok((Sheets { overview: on_overview, pages, key: Vec::new(), notes: Vec::new() }, above))
 }
 
 /// The frame around a picture.

@@ -77,15 +77,15 @@ pub(super) fn write(
     };
     let written = WrittenWords::new(&words, plan);
     let layout = Layout::of_figure(parts.sheet, place, medium);
-    let OnPage { mut braille, notes, lines } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
+    let OnPage { mut braille, notes, lines, .. } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     *names = lines.into_iter().map(|line| names[line].clone()).collect();
     braille.retain(|text| text.role == TextRole::Label);
     let elsewhere = elsewhere(&exact, &braille);
     let (count, in_braille) = (braille.len(), exact.len().min(braille.len()));
     let led = braille.iter().filter(|text| text.leader.is_some()).count();
     parts.braille.extend(braille);
-    let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) =
-        notes.into_iter().partition(|note| matches!(note, Note::Abbreviated(_)));
+    let notes = written.notes().iter().cloned().chain(notes);
+    let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) = notes.partition(|note| matches!(note, Note::Abbreviated(_)));
     let (of_labels, notes): (Vec<Note>, Vec<Note>) = notes.into_iter().partition(is_of_place);
     let of_places = told(count - in_braille, led, in_braille).into_iter().chain(elsewhere).chain(of_labels).collect();
     let notes = typed_outside(&outside).into_iter().chain(notes).collect();

@@ -29,6 +29,28 @@ pub(super) fn told_otherwise(texts: &[&str], translator: &Translator<'_>) -> Vec
     told.into_iter().flatten().collect()
 }
 
+/// What has no room at the top of a sheet, or of one of several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct NoRoomAbove {
+    /// The cells of the title, if that has none.
+    pub(super) title: Option<usize>,
+    /// Whether the page number has none.
+    pub(super) number: bool,
+}
+
+impl NoRoomAbove {
+    /// The same, or what `other` has no room for.
+    pub(super) fn or(self, other: Self) -> Self {
+        Self { title: self.title.or(other.title), number: self.number || other.number }
+    }
+
+    /// What is told of it where the title stands in the key, or is nowhere.
+    pub(super) fn told(self, in_key: bool) -> impl Iterator<Item = Note> {
+        let title = self.title.map(|cells| Note::NoRoomForTitle { cells, in_key });
+        title.into_iter().chain(self.number.then_some(Note::NoRoomForNumber))
+    }
+}
+
 /// Why a title is not written.
 const FORMULA: &str = "without signs that its code has no cells for it would say something else";
 

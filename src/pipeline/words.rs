@@ -11,7 +11,7 @@ use super::told_labels::{
     self, LabelCounts, NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out,
     nearer_to_others, of_axes, of_headings, of_nothing, told,
 };
-use super::unwritten;
+use super::unwritten::{self, NoRoomAbove};
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
 use crate::dots;
 use crate::labels::{self, MadeRoom, Params, Placed, Wanted, WrittenLabel};
@@ -60,10 +60,12 @@ pub struct Words<'a> {
 /// Words where they stand, and what they change of the page.
 pub(super) struct OnPage {
     pub(super) braille: Vec<BrailleText>,
-    /// What the maker should know of them.
+    /// What the maker should know of labels.
     pub(super) notes: Vec<Note>,
     /// How many labels are not there, or not as they are.
     pub(super) counts: LabelCounts,
+    /// What has no room above the figure.
+    pub(super) above: NoRoomAbove,
     /// Of each line of the figure, which one it is a part of: gridlines are interrupted at labels.
     pub(super) lines: Vec<usize>,
 }
@@ -76,16 +78,6 @@ impl Words<'_> {
             || self.own_texts
             || self.key == KeySheets::Always
             || self.number.is_some()
-    }
-
-    /// The legend that a key tells, where a drawing has its `own`. If its words are no labels, that is only what the
-    /// maker of the page gave, and which colours are blank.
-    pub(super) fn told_legend(&self, own: Vec<LegendEntry>) -> Vec<LegendEntry> {
-        if self.own_texts {
-            return own;
-        }
-        let given = self.legend.iter().filter(|entry| entry.has_meaning()).cloned();
-        given.chain(own.into_iter().filter(|entry| !entry.has_meaning())).collect()
     }
 }
 
@@ -171,8 +163,8 @@ impl<'a> WrittenWords<'a> {
         self.translator.as_ref()
     }
 
-    /// The words where they stand on the sheet, and what the maker should know of them. Textures of the figure
-    /// make room for labels.
+    /// The words where they stand on the sheet, and what the maker should know of those that can be written. Textures
+    /// of the figure make room for labels.
     pub(super) fn on(
         &self,
         layout: &Layout,
@@ -181,10 +173,9 @@ impl<'a> WrittenWords<'a> {
         words: &Words<'_>,
         plan: &Plan,
     ) -> OnPage {
-        let (heading, of_heading) = self.heading(0, layout, plan);
+        let (heading, above) = self.heading(0, layout, plan);
         let labels = self.labels(layout, &[], figure, texts, words, plan);
-        let notes = self.notes.iter().cloned().chain(of_heading).chain(labels.notes).collect();
-        OnPage { braille: heading.into_iter().chain(labels.braille).collect(), notes, ..labels }
+        OnPage { braille: heading.into_iter().chain(labels.braille).collect(), above, ..labels }
     }
 
     /// What could not be written at all.
@@ -193,15 +184,16 @@ impl<'a> WrittenWords<'a> {
     }
 
     /// What stands at the top of a sheet, counted from the first, and what has no room there.
-    pub(super) fn heading(&self, sheet: u32, layout: &Layout, plan: &Plan) -> (Vec<BrailleText>, Vec<Note>) {
+    pub(super) fn heading(&self, sheet: u32, layout: &Layout, plan: &Plan) -> (Vec<BrailleText>, NoRoomAbove) {
         let cell = plan.profile().braille.cell;
         let title = self.title(layout, cell);
         let number = self.number_of(sheet, layout, cell);
         let no_title = self.title.as_ref().filter(|_| title.is_none());
-        // whether it stands in the key is known when that is made
-        let no_title = no_title.map(|title| Note::NoRoomForTitle { cells: title.braille.cells.len(), in_key: false });
-        let no_number = (self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber);
-        (title.into_iter().chain(number).collect(), no_title.into_iter().chain(no_number).collect())
+        let above = NoRoomAbove {
+            title: no_title.map(|title| title.braille.cells.len()),
+            number: self.number.is_some() && number.is_none(),
+        };
+        (title.into_iter().chain(number).collect(), above)
     }
 
     /// What the layout of several sheets needs to know of title and page number, which stand beside the braille that
@@ -243,7 +235,7 @@ impl<'a> WrittenWords<'a> {
             let counts = LabelCounts { left_out: beyond + wanted.len(), ..LabelCounts::default() };
             notes.extend(left_out(wanted.into_iter().map(|label| label.text).collect(), why));
             let lines = (0..figure.lines.len()).collect();
-            return OnPage { braille: Vec::new(), notes, counts, lines };
+            return OnPage { braille: Vec::new(), notes, counts, above: NoRoomAbove::default(), lines };
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let (points, blocked) = (words.lost_points.to_vec(), words.blocked.to_vec());
@@ -280,7 +272,7 @@ impl<'a> WrittenWords<'a> {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });
         let counts = LabelCounts { left_out: beyond + counts.left_out, ..counts };
-        OnPage { braille: labels.collect(), notes, counts, lines }
+        OnPage { braille: labels.collect(), notes, counts, above: NoRoomAbove::default(), lines }
     }
 
     /// What stands above the overview where that has a sheet of its own: the same title, and its own number.
