@@ -232,7 +232,7 @@ pub use contours::{Polyline, Trace};
 pub use description::Description;
 pub use error::Error;
 pub use legibility::{Checked, Finding, Rule, Severity, Verdict};
-pub use note::{About, GivenFile, Note, Reason};
+pub use note::{About, GivenFile, Note, Reason, Told};
 pub use page::{Class, Page};
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;

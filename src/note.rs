@@ -6,6 +6,7 @@ mod order;
 mod phrases;
 mod reason;
 mod repeats;
+mod told;
 
 use crate::braille::Code;
 use crate::error::id_table;
@@ -13,6 +14,7 @@ use crate::listing::{counted, first_few};
 pub use about::{About, GivenFile};
 pub(crate) use phrases::LEAST_DRAWN;
 pub use reason::Reason;
+pub use told::Told;
 
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, or_if_none,
@@ -32,13 +34,13 @@ pub enum Note {
     LeftOut(Reason, String),
     /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
     #[error("left out: {2}")]
-    NotOnPage(About, Reason, String),
+    NotOnPage(About, Reason, Told),
     /// Something on the page is not in its PNG; says what, why and what to do.
     #[error("not in the PNG: {1}")]
     NotInPng(Reason, &'static str),
     /// Something on a page is taken otherwise than it looks; says what, where and as what.
     #[error("{2}")]
-    TakenAs(About, Reason, String),
+    TakenAs(About, Reason, Told),
     /// Something on the page is as it is all the same and breaks a rule of legibility; says what, where and what to do.
     #[error("{2}")]
     Faulty(About, Reason, String),
@@ -419,6 +421,14 @@ impl Note {
             Self::OfFile(_, note) => note.reason(),
             _ => None,
         }
+    }
+
+    /// The same with `how` the figure is made larger, such as with which options of a program; none of a remark that
+    /// does not say that a larger figure helps.
+    pub fn with_how_larger(&self, how: &str) -> Option<Self> {
+        let mut note = self.clone();
+        let (Self::NotOnPage(_, _, told) | Self::TakenAs(_, _, told)) = &mut note else { return None };
+        told.say_how_larger(how).then_some(note)
     }
 }
 

@@ -24,7 +24,7 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped!(Format, DotFormat, DrawingFormat, Drawing, Sheets, Page, Text, Traced, Trace, Polyline);
     can_be_wrapped!(Felt, Checked, Finding, Rule, Severity, Verdict, Description, Calibration, Class);
     can_be_wrapped!(
-        Event, Stage, Error, Note, About, GivenFile, Reason, Length, Mm, MmPoint, MmRect, Px, PxPoint, Size
+        Event, Stage, Error, Note, About, GivenFile, Reason, Told, Length, Mm, MmPoint, MmRect, Px, PxPoint, Size
     );
     can_be_wrapped!(marks::BrailleText, marks::Dots, marks::Figure, marks::Glyph, marks::Height, marks::Line);
     can_be_wrapped!(marks::Overview, marks::Parts, marks::Pen, marks::PrintText, marks::Run, marks::Shape);

@@ -457,7 +457,7 @@ fn not_written(texts: &[TypedText]) -> Option<Note> {
         count => format!("{count} texts that were typed, the first \"{string}\" at {:.0}, {:.0} mm", at.x, at.y),
     };
     let why = "lines and areas are taken from a corrected page, and no words; give them as labels";
-    Some(Note::NotOnPage(About::Texts, Reason::WordsOfPage, format!("{texts}: {why}")))
+    Some(Note::NotOnPage(About::Texts, Reason::WordsOfPage, format!("{texts}: {why}").into()))
 }
 
 impl fmt::Debug for Options {

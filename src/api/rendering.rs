@@ -199,7 +199,7 @@ impl AdaptedPage<'_> {
         // no paper is printed on its back
         let mirrored = was_mirrored && matches!(plan.medium(), MediumParams::Dots { .. });
         if was_mirrored && !mirrored {
-            notes.push(Note::TakenAs(About::Marks, Reason::Mirrored, FROM_THE_BACK.to_owned()));
+            notes.push(Note::TakenAs(About::Marks, Reason::Mirrored, FROM_THE_BACK.to_owned().into()));
         }
         // words are placed anew, wherever they stand on the page
         notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, ..)));
@@ -241,7 +241,7 @@ fn overview_stays(unlike: Option<&str>, page: &Page, read: &Reading) -> Option<N
                page out anew for its device, which draws it of the figure";
     let told = unlike.map(|told| format!("the overview is as it was: {told}; change it there too, or delete it"));
     let told = told.or_else(|| has_own_sheet.then(|| own.to_owned()));
-    told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewStays, told))
+    told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewStays, told.into()))
 }
 
 /// What is told of a title in braille that is not the one that a page is given, and stays on its paper or device.
@@ -252,7 +252,7 @@ fn title_stays(title: &str, page: &Page) -> Option<Note> {
          its own",
         of_page.text
     );
-    Some(Note::TakenAs(About::Braille, Reason::TitleStays, told))
+    Some(Note::TakenAs(About::Braille, Reason::TitleStays, told.into()))
 }
 
 /// What is told of the overview of a page that is laid out anew, which is drawn of the one that the page has.
@@ -270,7 +270,7 @@ fn overview_drawn_of(unlike: Option<&str>, page: &Page, plan: &Plan) -> Option<N
              it there, and it is drawn of the figure"
         )
     });
-    told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewOfPage, told))
+    told.map(|told| Note::TakenAs(About::Overview, Reason::OverviewOfPage, told.into()))
 }
 
 /// What is told of words that a person moved on a page that is laid out anew.
@@ -282,7 +282,7 @@ fn placed_anew(moved: &[String]) -> Option<Note> {
             "{named} {was} moved on the page, and {it_has} anew here: words stay where they were moved to only on the \
              page's own paper or device"
         );
-        Note::TakenAs(About::Braille, Reason::PlacedAnew, told)
+        Note::TakenAs(About::Braille, Reason::PlacedAnew, told.into())
     })
 }
 

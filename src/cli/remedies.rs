@@ -50,8 +50,6 @@ impl Larger {
 }
 
 const SHEETS: &str = "--sheets 2x2";
-/// What the library says where a larger figure has room for what it tells of.
-const LARGER: &str = "make the figure larger";
 const TURNED: &str = "--set page.orientation=landscape";
 
 /// What is made, which says what options there are that help.
@@ -227,12 +225,10 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::NotOnPage(_, Reason::HeadingNotInFull, _) => format!("{note} (--title TEXT)"),
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),
-        Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told) if told.contains(LARGER) => match making.larger() {
-            // beside what they are for: a sentence may go on with what else helps
-            Some(options) => note.to_string().replacen(LARGER, &format!("{LARGER} {options}"), 1),
+        _ => match making.larger().and_then(|options| note.with_how_larger(&options)) {
+            Some(with_options) => with_options.to_string(),
             None => note.to_string(),
         },
-        _ => note.to_string(),
     }
 }
 

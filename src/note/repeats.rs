@@ -2,12 +2,6 @@
 
 use super::{About, Note, Reason};
 
-/// What helps against most of what has no room, as remarks say it.
-const LARGER: &str = "; make the figure larger";
-/// A part of the picture alone is larger too, and of a chart or a family tree it is not what is wanted.
-const CROP: &str = "crop the picture";
-const CROP_OR: &str = "crop the picture, or ";
-
 /// Leaves out remarks that others have in them. Of a page from which all was erased nothing else is told that is not
 /// there. Where an overview lacks much of the lines, shapes and areas are among these; and shapes that it leaves out
 /// are among the areas that are not closed in it.
@@ -30,19 +24,15 @@ pub(super) fn leave_out(notes: &mut Vec<Note>) {
     });
 }
 
-/// From where places are counted, as remarks say it.
-const FROM: [&str; 2] = [" from the left and the top of the sheet", " from the left and the top of the display"];
-
 /// Has only the first of these remarks, which are in their order, say from where its place is counted.
 pub(super) fn share_origin(notes: &mut [Note]) {
     let mut is_said = false;
     for note in notes {
         let (Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told)) = note else { continue };
-        let Some(from) = FROM.into_iter().find(|from| told.contains(from)) else { continue };
         if is_said {
-            *told = told.replace(from, "");
+            told.leave_origin_out();
         }
-        is_said = true;
+        is_said |= told.has_origin();
     }
 }
 
@@ -51,45 +41,34 @@ pub(super) fn share_remedy(notes: &mut [Note]) {
     let mut is_said = false;
     for note in notes {
         let (Note::NotOnPage(_, _, told) | Note::TakenAs(_, _, told)) = note else { continue };
-        let Some(shorter) = without_larger(told) else { continue };
-        if is_said {
-            *told = shorter;
+        if told.wants_larger() && is_said {
+            told.leave_larger_out();
         }
-        is_said = true;
+        is_said |= told.wants_larger();
     }
-}
-
-/// A sentence without its advice to make the figure larger, or to crop the picture so that it is; none of one that has
-/// no such advice.
-fn without_larger(told: &str) -> Option<String> {
-    let (what, rest) = told.split_once(LARGER)?;
-    let other = rest.strip_prefix(", or ").or_else(|| rest.strip_prefix(", "));
-    Some(match other.map(|other| other.strip_prefix(CROP_OR).unwrap_or(other)) {
-        None => format!("{what}{rest}"),
-        Some(CROP) => what.to_owned(),
-        Some(other) => format!("{what}; {other}"),
-    })
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Told;
     use super::*;
 
-    fn missing(told: &str) -> Note {
-        Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told.to_owned())
+    fn missing(told: impl Into<Told>) -> Note {
+        Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told.into())
     }
 
     #[test]
     fn what_makes_the_figure_larger_is_said_once() {
+        let no_room = |of: &str| Told::from(format!("{of}: no room"));
         let mut notes = [
-            "1 line: no room; make the figure larger, or say it in a label",
-            "2 ticks: no room; say it in a label",
-            "3 ticks: no room; make the figure larger, draw them longer, or say it in a label",
-            "4 lines: no room; make the figure larger, or say it in a label",
-            "5 shapes: no room; make the figure larger",
-            "6 textures: no room; make the figure larger, crop the picture, or say in labels what matters",
-            "7 textures: no room; make the figure larger, or crop the picture",
-            "8 outlines: no room; make the figure larger, or crop the picture around them",
+            no_room("1 line").or_larger().or("say it in a label"),
+            no_room("2 ticks").or("say it in a label"),
+            no_room("3 ticks").or_larger().or("draw them longer").or("say it in a label"),
+            no_room("4 lines").or_larger().or("say it in a label"),
+            no_room("5 shapes").or_larger(),
+            no_room("6 textures").or_larger().or_crop().or("say in labels what matters"),
+            no_room("7 textures").or_larger().or_crop(),
+            no_room("8 outlines").or_larger().or("crop the picture around them"),
         ]
         .map(missing);
         share_remedy(&mut notes);
@@ -103,12 +82,12 @@ mod tests {
             "7 textures: no room",
             "8 outlines: no room; crop the picture around them",
         ];
-        assert_eq!(notes, wanted.map(missing));
+        assert_eq!(notes.map(|note| note.to_string()), wanted.map(|told| format!("left out: {told}")));
     }
 
     #[test]
     fn from_where_places_are_counted_is_said_once() {
-        let at = |place: &str| missing(&format!("1 line (9 mm long, around {place})"));
+        let at = |place: &str| missing(format!("1 line (9 mm long, around {place})"));
         let mut notes = [
             missing("2 ticks (at 3, 4 mm)"),
             at("20, 30 mm from the left and the top of the sheet"),
@@ -136,8 +115,8 @@ mod tests {
 
     #[test]
     fn shapes_of_an_overview_are_among_its_lines_and_areas() {
-        let areas = || Note::TakenAs(About::Overview, Reason::AreaNotInOverview, String::new());
-        let links = || Note::NotOnPage(About::Overview, Reason::NoRoomInOverview, String::new());
+        let areas = || Note::TakenAs(About::Overview, Reason::AreaNotInOverview, String::new().into());
+        let links = || Note::NotOnPage(About::Overview, Reason::NoRoomInOverview, String::new().into());
         let lines = || Note::LinesNotInOverview { percent: 20, place: None };
         let left = |mut notes: Vec<Note>| {
             leave_out(&mut notes);

@@ -178,12 +178,12 @@ fn told_of_signs(page: &Page, names: &[String], all: &PageAreas, [drawn, bare, c
                 named(drawn)
             ),
         };
-        Note::TakenAs(About::Areas, Reason::AreaRecoloured, told)
+        Note::TakenAs(About::Areas, Reason::AreaRecoloured, told.into())
     };
     let told_bare = || {
         let why = "there is no room for them clear of lines; say in a label what the colour means";
         let told = format!("the textures of {}, in the signs of {}: {why}", named(bare), its(bare));
-        Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told)
+        Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told.into())
     };
     let told_drawn = (!drawn.is_empty()).then(told);
     let told_bare = (!bare.is_empty()).then(told_bare);
@@ -211,7 +211,7 @@ fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
         _ => format!("{least:.2} or {most:.2} mm wide, the least and the most of the profile"),
     };
     let told = format!("{} {noun} drawn {wide}", snapped.len());
-    (!snapped.is_empty()).then_some(Note::TakenAs(About::Widths, Reason::WidthOutOfRange, told))
+    (!snapped.is_empty()).then_some(Note::TakenAs(About::Widths, Reason::WidthOutOfRange, told.into()))
 }
 
 /// Makes strokes on a page of dots dots, in the figure and in its overview; tells how many, and which are lost.
@@ -273,7 +273,7 @@ fn dots_of_strokes(
     let told = Note::TakenAs(
         About::Lines,
         Reason::StrokesAsDots,
-        format!("{count} {noun}{of} on a page of dots made dots, {how}"),
+        format!("{count} {noun}{of} on a page of dots made dots, {how}").into(),
     );
     let nameless = || LineName { name: "a line without a name".to_owned(), by_hand: false };
     names.extend(stand_for.into_iter().map(|line| line.map_or_else(nameless, |line| of_strokes[line].clone())));
@@ -386,5 +386,5 @@ fn without_crowded_signs(page: Page, plan: &Plan) -> Result<(Page, Option<Note>)
     };
     let told =
         format!("{count} {signs} of textures that {are} too near to a line or dot that was drawn or moved{whole}");
-    Ok((Page::new(parts)?, Some(Note::NotOnPage(About::Signs, Reason::SignNearLine, told))))
+    Ok((Page::new(parts)?, Some(Note::NotOnPage(About::Signs, Reason::SignNearLine, told.into()))))
 }

@@ -231,11 +231,11 @@ pub(super) fn told_lost(page: &Page, areas: &PageAreas, names: &[String], lost: 
         let under = |number: &usize| format!("{} (under {})", name(number), list(&over(*number), "and"));
         let why = "where two areas lie on one another, the smaller one is on top, and of two as large the copy";
         let told = format!("the {} of {}: {why}", texture(&covered), first_few(&covered, MOST_NAMED, under));
-        Note::NotOnPage(About::Areas, Reason::AreaCovered, told)
+        Note::NotOnPage(About::Areas, Reason::AreaCovered, told.into())
     };
     let told_beside = || {
         let told = format!("the {} of {}, outside the figure", texture(&beside), first_few(&beside, MOST_NAMED, name));
-        Note::NotOnPage(About::Areas, Reason::AreaOutside, told)
+        Note::NotOnPage(About::Areas, Reason::AreaOutside, told.into())
     };
     let covered_told = (!covered.is_empty()).then(told_covered);
     covered_told.into_iter().chain((!beside.is_empty()).then(told_beside)).collect()

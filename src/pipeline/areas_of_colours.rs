@@ -133,7 +133,11 @@ fn without_remnants(classes: &mut Classes, boxes: &[[f32; 4]], layout: &Layout, 
         count => (format!("the textures of what is left of {count} areas (the first at {at})"), "each is"),
     };
     let why = format!("beside what is erased {it_is} smaller than {least} square mm (colours.min_area)");
-    Some(Note::NotOnPage(About::Areas, Reason::AreaCut, format!("{areas}, as {why}, in which fingers tell a texture")))
+    Some(Note::NotOnPage(
+        About::Areas,
+        Reason::AreaCut,
+        format!("{areas}, as {why}, in which fingers tell a texture").into(),
+    ))
 }
 
 /// The colours of a picture, sorted for each of these least areas, in shares of that of the profile.

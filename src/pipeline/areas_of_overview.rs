@@ -62,7 +62,7 @@ pub(super) fn told(
     };
     let at = format!("{at} around {} in the figure", layout.place_in_words(first));
     let what = format!("in the overview {they} open, or {runs}, as there is no room ({at})");
-    (missing.len() > told).then_some(Note::TakenAs(About::Overview, Reason::AreaNotInOverview, what))
+    (missing.len() > told).then_some(Note::TakenAs(About::Overview, Reason::AreaNotInOverview, what.into()))
 }
 
 /// The same cells over the figure and over the overview.

@@ -372,7 +372,7 @@ fn edges_of_drawn(
     let params = edges::Params { dark_lines: Some(WIDEST_STROKE * px_per_mm), ..request.plan.edges(px_per_mm) };
     let mut edges = edges_of(&picture, &content, &params, None, &mut |_| ());
     weaken_thin_strokes(&mut edges, WIDEST_STROKE * px_per_mm, request.plan);
-    let of_texts = (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told));
+    let of_texts = (texts > 0).then_some(Note::NotOnPage(About::Lines, Reason::PrintLetters, told.into()));
     let is_photograph = content.kind().is_some_and(|kind| !kind.is_drawing);
     let of_file = match edges.is_empty() {
         true => Some(told_no_lines("none of its strokes is black on white, or white on black, and long enough")),
@@ -398,6 +398,6 @@ fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(
         About::Marks,
         Reason::NarrowerForWords,
-        told,
+        told.into(),
     ))
 }

@@ -99,7 +99,7 @@ impl DrawnAreas {
         let areas = |count: usize| if count == 1 { "1 drawn area".to_owned() } else { format!("{count} drawn areas") };
         let with = if laid == 1 { " with" } else { ", each with" };
         let filled = format!("{} filled{with} the texture of its colour", areas(laid));
-        let told = (laid > 0).then_some(Note::TakenAs(About::Areas, Reason::AreaFilled, filled));
+        let told = (laid > 0).then_some(Note::TakenAs(About::Areas, Reason::AreaFilled, filled.into()));
         let mut reasons: Vec<(Why, MmPoint, usize)> = Vec::new();
         for (at, why) in lost {
             match reasons.iter_mut().find(|(known, ..)| *known == why) {
@@ -109,7 +109,7 @@ impl DrawnAreas {
         }
         let gone = reasons.into_iter().map(|((reason, why), at, count)| {
             let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(count), at.x, at.y);
-            Note::NotOnPage(About::Areas, reason, told)
+            Note::NotOnPage(About::Areas, reason, told.into())
         });
         told.into_iter().chain(gone).collect()
     }

@@ -135,7 +135,7 @@ impl Given {
             let (noun, them) = if count == 1 { ("area that was", "it is") } else { ("areas that were", "they are") };
             let why = "of what is given as lines no areas are taken; draw them on a page, and give that as areas";
             let told = format!("{count} {noun} drawn beside the lines given, as {them} filled: {why}");
-            Note::NotOnPage(About::Areas, Reason::AreasBesideLines, told)
+            Note::NotOnPage(About::Areas, Reason::AreasBesideLines, told.into())
         };
         (count > 0).then(told)
     }
@@ -162,7 +162,7 @@ impl Given {
             "the page given as lines or areas is of a picture of {other} pixels, and this one has {size}: look whether \
              both show the same"
         );
-        Some(Note::TakenAs(About::Lines, Reason::OtherPicture, told))
+        Some(Note::TakenAs(About::Lines, Reason::OtherPicture, told.into()))
     }
 
     /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on

@@ -201,7 +201,7 @@ impl HandLines {
         };
         let told =
             format!("{mm} mm of lines outside of the figure{names}; move them into it, or make another page of them");
-        (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, Reason::OutsideFigure, told))
+        (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, Reason::OutsideFigure, told.into()))
     }
 
     /// What is told of the overview that is made of the lines, here and of so many lines, where that of their page is
@@ -217,7 +217,7 @@ impl HandLines {
             counted(before)
         );
         let is_another = before != lines || (place.width() - width).abs() >= 1.0;
-        is_another.then_some(Note::TakenAs(About::Overview, Reason::OverviewOfLines, told))
+        is_another.then_some(Note::TakenAs(About::Overview, Reason::OverviewOfLines, told.into()))
     }
 
     /// The lines that are shorter than a length in the figure, as shares of its width: what each is called, as far as

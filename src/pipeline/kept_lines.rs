@@ -177,7 +177,7 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
         1 => format!("{named}, {}", why("the lines")),
         _ => format!("{count} lines, {named}: {}", why("them")),
     };
-    Some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
+    Some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told.into()))
 }
 
 #[cfg(test)]

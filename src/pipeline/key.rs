@@ -128,7 +128,7 @@ impl Key {
         }
         for note in notes {
             if let Note::NotOnPage(_, Reason::BarsTooSmall, told) = note {
-                *told = format!("{told}; the key names {} as blank", list(&names, "and"));
+                told.add(&format!("; the key names {} as blank", list(&names, "and")));
             }
         }
     }

@@ -19,7 +19,7 @@ use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Page};
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// A leader line ends so near to its text, mm: print stands up to 4 mm beside it. Of braille it is [`reach`].
 pub(super) const FROM_PRINT: f32 = 5.0;
@@ -240,11 +240,11 @@ fn told_to_nothing(names: &[&str]) -> Option<Note> {
         _ => ("the leader lines", "end"),
     };
     let told = format!(
-        "{lines} of {} {ends} in the blank, as what is there in the drawing has no room on the page; make the figure \
-         larger",
+        "{lines} of {} {ends} in the blank, as what is there in the drawing has no room on the page",
         named(names)
     );
-    Some(Note::TakenAs(About::Leaders, Reason::LeadsToNothing, told))
+    let helped = Told::from(told).or_larger();
+    Some(Note::TakenAs(About::Leaders, Reason::LeadsToNothing, helped))
 }
 
 /// The contours of an overview: it has no words, and a leader line to nothing would be felt as a part of the drawing.
@@ -271,7 +271,7 @@ pub(super) fn told_without(overview: Option<&Edges>, figure: &Edges) -> Option<N
     };
     let told =
         format!("{lines} of words in the figure only, as {they_lead} to no word in the overview, which has none");
-    Some(Note::TakenAs(About::Overview, Reason::LeadersNotInOverview, told))
+    Some(Note::TakenAs(About::Overview, Reason::LeadersNotInOverview, told.into()))
 }
 
 /// What the maker is told of those that are left out.
@@ -288,7 +288,7 @@ fn told_lost(texts: &[Text]) -> Option<Note> {
     Some(Note::NotOnPage(
         About::Leaders,
         Reason::NoRoomForLeader,
-        format!("{lines} of {}: {they_have} {why}", named(&names)),
+        format!("{lines} of {}: {they_have} {why}", named(&names)).into(),
     ))
 }
 

@@ -168,7 +168,7 @@ pub(super) fn moved_to_key(
     let names: Vec<&str> = entries.iter().map(|entry| entry.text.as_str()).collect();
     let why = "its patches have no room for textures, and blank they would say something else; the key has it";
     let told = format!("the legend in the figure ({}), as {why}", named(&names));
-    Some(Note::NotOnPage(About::Areas, Reason::LegendInKey, told))
+    Some(Note::NotOnPage(About::Areas, Reason::LegendInKey, told.into()))
 }
 
 /// Which of the contours are frames of a legend: closed, along the sides of a box that holds all `patches`, and in that
@@ -350,7 +350,11 @@ pub(super) fn told(entries: &[LegendEntry], figure: &Figure, key: Option<&ToldIn
     let note = |texts: &[&str], reason: Reason, why: &str| {
         (!texts.is_empty()).then(|| {
             let told = format!("what the colours of the legend mean ({}), as {why}", named(texts));
-            Note::NotOnPage(About::Areas, reason, format!("{told}; write each word with a label at its own area"))
+            Note::NotOnPage(
+                About::Areas,
+                reason,
+                format!("{told}; write each word with a label at its own area").into(),
+            )
         })
     };
     let Some(key) = key else {
@@ -405,7 +409,7 @@ pub(super) fn told_lines(edges: &Edges, raster: &Raster, layout: &Layout, plan: 
             names.len(),
             list(&names, "and")
         );
-        Note::TakenAs(About::Lines, Reason::ColoursOfLines, told)
+        Note::TakenAs(About::Lines, Reason::ColoursOfLines, told.into())
     })
 }
 

@@ -112,7 +112,7 @@ pub(super) fn to_curves(
     Some(Note::TakenAs(
         About::Lines,
         Reason::LegendAtLines,
-        format!("the legend of lines in the figure ({}): {told}", named(&names)),
+        format!("the legend of lines in the figure ({}): {told}", named(&names)).into(),
     ))
 }
 

@@ -34,7 +34,7 @@ pub(super) fn told(
         "{count} short {noun} between shapes of the figure in the overview: {they_have} no room there, or would be too \
          short; do without the overview"
     );
-    (count > 0).then_some(Note::NotOnPage(About::Overview, Reason::NoRoomInOverview, told))
+    (count > 0).then_some(Note::NotOnPage(About::Overview, Reason::NoRoomInOverview, told.into()))
 }
 
 /// How many lines lead from line to line in a figure, would be shorter than `min_length`, mm, in the overview and are

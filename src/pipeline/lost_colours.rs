@@ -12,7 +12,7 @@ use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::units::{MmPoint, MmRect, PageTransform};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// Share of the lines of a colour from which on it is told that they are missing.
 const TOLD: f32 = 0.2;
@@ -87,9 +87,11 @@ fn told_of(lost: &[LostLine], strokes: &[ColouredStroke]) -> Option<Note> {
     };
     let colours = Class::ALL.into_iter().filter(|class| *class != Class::Grey);
     let each: Vec<String> = colours.filter_map(of_colour).collect();
-    let why = "there is no room for them beside other lines; make the figure larger, or say in a label how these go on";
-    (!each.is_empty())
-        .then(|| Note::NotOnPage(About::Lines, Reason::NoRoomForLine, format!("{}: {why}", list(&each, "and"))))
+    (!each.is_empty()).then(|| {
+        let told = format!("{}: there is no room for them beside other lines", list(&each, "and"));
+        let helped = Told::from(told).or_larger().or("say in a label how these go on");
+        Note::NotOnPage(About::Lines, Reason::NoRoomForLine, helped)
+    })
 }
 
 /// The colour of the stroke that a lost line, with this box around it, is or is a piece of; none where it may be one of

@@ -19,7 +19,7 @@ use crate::listing::list;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// A mark ends on a line that is so near to its end, mm: most lines are moved by less (see
 /// `lines::Params::farthest_moved`).
@@ -384,10 +384,11 @@ fn told_of_gone_scales(scales: &[&LostScale], sheets: Option<&SheetWindows>) -> 
     let ticks: usize = scales.iter().map(|scale| scale.ticks).sum();
     let told = format!(
         "all {ticks} ticks of {count} scales, or other marks across a line (the first at {}): there is no room for \
-         fingers between them; make the figure larger",
+         fingers between them",
         place_in_words(first, sheets)
     );
-    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, told))
+    let helped = Told::from(told).or_larger();
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, helped))
 }
 
 /// What the maker is told of a scale of which some ticks are not drawn.
@@ -408,8 +409,9 @@ fn told_of_scale(scale: &LostScale, sheets: Option<&SheetWindows>) -> Note {
             ordinal(every)
         ),
     };
-    let or_say = if every > 1 { ", or say so in a label" } else { "" };
-    Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, format!("{told}; make the figure larger{or_say}"))
+    let told = Told::from(told).or_larger();
+    let helped = if every > 1 { told.or("say so in a label") } else { told };
+    Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, helped)
 }
 
 fn ordinal(number: usize) -> String {
@@ -432,7 +434,7 @@ pub(super) fn told_not_in_overview(in_overview: &LostMarks, in_figure: &LostMark
     let told = listed(&LostMarks { arcs, corners, ..LostMarks::default() })?;
     let (are, they_are) = if arcs + corners == 1 { ("is", "it is") } else { ("are", "they are") };
     let told = format!("{told} {are} in the figure only, as {they_are} too short for fingers in the overview");
-    Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told))
+    Some(Note::TakenAs(About::Overview, Reason::MarksNotInOverview, told.into()))
 }
 
 /// Marks by their kinds, such as "2 short ticks, 1 arc of an angle and 1 piece of a small ring"; none where there are
@@ -461,11 +463,9 @@ fn listed(marks: &LostMarks) -> Option<String> {
 fn told_of_marks(marks: &LostMarks, sheets: Option<&SheetWindows>, plan: &Plan) -> Option<Note> {
     let (first, all) = (marks.first?, listed(marks)?);
     let (at, least) = (format!("the first at {}", place_in_words(first, sheets)), plan.lines().min_length);
-    let why = format!(
-        "marks shorter than {least:.0} mm are too short for fingers; make the figure larger, draw them longer, or say \
-         in a label what they mean"
-    );
-    Some(Note::NotOnPage(About::Lines, Reason::MarksTooShort, format!("{all} ({at}): {why}")))
+    let told = format!("{all} ({at}): marks shorter than {least:.0} mm are too short for fingers");
+    let helped = Told::from(told).or_larger().or("draw them longer").or("say in a label what they mean");
+    Some(Note::NotOnPage(About::Lines, Reason::MarksTooShort, helped))
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use crate::lines::{Line, Lines, LostSign, Run, SignKind, is_triangle};
 use crate::page::Figure;
 use crate::page::sheet_windows::{SheetWindows, place_in_words};
 use crate::units::{MmPoint, MmRect, PageTransform};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are
 /// followed, and where they are cut is felt.
@@ -244,15 +244,10 @@ pub(super) fn told(
             1 => ("1 arrowhead at the end of a line".to_owned(), "it", "the line leads"),
             _ => (format!("{count} arrowheads at ends of lines"), "them", "the lines lead"),
         };
-        let why = format!(
-            "there is no room for {them} beside other lines; make the figure larger, or say in the title or a label \
-             which way {line_leads}"
-        );
-        Note::NotOnPage(
-            About::Lines,
-            Reason::NoRoomForArrowhead,
-            format!("{heads} ({}): {why}", places(&heads_lost, sheets)),
-        )
+        let why = format!("there is no room for {them} beside other lines");
+        let told = Told::from(format!("{heads} ({}): {why}", places(&heads_lost, sheets)));
+        let helped = told.or_larger().or(format!("say in the title or a label which way {line_leads}"));
+        Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, helped)
     });
     let points = told_of_points(&of(SignKind::Point), &figure.lines, sheets);
     let series = told_of_shapes(&series, (&all, &tips), are_labels, sheets);
@@ -288,10 +283,10 @@ fn points_of_lines(rings: Vec<LostSign>, lines: &[Line]) -> (Vec<LostSign>, Vec<
 fn told_of_line_points(lost: &[LostSign], sheets: Option<&SheetWindows>) -> Option<Note> {
     let first = place_in_words(lost.first()?.at, sheets);
     let count = lost.len();
-    let why = "there is no room for all points of a line beside other lines, and it is drawn without them; make the \
-               figure larger, or say in a label that it has points";
-    let told = format!("{count} points of lines (the first at {first}): {why}");
-    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, told))
+    let why = "there is no room for all points of a line beside other lines, and it is drawn without them";
+    let told = Told::from(format!("{count} points of lines (the first at {first}): {why}"));
+    let helped = told.or_larger().or("say in a label that it has points");
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, helped))
 }
 
 /// What is told of points of a cloud that have no room.
@@ -304,11 +299,10 @@ fn told_of_points(lost: &[LostSign], lines: &[Line], sheets: Option<&SheetWindow
         (1, _) => (format!("1{all} points"), "it is"),
         (count, _) => (format!("{count}{all} points"), "they are"),
     };
-    let why = format!(
-        "{they_are} too near to other points or lines for fingers to tell apart; make the figure larger, or say in a \
-         label how many lie there"
-    );
-    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{points} ({}): {why}", places(lost, sheets))))
+    let why = format!("{they_are} too near to other points or lines for fingers to tell apart");
+    let told = Told::from(format!("{points} ({}): {why}", places(lost, sheets)));
+    let helped = told.or_larger().or("say in a label how many lie there");
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, helped))
 }
 
 /// What is drawn for a point is no larger than this, mm.
@@ -374,12 +368,17 @@ fn told_of_shapes(
     let labelled = if are_labels && !names.is_empty() { ", so a label may name what is not felt" } else { "" };
     // round ones become points, however small they are
     let (part, or_else) = match kind {
-        SignKind::Series => ("", ", or draw them as round points if they mark places"),
-        _ => (", in part or as a whole", ""),
+        SignKind::Series => ("", Some("draw them as round points if they mark places")),
+        _ => (", in part or as a whole", None),
     };
     let what = format!("{shapes} ({names}{at} {}){part}", place_in_words(first, sheets));
-    let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger{or_else}");
-    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, format!("{what}: {why}")))
+    let why = format!("there is no room for {them} beside other lines{labelled}");
+    let told = Told::from(format!("{what}: {why}")).or_larger();
+    let helped = match or_else {
+        Some(other) => told.or(other),
+        None => told,
+    };
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForShape, helped))
 }
 
 /// Keeps the first of names that are equal.

@@ -285,7 +285,7 @@ pub(super) fn told_of_overview(overview: &DrawnOverview, of_figure: &LostMarks) 
 fn told_open(count: usize, why: &str) -> Option<Note> {
     let shapes = if count == 1 { "1 closed shape is" } else { &format!("{count} closed shapes are") };
     let told = format!("{shapes} open or missing in the overview, as {why}");
-    (count > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told))
+    (count > 0).then_some(Note::TakenAs(About::Overview, Reason::NoRoomInOverview, told.into()))
 }
 
 /// What the maker is told of a photograph's figure that has lines and no overview: of those of a drawing is told what
@@ -311,7 +311,7 @@ pub(super) fn told_without_overview(
 fn told_gridlines(lines: usize) -> Option<Note> {
     // how many says little: bars part them
     let told = "thin, pale lines, such as gridlines, are not in the overview, as they would hide its shapes";
-    (lines > 0).then(|| Note::TakenAs(About::Overview, Reason::GridNotInOverview, told.to_owned()))
+    (lines > 0).then(|| Note::TakenAs(About::Overview, Reason::GridNotInOverview, told.to_owned().into()))
 }
 
 /// What the maker of a photograph's page of few shapes is told of lines of the figure that the overview lacks: there it
@@ -329,7 +329,7 @@ pub(super) fn told_of_few(figure: &[Line], overview: &DrawnOverview, layout: &La
         Note::NotOnPage(
             About::Overview,
             Reason::NoRoomInOverview,
-            format!("{count} {noun} of the figure in the overview: {why}"),
+            format!("{count} {noun} of the figure in the overview: {why}").into(),
         )
     })
 }
@@ -370,7 +370,7 @@ pub(super) fn told_by_hand<'l>(
     Some(Note::NotOnPage(
         About::Overview,
         Reason::ByHandNotInOverview,
-        format!("{shapes}, in the overview: {named}: {why}"),
+        format!("{shapes}, in the overview: {named}: {why}").into(),
     ))
 }
 

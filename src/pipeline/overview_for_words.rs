@@ -46,7 +46,7 @@ pub(super) fn told(with: LabelCounts, without: LabelCounts) -> Option<Note> {
             "{saved} words have room only without the overview, so there is none; larger paper or several sheets may \
              have room for both"
         );
-        Note::TakenAs(About::Overview, Reason::OverviewForWords, told)
+        Note::TakenAs(About::Overview, Reason::OverviewForWords, told.into())
     })
 }
 

@@ -41,7 +41,7 @@ pub(super) fn taken_out(edges: &mut Edges, given: &Given, is_on_paper: bool) -> 
         "the edges of the paper along the sides of the scan ({count} lines), as they are no part of the drawing; crop \
          the picture to its paper and the figure is larger, or keep the ground to draw them"
     );
-    Some(Note::NotOnPage(About::Lines, Reason::PaperEdge, told))
+    Some(Note::NotOnPage(About::Lines, Reason::PaperEdge, told.into()))
 }
 
 /// Which contours are edges of the paper: of each, whether it is a level one; none of other contours.

@@ -46,7 +46,11 @@ pub(super) fn left_out<'p>(pages: impl Iterator<Item = &'p Page>, plan: &Plan) -
                     would be read in a mirror";
         (Reason::Mirrored, told.to_owned())
     });
-    no_room.into_iter().chain(mirrored).map(|(reason, told)| Note::NotOnPage(About::Print, reason, told)).collect()
+    no_room
+        .into_iter()
+        .chain(mirrored)
+        .map(|(reason, told)| Note::NotOnPage(About::Print, reason, told.into()))
+        .collect()
 }
 
 /// What is told of these words, in quotation marks.
@@ -103,9 +107,10 @@ pub(super) fn follow(parts: &mut Parts, new: usize, plan: &Plan) -> Vec<Note> {
     parts.print.extend(added);
     let moved = (!moved.is_empty()).then(|| {
         let told = format!("the words in print {} follow their braille, which was moved", moved.join(", "));
-        Note::TakenAs(About::Print, Reason::PrintFollows, told)
+        Note::TakenAs(About::Print, Reason::PrintFollows, told.into())
     });
-    let lost = (!lost.is_empty()).then(|| Note::NotOnPage(About::Print, Reason::NoRoomForPrint, no_room_for(&lost)));
+    let lost =
+        (!lost.is_empty()).then(|| Note::NotOnPage(About::Print, Reason::NoRoomForPrint, no_room_for(&lost).into()));
     moved.into_iter().chain(lost).collect()
 }
 

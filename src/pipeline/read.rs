@@ -257,7 +257,7 @@ fn told_read(words: &[String], odd: &[String]) -> Option<Note> {
         count => format!("; {count} texts could not be read"),
     };
     let told = format!("read from the pixels, and to be looked through: {}{left_out}{unread}", read.join(", "));
-    (!read.is_empty()).then_some(Note::TakenAs(About::Texts, Reason::ReadFromPixels, told))
+    (!read.is_empty()).then_some(Note::TakenAs(About::Texts, Reason::ReadFromPixels, told.into()))
 }
 
 /// The picture once more, finer than the working picture; none if there is no finer one, or it is over a limit.

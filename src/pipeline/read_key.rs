@@ -78,7 +78,7 @@ pub fn key_of_page(
             false => Note::TakenAs(
                 About::Braille,
                 Reason::KeyOutdated,
-                format!("{told}; the one that follows takes its place"),
+                format!("{told}; the one that follows takes its place").into(),
             ),
         }
     }));
@@ -186,7 +186,7 @@ pub(super) fn redrawn(
     }
     let others = (!others.is_empty()).then(|| {
         let what = format!("of the key {}, as it is neither a colour nor an abbreviation", named(&others));
-        Note::NotOnPage(About::Braille, Reason::NotOfKey, what)
+        Note::NotOnPage(About::Braille, Reason::NotOfKey, what.into())
     });
     let notes = written.notes().iter().cloned().chain(notes).chain(others).collect();
     Ok(Some(Key { sheets, told, notes }))

@@ -195,7 +195,7 @@ fn sheet_of_set(said: PageSays, page: &Page, layout: &Layout, plan: &Plan) -> (P
                 "this is sheet {name} of a picture on several sheets{has_name}; in another size it has no ticks, and \
                  does not lie beside the others: for a set of such sheets, convert the picture for this paper or device"
             );
-            (label, Some(Note::TakenAs(About::Marks, Reason::SheetOfSet, told)))
+            (label, Some(Note::TakenAs(About::Marks, Reason::SheetOfSet, told.into())))
         }
         Some(InSet::Overview | InSet::OverviewOf(_) | InSet::Followed) | None => (None, None),
     };
@@ -338,7 +338,7 @@ pub fn dots_left_out(page: &Page, own: &Plan) -> Option<Note> {
     let count = page.labels.iter().flat_map(|dots| &dots.at).filter(|at| !is_of_name(at)).count();
     let dots = if count == 1 { "1 dot" } else { &format!("{count} dots") };
     let why = "drawn by hand: they stay only where the page is written as it is, for its own paper or device";
-    (count > 0).then(|| Note::NotOnPage(About::Dots, Reason::DotsByHand, format!("{dots} {why}")))
+    (count > 0).then(|| Note::NotOnPage(About::Dots, Reason::DotsByHand, format!("{dots} {why}").into()))
 }
 
 /// Two dots no farther apart are one, mm: coordinates are rounded.

@@ -18,7 +18,7 @@ use crate::page::{Glyph, Medium, Texture};
 use crate::profile::Plan;
 use crate::textures::{leave_out_cells, leave_out_crumbs};
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// The colour of a bar is looked for so far inside of its outline, mm: there no stroke lies.
 const INSIDE: f32 = 0.8;
@@ -226,17 +226,14 @@ fn told(blanked: &[Lacking], partly: &[Lacking]) -> Note {
     };
     let some = |of: &Lacking| format!("{} of {} {} bars", of.bare, of.bars, of.class.name());
     let each: Vec<String> = blanked.iter().map(all).chain(partly.iter().map(some)).collect();
-    let advice = if blanked.len() > 1 {
-        "fingers cannot tell these series apart; make the figure larger, or write labels at the bars"
-    } else {
-        "make the figure larger, or say in labels which these are"
+    let (so, label) = match blanked.len() {
+        0 | 1 => ("", "say in labels which these are"),
+        _ => ("; fingers cannot tell these series apart", "write labels at the bars"),
     };
     let (each, why) = (list(&each, "and"), "too small or too narrow for signs clear of lines");
-    Note::NotOnPage(
-        About::Areas,
-        Reason::BarsTooSmall,
-        format!("the textures of bars of the chart, {each}, as they are {why}; {advice}"),
-    )
+    let told = format!("the textures of bars of the chart, {each}, as they are {why}{so}");
+    let helped = Told::from(told).or_larger().or(label);
+    Note::NotOnPage(About::Areas, Reason::BarsTooSmall, helped)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{MmVector, Size};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
 pub(super) const BROAD: f32 = 1.5;
@@ -62,11 +62,9 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
         count => (format!("the textures of {count} areas ({}; the first {at})", colours.join(", ")), "they are"),
     };
     let why = format!("{they_are} smaller than {least} square mm (colours.min_area), in which fingers tell a texture");
-    let told = format!(
-        "{areas}, as {why}; make the figure larger, or say in labels what matters of the colours, as a key names only \
-         those that have a texture on the page"
-    );
-    Some((Note::NotOnPage(About::Areas, Reason::AreaTooSmall, told), lost.len()))
+    let say = "say in labels what matters of the colours, as a key names only those that have a texture on the page";
+    let helped = Told::from(format!("{areas}, as {why}")).or_larger().or(say);
+    Some((Note::NotOnPage(About::Areas, Reason::AreaTooSmall, helped), lost.len()))
 }
 
 /// The regions of `fine` that are smaller than `least`, square mm, no strokes, and not in `classes`; each with the cell

@@ -20,7 +20,7 @@ use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
 use crate::units::{Length, MmRect, PageTransform, PxPoint, Size};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// Most places that are looked at, each in all regions: the program takes fewer (`--subject`).
 const MOST: usize = 100;
@@ -56,7 +56,7 @@ pub(super) fn prepare(
     let beyond = given.subjects.len().saturating_sub(MOST);
     if beyond > 0 {
         let told = format!("{beyond} of the subjects, as {MOST} are the most");
-        notes.push(Note::NotOnPage(About::Lines, Reason::TooManySubjects, told));
+        notes.push(Note::NotOnPage(About::Lines, Reason::TooManySubjects, told.into()));
     }
     for [x, y] in given.subjects.iter().take(MOST) {
         let share = [x.share(source.width), y.share(source.height)];
@@ -171,17 +171,20 @@ fn lacking(decisions: &Decisions, picture: Size, drawn: &[f32], part: PagePart, 
     let is_erased =
         |point: &&PxPoint| is_in([point.x / picture.width as f32, point.y / picture.height as f32], &decisions.erased);
     let mostly_erased = |found: &&FoundSubject| 2 * found.border.iter().filter(is_erased).count() > found.border.len();
-    let (reason, why) = if lacking.iter().all(mostly_erased) {
-        (Reason::SubjectErased, format!("as most of {them} lies in what is erased; erase less"))
+    let told = |why: &str| Told::from(format!("{subjects} in the {name}, as a whole or for the most part, {why}"));
+    let (reason, helped) = if lacking.iter().all(mostly_erased) {
+        let why = format!("as most of {them} lies in what is erased");
+        (Reason::SubjectErased, told(&why).or("erase less"))
     } else {
-        let larger = match (part, &layout.medium) {
-            (PagePart::Figure, Medium::Print(_)) => "make the figure larger, or ",
-            (PagePart::Figure | PagePart::Overview, _) => "",
-        };
         let narrow = "parts of it are too near to one another or to other lines, or it is narrower than a line";
-        (Reason::NoRoomForSubject, format!("for want of room: {narrow}; {larger}crop the picture around {them}"))
+        let told = told(&format!("for want of room: {narrow}"));
+        let told = match (part, &layout.medium) {
+            (PagePart::Figure, Medium::Print(_)) => told.or_larger(),
+            (PagePart::Figure | PagePart::Overview, _) => told,
+        };
+        (Reason::NoRoomForSubject, told.or(format!("crop the picture around {them}")))
     };
-    Some(Note::NotOnPage(about, reason, format!("{subjects} in the {name}, as a whole or for the most part, {why}")))
+    Some(Note::NotOnPage(about, reason, helped))
 }
 
 /// The cells of the subject at a place, in shares of the picture, and which region it is, if it is one, whose outline

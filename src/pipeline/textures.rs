@@ -19,7 +19,7 @@ use crate::page::{Medium, Texture};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
 use crate::units::{MmPoint, MmRect, MmVector, PxPoint, Size};
-use crate::{About, Note, Reason, textures};
+use crate::{About, Note, Reason, Told, textures};
 
 /// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on
 /// which things stand has a half or more, the bars of a chart that stand on its edge less than a quarter.
@@ -190,7 +190,7 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
         "the texture of the ground ({colour}, {percent} percent of the figure), so that lines stand out; turn \
          figure.ground on to draw it"
     );
-    Some(Note::NotOnPage(About::Areas, Reason::GroundBlank, told))
+    Some(Note::NotOnPage(About::Areas, Reason::GroundBlank, told.into()))
 }
 
 /// What lines divide the regions of a figure into.
@@ -282,11 +282,10 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], lines: &[Line], layo
     let bare = bare_areas(classes, textures, lines, layout.figure);
     let areas = counted_bare(&bare, classes, layout)?;
     let (texture, they_are) = if bare.len() == 1 { ("texture", "it is") } else { ("textures", "they are") };
-    let told = format!(
-        "the {texture} of {areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; \
-         make the figure larger, crop the picture, or say in labels what matters of the colours"
-    );
-    Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
+    let why = format!("{they_are} too small or too narrow for the signs of a texture clear of lines");
+    let told = Told::from(format!("the {texture} of {areas}, as {why}"));
+    let helped = told.or_larger().or_crop().or("say in labels what matters of the colours");
+    Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, helped))
 }
 
 /// What the maker is told of areas that have a colour and no room for its texture: of a drawing how many and where, as
@@ -334,9 +333,10 @@ fn told_bare_on_dots(
     };
     let told = format!(
         "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
-         (dots.texture_rows){or_unlearned}; make the figure larger, or crop the picture"
+         (dots.texture_rows){or_unlearned}"
     );
-    Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, told))
+    let helped = Told::from(told).or_larger().or_crop();
+    Some(Note::NotOnPage(About::Areas, Reason::NoRoomForTexture, helped))
 }
 
 /// What the maker is told of colours whose textures went as they are unlearned.
@@ -344,7 +344,7 @@ fn told_unlearned(colours: &BTreeSet<Class>, plan: &Plan) -> Option<Note> {
     let why = why_unlearned(colours, plan);
     let told =
         format!("the textures of these colours, as {why}; there is room on larger paper, or for a part of the picture");
-    (!colours.is_empty()).then_some(Note::NotOnPage(About::Areas, Reason::ColourTooSmall, told))
+    (!colours.is_empty()).then_some(Note::NotOnPage(About::Areas, Reason::ColourTooSmall, told.into()))
 }
 
 /// Why colours have no texture that are unlearned, with their names.

@@ -122,7 +122,7 @@ fn told_of_first(first: Lacking) -> Note {
          for few shapes (lines.shapes = 5), which are the same in both",
         first.place()
     );
-    Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, what)
+    Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, what.into())
 }
 
 /// What is told of others, the first of the figure first. As its subject a place in one may name something else, which
@@ -139,7 +139,7 @@ fn told_of_others(others: &[Lacking], layout: &Layout) -> Option<Note> {
          first there; if the picture is about {about}, name a place on it as the subject, or ask for few shapes \
          (lines.shapes = 5), which are the same in both"
     );
-    Some(Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, what))
+    Some(Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, what.into()))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! How bars of a chart are drawn that have no room as they are, and what the maker is told of it.
 
 use crate::lines::PagePart;
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// How bars that are torn are drawn instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,9 +46,13 @@ impl BarStyle {
     }
 
     fn told(self, part: PagePart) -> Vec<Note> {
-        let (about, place, what_to_do) = match part {
-            PagePart::Figure => (About::Lines, "", "; make the figure larger"),
-            PagePart::Overview => (About::Overview, "in the overview ", ""),
+        let (about, place) = match part {
+            PagePart::Figure => (About::Lines, ""),
+            PagePart::Overview => (About::Overview, "in the overview "),
+        };
+        let helped = |told: String| match part {
+            PagePart::Figure => Told::from(told).or_larger(),
+            PagePart::Overview => told.into(),
         };
         let bars = match self.bars {
             Bars::Apart => None,
@@ -57,28 +61,28 @@ impl BarStyle {
         };
         let joined = bars.map(|how| {
             let why = "as there is no room for more; their heights are right";
-            Note::TakenAs(about, Reason::BarsJoined, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
+            let told = format!("{place}the bars of the chart {how}, {why}");
+            Note::TakenAs(about, Reason::BarsJoined, helped(told))
         });
         let low = (self.low > 0).then(|| {
             let bars = if self.low == 1 { "1 bar" } else { &format!("{} bars", self.low) };
             let what =
                 format!("{place}{bars} of the chart, too low for an outline that fingers can tell from the base");
-            Note::NotOnPage(about, Reason::BarTooLow, what)
+            Note::NotOnPage(about, Reason::BarTooLow, what.into())
         });
         let at_axis = self.is_at_axis.then(|| {
             let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
-            Note::TakenAs(about, Reason::BarAtAxis, told)
+            Note::TakenAs(about, Reason::BarAtAxis, told.into())
         });
         let grid = (!self.has_gridlines).then(|| {
             let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
-            Note::NotOnPage(about, Reason::ChartGrid, told)
+            Note::NotOnPage(about, Reason::ChartGrid, told.into())
         });
         let torn = (self.torn > 0).then(|| {
-            let what = format!(
-                "{place}{} percent of the outlines of bars of the chart, as there is no room for them{what_to_do}",
-                self.torn
-            );
-            Note::NotOnPage(about, Reason::BarTorn, what)
+            let torn = self.torn;
+            let told =
+                format!("{place}{torn} percent of the outlines of bars of the chart, as there is no room for them");
+            Note::NotOnPage(about, Reason::BarTorn, helped(told))
         });
         joined.into_iter().chain(at_axis).chain(grid).chain(low).chain(torn).collect()
     }

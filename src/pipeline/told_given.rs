@@ -9,7 +9,7 @@ use crate::{About, Note, Reason};
 
 /// What the maker is told of a file of lines in which there are none: why, or what to do.
 pub fn told_no_lines(why: &str) -> Note {
-    Note::TakenAs(About::Lines, Reason::NoLinesGiven, format!("it has no lines: {why}"))
+    Note::TakenAs(About::Lines, Reason::NoLinesGiven, format!("it has no lines: {why}").into())
 }
 
 /// Whether it is said that a file of lines has none.
@@ -24,7 +24,7 @@ pub(super) fn says_no_lines(note: &Note) -> bool {
 /// What the maker is told of a photograph that is given as a picture of lines.
 pub(super) fn told_no_drawing() -> Note {
     let told = "it looks like no picture of lines, black on white: what is drawn are the edges of what it shows";
-    Note::TakenAs(About::Lines, Reason::NoDrawing, told.to_owned())
+    Note::TakenAs(About::Lines, Reason::NoDrawing, told.to_owned().into())
 }
 
 /// What the maker is told of the words of a page of which only lines are taken, where none are given.
@@ -37,7 +37,7 @@ pub(super) fn told_words(given: &Given, words: &Words<'_>) -> Option<Note> {
         Note::NotOnPage(
             About::Braille,
             Reason::WordsOfPage,
-            format!("{texts} braille {noun} of the page that the lines are of; {what_to_do}"),
+            format!("{texts} braille {noun} of the page that the lines are of; {what_to_do}").into(),
         )
     })
 }
@@ -57,5 +57,5 @@ pub(super) fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<
     let at = figure.min + figure.size().to_vector().component_mul(MmVector::new(x, y));
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
     let told = format!("{lines} of those given ({the_first}{name}at {}), as {why}", layout.place_in_words(at));
-    Some(Note::NotOnPage(About::Lines, Reason::TooShort, told))
+    Some(Note::NotOnPage(About::Lines, Reason::TooShort, told.into()))
 }

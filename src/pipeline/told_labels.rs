@@ -9,7 +9,7 @@ use crate::lines::Line;
 use crate::listing::{counted, first_few, list};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// Why labels are left out, or there is no key: for programs and for the maker.
 pub(super) type Why = (Reason, &'static str);
@@ -87,7 +87,7 @@ pub(super) fn of_nothing(
             "labels that name something which is not on the page, as no line or texture is within {NEAR} mm: {}",
             named(&alone)
         );
-        Note::TakenAs(About::Braille, Reason::NamesNothing, told)
+        Note::TakenAs(About::Braille, Reason::NamesNothing, told.into())
     })
 }
 
@@ -120,7 +120,7 @@ pub(super) fn of_headings(wanted: &[Wanted], results: &[Result<Placed, Unplaced>
              page: it has more room there, or begins the key",
             named(&texts)
         );
-        Note::NotOnPage(About::Braille, Reason::HeadingNotInFull, told)
+        Note::NotOnPage(About::Braille, Reason::HeadingNotInFull, told.into())
     })
 }
 
@@ -179,12 +179,10 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
         .map(|(label, other)| format!("\"{}\" near \"{other}\"", label.text))
         .collect();
     (!moved.is_empty()).then(|| {
-        let told = format!(
-            "for want of room labels stand nearer to what another one names than to their own: {}; make the \
-             figure larger, or leave some out",
-            first_few(&moved, MOST_MOVED, String::clone)
-        );
-        Note::TakenAs(About::Braille, Reason::NearerToOther, told)
+        let moved = first_few(&moved, MOST_MOVED, String::clone);
+        let told = format!("for want of room labels stand nearer to what another one names than to their own: {moved}");
+        let helped = Told::from(told).or_larger().or("leave some out");
+        Note::TakenAs(About::Braille, Reason::NearerToOther, helped)
     })
 }
 
@@ -200,11 +198,9 @@ pub(super) fn without_texture(areas: &[Vec<&str>]) -> Option<Note> {
         1 => ("the texture of 1 area".to_owned(), "the label stands in its place"),
         count => (format!("the textures of {count} areas"), "labels stand in their places"),
     };
-    let told = format!(
-        "{of_areas} ({}), as {they_stand}; make the figure larger, or say in the labels what the colours mean",
-        under(areas)
-    );
-    Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
+    let told = format!("{of_areas} ({}), as {they_stand}", under(areas));
+    let helped = Told::from(told).or_larger().or(SAY_COLOURS);
+    Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, helped))
 }
 
 /// The same of textures of which less than two thirds are left beside labels.
@@ -215,12 +211,15 @@ pub(super) fn with_less_texture(areas: &[Vec<&str>]) -> Option<Note> {
         count => (format!("each of the textures of {count} areas"), "labels stand"),
     };
     let told = format!(
-        "more than a third of {of_areas} ({}), where {they_stand} and in what is too narrow beside; make the \
-         figure larger, or say in the labels what the colours mean",
+        "more than a third of {of_areas} ({}), where {they_stand} and in what is too narrow beside",
         under(areas)
     );
-    Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, told))
+    let helped = Told::from(told).or_larger().or(SAY_COLOURS);
+    Some(Note::NotOnPage(About::Areas, Reason::UnderLabel, helped))
 }
+
+/// What helps beside a larger figure where labels stand in textures.
+const SAY_COLOURS: &str = "say in the labels what the colours mean";
 
 /// Says of areas under which labels they are; these may be names of something else, as of a town or a river.
 fn under(areas: &[Vec<&str>]) -> String {
@@ -246,10 +245,11 @@ pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) ->
     let why = "other lines, as there is no room for the label";
     let told = match texts.len() {
         0 => return None,
-        1 => format!("the leader line of {} crosses {why} elsewhere; make the figure larger", named(&texts)),
-        count => format!("{count} leader lines cross {why}s elsewhere: {}; make the figure larger", named(&texts)),
+        1 => format!("the leader line of {} crosses {why} elsewhere", named(&texts)),
+        count => format!("{count} leader lines cross {why}s elsewhere: {}", named(&texts)),
     };
-    Some(Note::TakenAs(About::Leaders, Reason::CrossesLines, told))
+    let helped = Told::from(told).or_larger();
+    Some(Note::TakenAs(About::Leaders, Reason::CrossesLines, helped))
 }
 
 /// Tells of labels along an axis that stand beyond the lines, and of numbers whose unit stands with another one.
@@ -259,7 +259,7 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
         of.map(|(label, _)| label.text.as_str()).collect()
     };
     let tell = |texts: &[&str], reason: Reason, what: &str| {
-        (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, reason, format!("{what}: {}", named(texts))))
+        (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, reason, format!("{what}: {}", named(texts)).into()))
     };
     let beyond = those(|label| label.stands == PlacedAs::InMargin);
     let in_margin = format!(

@@ -16,7 +16,7 @@ use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
 use crate::regions::OutlineAreas;
 use crate::units::{MmPoint, PageTransform};
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
 const DENSE: f32 = 0.2;
@@ -202,9 +202,10 @@ fn told_gone(lost: &Lost, drawn: &[Line], texts: &[Text], sheets: Places<'_>) ->
         1 => format!("; the text {} beside it names nothing on the page", named(&beside)),
         _ => format!("; the texts {} beside them name nothing on the page", named(&beside)),
     };
-    let why = format!("there is no room for {them} beside other lines; make the figure larger, or say it in a label");
+    let why = format!("there is no room for {them} beside other lines");
     let told = format!("{lines} ({which}{mm:.0} mm long, {}){named}: {why}", around(at, sheets));
-    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForLine, told))
+    let helped = Told::from(told).or_larger().or("say it in a label");
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForLine, helped))
 }
 
 /// What the maker is told of closed outlines of a drawing that are open on the page; small ones are told as lost.
@@ -216,11 +217,11 @@ fn told_gaps(lost: &Lost, sheets: Places<'_>) -> Option<Note> {
         count => (format!("pieces of {count} closed outlines"), "the longest ", "they are open"),
     };
     let told = format!(
-        "{pieces} ({which}{mm:.0} mm long, {}), so that {is_open} on the page: there is no room beside other lines; \
-         make the figure larger, or say it in a label",
+        "{pieces} ({which}{mm:.0} mm long, {}), so that {is_open} on the page: there is no room beside other lines",
         around(at, sheets)
     );
-    Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
+    let helped = Told::from(told).or_larger().or("say it in a label");
+    Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, helped))
 }
 
 /// What the maker is told of open lines of a drawing of which pieces are on the page.
@@ -235,18 +236,19 @@ fn told_torn(lost: &Lost, texts: &[Text], sheets: Places<'_>) -> Option<Note> {
         }
     };
     let told = format!(
-        "{pieces} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines; make the figure \
-         larger, or say in a label how {goes_on}",
+        "{pieces} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines",
         around(at, sheets)
     );
-    Some(Note::NotOnPage(About::Lines, Reason::LineInPieces, told))
+    let helped = Told::from(told).or_larger().or(format!("say in a label how {goes_on}"));
+    Some(Note::NotOnPage(About::Lines, Reason::LineInPieces, helped))
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.
 fn told_gridlines(lost: &Lost) -> Option<Note> {
-    let why = "pieces of it would be felt as lines; make the figure larger, or say the scale in a label";
     (lost.gridlines > 0).then(|| {
-        Note::NotOnPage(About::Lines, Reason::SquaredGrid, format!("the squared grid, {} lines: {why}", lost.gridlines))
+        let told = format!("the squared grid, {} lines: pieces of it would be felt as lines", lost.gridlines);
+        let helped = Told::from(told).or_larger().or("say the scale in a label");
+        Note::NotOnPage(About::Lines, Reason::SquaredGrid, helped)
     })
 }
 
@@ -259,7 +261,7 @@ pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
     };
     let told = "drawn without gaps where dashes and gaps are too short for fingers; where the difference matters, say \
                 so in the title or a label";
-    Some(Note::TakenAs(About::Lines, Reason::Dashed, format!("{lines} {told}")))
+    Some(Note::TakenAs(About::Lines, Reason::Dashed, format!("{lines} {told}").into()))
 }
 
 /// What the maker is told of strokes that lie on other ones of another colour, as windows of a plan in its walls.
@@ -274,7 +276,7 @@ pub(super) fn told_overlaid(edges: &Edges, layout: &Layout) -> Option<Note> {
          wall, say in a label what is there, or draw {them} beside the line or with an outline",
         layout.place_in_words(at)
     );
-    Some(Note::TakenAs(About::Lines, Reason::OnOtherLine, told))
+    Some(Note::TakenAs(About::Lines, Reason::OnOtherLine, told.into()))
 }
 
 /// What the maker is told of lines that run beside those that a person drew and added, for half of their length or
@@ -297,7 +299,7 @@ pub(super) fn told_beside_added(
          replace: take the lines of the corrected page in place of those that are found, or erase that part",
         around(at, Places::of(layout))
     );
-    Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told))
+    Some(Note::TakenAs(About::Lines, Reason::BesideAdded, told.into()))
 }
 
 /// How many there are, and the length, mm, and the place of the longest, the first of several.
@@ -338,7 +340,7 @@ pub(super) fn told_opened(
          along lines that are added; draw yours up to it or across, or end it farther off",
         layout.place_in_words(at)
     );
-    Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told))
+    Some(Note::NotOnPage(About::Lines, Reason::OutlineOpen, told.into()))
 }
 
 /// How long the gap of a line that is nearly closed is, mm, and its middle, if both ends lie beside other lines; none
@@ -389,7 +391,7 @@ pub(super) fn told_cut(
          or erase what is found there",
         around(at, Places::of(layout))
     );
-    (mm >= least_told(&layout.medium, all)).then_some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told))
+    (mm >= least_told(&layout.medium, all)).then_some(Note::NotOnPage(About::Lines, Reason::ShortOrNear, told.into()))
 }
 
 /// How long a line is, mm, and its middle, if it runs beside other lines; none of one that lies on them.

@@ -48,5 +48,5 @@ pub(super) fn told(lines: &[Line], edges: &Edges, layout: &Layout) -> Option<Not
         false => "all are discs on the page, as there is no room for rings".to_owned(),
     };
     let told = format!("signs of several kinds mark places: {apart}; say in the title or a label what they stand for");
-    Some(Note::TakenAs(About::Lines, Reason::SignsOfKinds, told))
+    Some(Note::TakenAs(About::Lines, Reason::SignsOfKinds, told.into()))
 }

@@ -105,7 +105,7 @@ fn told_as_labels(count: usize) -> Option<Note> {
         1 => "1 text that was typed is taken as a label in braille".to_owned(),
         _ => format!("{count} texts that were typed are taken as labels in braille"),
     };
-    (count > 0).then_some(Note::TakenAs(About::Texts, Reason::TypedAsLabel, told))
+    (count > 0).then_some(Note::TakenAs(About::Texts, Reason::TypedAsLabel, told.into()))
 }
 
 /// Tells how many texts are written, beside where they were typed and in their very places, and how many have a leader
@@ -127,8 +127,8 @@ fn told(written: usize, led: usize, in_place: usize) -> Vec<Note> {
         1 => Some("1 text that was typed in braille: written as typed".to_owned()),
         _ => Some(format!("{in_place} texts that were typed in braille: written as typed")),
     };
-    let beside = beside.map(|told| Note::TakenAs(About::Texts, Reason::WrittenBeside, told));
-    let in_place = in_place.map(|told| Note::TakenAs(About::Texts, Reason::WrittenAsTyped, told));
+    let beside = beside.map(|told| Note::TakenAs(About::Texts, Reason::WrittenBeside, told.into()));
+    let in_place = in_place.map(|told| Note::TakenAs(About::Texts, Reason::WrittenAsTyped, told.into()));
     beside.into_iter().chain(in_place).collect()
 }
 
@@ -141,7 +141,7 @@ fn typed_outside(outside: &[&TypedText]) -> Option<Note> {
         count => format!("{count} typed texts, the first \"{string}\" at {:.0}, {:.0} mm, lie", at.x, at.y),
     };
     let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
-    Some(Note::TakenAs(About::Texts, Reason::TypedOutside, told))
+    Some(Note::TakenAs(About::Texts, Reason::TypedOutside, told.into()))
 }
 
 /// Unicode braille as it was typed: its cells stand on the line on which its letters do.
@@ -177,7 +177,7 @@ fn elsewhere(exact: &[Text], braille: &[BrailleText]) -> Option<Note> {
     let why =
         "stands beside the place where it was typed, as that is too near to lines, to other braille or to the edge";
     (!far.is_empty())
-        .then(|| Note::TakenAs(About::Texts, Reason::BrailleMoved, format!("braille {} {why}", far.join(", "))))
+        .then(|| Note::TakenAs(About::Texts, Reason::BrailleMoved, format!("braille {} {why}", far.join(", ")).into()))
 }
 
 /// How far from the figure a text may be typed without being told, mm.

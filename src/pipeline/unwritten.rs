@@ -86,7 +86,7 @@ fn in_other_letters(texts: &[&str], translator: &Translator<'_>) -> Option<Note>
             which.join(", "),
             named(&named_texts)
         );
-        Note::TakenAs(About::Braille, Reason::OtherLetters, what)
+        Note::TakenAs(About::Braille, Reason::OtherLetters, what.into())
     };
     (!named_texts.is_empty()).then(told)
 }
@@ -103,7 +103,8 @@ fn on_line(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
     }
     let what = "lowered and raised numbers stand on the line in braille, as in H2O, since this table has no other \
                 cells for them";
-    let told = || Note::TakenAs(About::Braille, Reason::NumbersOnLine, format!("{what}: {}", named(&named_texts)));
+    let told =
+        || Note::TakenAs(About::Braille, Reason::NumbersOnLine, format!("{what}: {}", named(&named_texts)).into());
     (!named_texts.is_empty()).then(told)
 }
 
@@ -118,7 +119,7 @@ fn sign_by_sign(texts: &[&str], translator: &Translator<'_>) -> Option<Note> {
     }
     let told = || {
         let what = "written in braille sign by sign, not by the rules of a mathematical code";
-        Note::TakenAs(About::Braille, Reason::SignBySign, format!("{what}: {}", named(&formulas)))
+        Note::TakenAs(About::Braille, Reason::SignBySign, format!("{what}: {}", named(&formulas)).into())
     };
     (!formulas.is_empty()).then(told)
 }

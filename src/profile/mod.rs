@@ -163,7 +163,7 @@ impl Profile {
             let (refused, name) = (first_few(&refused, MOST_REFUSED, String::clone), &base.name);
             let told =
                 format!("of what the page says of its profile, this is not taken: {refused}; {name} counts there");
-            Note::TakenAs(About::Marks, Reason::ProfileOfPage, told)
+            Note::TakenAs(About::Marks, Reason::ProfileOfPage, told.into())
         });
         Ok((if goes_together { profile } else { base }, told))
     }

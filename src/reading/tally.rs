@@ -9,7 +9,7 @@ use crate::listing::counted;
 use crate::output::layer::Layer;
 use crate::page::{Page, Shape};
 use crate::units::MmPoint;
-use crate::{About, Note, Reason};
+use crate::{About, Note, Reason, Told};
 
 /// What is told when all is read, as counts and the place of the first.
 #[derive(Default)]
@@ -79,8 +79,8 @@ impl OfFile {
         ];
         let left_out = all.into_iter().filter(|(count, ..)| *count > 0);
         let patterned_as = format!("gradients and patterns ({patterned}), taken as black: only black rises");
-        let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, Reason::NotBlack, patterned_as));
-        left_out.map(|(_, reason, what)| Note::NotOnPage(About::Marks, reason, what)).chain(taken)
+        let taken = (patterned > 0).then_some(Note::TakenAs(About::Marks, Reason::NotBlack, patterned_as.into()));
+        left_out.map(|(_, reason, what)| Note::NotOnPage(About::Marks, reason, what.into())).chain(taken)
     }
 }
 
@@ -92,7 +92,7 @@ pub(super) fn told_no_figure(elements: &Elements<'_>) -> Option<Note> {
         Note::TakenAs(
             About::Marks,
             Reason::NoFigure,
-            format!("the whole sheet is taken as the figure, as its layer is gone: {remedy}"),
+            format!("the whole sheet is taken as the figure, as its layer is gone: {remedy}").into(),
         )
     })
 }
@@ -102,14 +102,14 @@ pub(super) fn told_renamed(elements: &Elements<'_>) -> impl Iterator<Item = Note
     elements.renamed_layers().into_iter().map(|[before, class]| {
         let (layer, class) = (Layer::Texture(class).label(), class.name());
         let told = format!("the layer \"{layer}\" was that of {}: the areas in it are {class} now", before.name());
-        Note::TakenAs(About::Areas, Reason::LayerRenamed, told)
+        Note::TakenAs(About::Areas, Reason::LayerRenamed, told.into())
     })
 }
 
 /// What is told of a page of which the file does not say how large its sheet is.
 pub(super) fn told_no_size([width, height]: [f32; 2]) -> Note {
     let told = format!("the file does not say how large its sheet is, which is taken as {width} x {height} mm");
-    Note::TakenAs(About::Marks, Reason::NoSize, told)
+    Note::TakenAs(About::Marks, Reason::NoSize, told.into())
 }
 
 /// What is told of a page that does not say how it was made; if all of its marks are dots it may be one for a device.
@@ -127,7 +127,7 @@ pub(super) fn told_no_metadata(page: &Page, elements: &Elements<'_>) -> Option<N
          profile{dots}; save it with its metadata, or ask with another profile"
     );
     let is_gone = page.origin.is_empty() && source(elements).is_some();
-    is_gone.then_some(Note::TakenAs(About::Marks, Reason::NoMetadata, told))
+    is_gone.then_some(Note::TakenAs(About::Marks, Reason::NoMetadata, told.into()))
 }
 
 impl Tally {
@@ -140,14 +140,14 @@ impl Tally {
     pub(super) fn notes(&self) -> impl Iterator<Item = Note> + '_ {
         self.told.iter().map(|(what, (count, first))| {
             let at = first.map_or(String::new(), |at| format!(" (the first at {:.0}, {:.0} mm)", at.x, at.y));
-            what.note(what.sentence(*count, &at))
+            what.note(what.sentence(*count, &at).into())
         })
     }
 }
 
 impl What {
     /// The remark that says so.
-    fn note(self, told: String) -> Note {
+    fn note(self, told: Told) -> Note {
         match self {
             Self::LineOutside => Note::TakenAs(About::Lines, Reason::OutsideLayers, told),
             Self::DotOutside => Note::TakenAs(About::Dots, Reason::OutsideLayers, told),

@@ -108,7 +108,7 @@ pub(super) fn sorted(texts: Vec<TypedElement<'_>>, places: &Places) -> (Vec<Type
         Note::NotOnPage(
             About::Texts,
             Reason::PrintLetters,
-            format!("text {}: {what}", first_few(&left, MOST, String::clone)),
+            format!("text {}: {what}", first_few(&left, MOST, String::clone)).into(),
         )
     });
     (written, print, told)

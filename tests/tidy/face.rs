@@ -6,7 +6,7 @@ use crate::scan::{Token, exports, scan};
 use crate::{complain, root, sources};
 
 /// How many names users see, by module of `lib.rs`.
-const PUBLIC_NAMES: &[(&str, usize)] = &[("lib", 66), ("marks", 15), ("medium", 7), ("felt", 5)];
+const PUBLIC_NAMES: &[(&str, usize)] = &[("lib", 67), ("marks", 15), ("medium", 7), ("felt", 5)];
 
 /// Every name of the face is a promise to those who use it: one more is a decision, which is written here.
 #[test]

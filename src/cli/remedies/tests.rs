@@ -1,7 +1,7 @@
 //! Tests of `remedies`.
 
 use super::*;
-use tactograph::About;
+use tactograph::{About, Told};
 
 #[test]
 fn only_options_that_there_are_and_that_help_are_named() {
@@ -19,7 +19,7 @@ fn only_options_that_there_are_and_that_help_are_named() {
     }
     assert!(lacks(Making::Pins).ends_with("(--no-overview)"), "{}", lacks(Making::Pins));
     assert!(lacks(Making::PageAnew).ends_with("(--set overview.on=false)"), "render has no other option for it");
-    let heads = Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, "1 arrowhead: make the figure larger".into());
+    let heads = Note::NotOnPage(About::Lines, Reason::NoRoomForArrowhead, Told::from("1 arrowhead").or_larger());
     let told = of_note(&heads, print.beside_overview(true));
     assert!(
         told.ends_with("make the figure larger (--no-overview, --sheets 2x2, --profile swell-a3)"),
@@ -45,11 +45,11 @@ fn only_options_that_there_are_and_that_help_are_named() {
     assert_eq!(of_note(&left_out, Making::Other), left_out.to_string());
     assert!(of_note(&Note::EmptyPage, Making::Pins).ends_with("(--crop)"));
     assert_eq!(of_note(&Note::EmptyPage, Making::PageAnew), Note::EmptyPage.to_string());
-    let first = Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, String::new());
+    let first = Note::NotOnPage(About::Overview, Reason::FirstNotInOverview, String::new().into());
     assert!(of_note(&first, print).ends_with("(--subject with this place, or --simplify 5)"));
-    let other = Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, String::new());
+    let other = Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, String::new().into());
     assert!(of_note(&other, print).ends_with("(--subject X,Y, or --simplify 5)"));
-    let ground = Note::NotOnPage(About::Areas, Reason::GroundBlank, String::new());
+    let ground = Note::NotOnPage(About::Areas, Reason::GroundBlank, String::new().into());
     assert!(of_note(&ground, Making::Pins).ends_with("(--set figure.ground=true)"));
     let among_rows = Note::Faulty(About::Lines, Reason::AmongRows, String::new());
     let told = |making| of_note(&among_rows, making);
@@ -118,12 +118,12 @@ fn only_what_makes_this_figure_larger_is_named() {
 #[test]
 fn what_makes_the_figure_larger_is_told_once() {
     let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
-    let lost = |about: About| Note::NotOnPage(about, Reason::NoRoomForLine, "1 line; make the figure larger".into());
+    let lost = |about: About| Note::NotOnPage(about, Reason::NoRoomForLine, Told::from("1 line").or_larger());
     let labels = Note::LabelsLeftOut { texts: vec!["rain".to_owned()], reason: Reason::NoRoomForLabel, why: "no room" };
     let told = of_notes(&[Note::NoTexts, lost(About::Areas), lost(About::Lines), labels.clone()], making);
     assert!(told[1].ends_with("make the figure larger (--sheets 2x2, --profile swell-a3)"), "{told:?}");
     assert_eq!(told[2..], [lost(About::Lines).to_string(), labels.to_string()]);
-    let or_else = Note::NotOnPage(About::Lines, Reason::NoRoomForLine, "1; make the figure larger, or crop".into());
+    let or_else = Note::NotOnPage(About::Lines, Reason::NoRoomForLine, Told::from("1").or_larger().or("crop"));
     assert!(of_notes(&[or_else], making)[0].ends_with("larger (--sheets 2x2, --profile swell-a3), or crop"));
     let lines = Note::LinesNotInOverview { percent: 30, place: None };
     let told = of_notes(&[labels, lines], making);

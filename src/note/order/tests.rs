@@ -1,19 +1,20 @@
 //! Tests of `order`.
 
+use super::super::Told;
 use super::*;
 
 #[test]
 fn what_harms_a_reader_most_is_told_first() {
     let lost = |percent: u32| Note::LinesLeftOut { millimetres: 9, percent, place: None, is_larger_turned: false };
-    let missing = |reason: Reason| Note::NotOnPage(About::Lines, reason, String::new());
+    let missing = |reason: Reason| Note::NotOnPage(About::Lines, reason, String::new().into());
     let notes = [
         lost(1),
-        Note::TakenAs(About::Overview, Reason::NoRoomForLine, String::new()),
+        Note::TakenAs(About::Overview, Reason::NoRoomForLine, String::new().into()),
         missing(Reason::LineInPieces),
         lost(30),
         Note::Abbreviated(Vec::new()),
         Note::EmptyPage,
-        Note::TakenAs(About::Leaders, Reason::LeadsToNothing, String::new()),
+        Note::TakenAs(About::Leaders, Reason::LeadsToNothing, String::new().into()),
         missing(Reason::NoRoomForLine),
         Note::OfFile(crate::GivenFile::Lines, Box::new(missing(Reason::TooShort))),
         missing(Reason::NoRoomForTexture),
@@ -27,17 +28,17 @@ fn what_harms_a_reader_most_is_told_first() {
 /// A texture of a small area was told first, with what makes the figure larger.
 #[test]
 fn what_makes_the_figure_larger_is_told_with_the_worst_that_it_helps() {
-    let lost = |reason: Reason, told: &str| Note::NotOnPage(About::Lines, reason, told.to_owned());
+    let lost = |reason: Reason, told: Told| Note::NotOnPage(About::Lines, reason, told);
     let mut notes = vec![
-        lost(Reason::NoRoomForTexture, "1 texture; make the figure larger, crop the picture, or say it in a label"),
-        lost(Reason::NoRoomForArrowhead, "1 head; make the figure larger, or say it in the title"),
-        lost(Reason::NoRoomForLine, "1 line; make the figure larger, or say it in a label"),
+        lost(Reason::NoRoomForTexture, Told::from("1 texture").or_larger().or_crop().or("say it in a label")),
+        lost(Reason::NoRoomForArrowhead, Told::from("1 head").or_larger().or("say it in the title")),
+        lost(Reason::NoRoomForLine, Told::from("1 line").or_larger().or("say it in a label")),
     ];
     Note::sort(&mut notes);
     let wanted = [
-        lost(Reason::NoRoomForLine, "1 line; make the figure larger, or say it in a label"),
-        lost(Reason::NoRoomForArrowhead, "1 head; say it in the title"),
-        lost(Reason::NoRoomForTexture, "1 texture; say it in a label"),
+        lost(Reason::NoRoomForLine, Told::from("1 line").or_larger().or("say it in a label")),
+        lost(Reason::NoRoomForArrowhead, Told::from("1 head").or("say it in the title")),
+        lost(Reason::NoRoomForTexture, Told::from("1 texture").or("say it in a label")),
     ];
     assert_eq!(notes, wanted);
 }

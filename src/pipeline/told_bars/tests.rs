@@ -16,7 +16,7 @@ fn the_overview_tells_only_what_the_figure_does_not() {
     assert_eq!(of_both[..3], of_figure);
     let about = |note: &Note| match note {
         Note::TakenAs(about, _, told) | Note::NotOnPage(about, _, told) => {
-            Some((*about, told.contains("the overview")))
+            Some((*about, told.to_string().contains("the overview")))
         }
         _ => None,
     };
@@ -29,5 +29,5 @@ fn what_of_bars_is_not_drawn_all_the_same_is_told() {
     let torn = BarStyle { torn: 7, ..BarStyle::AS_IT_IS };
     let told = told(None, Some(torn));
     let [Note::NotOnPage(About::Overview, Reason::BarTorn, what)] = &told[..] else { panic!("{told:?}") };
-    assert!(what.contains("in the overview 7 percent"), "{what}");
+    assert!(what.to_string().contains("in the overview 7 percent"), "{what}");
 }

@@ -218,7 +218,7 @@ fn drawn(
             "it has more than {} paths, so its lines are found in its pixels, as those of a picture",
             paths::MOST_PATHS
         );
-        Note::TakenAs(About::Lines, Reason::ManyPaths, told)
+        Note::TakenAs(About::Lines, Reason::ManyPaths, told.into())
     });
     let canvas = canvas.as_ref();
     let (texts, notes) = (texts(Target { transform, size: target, canvas }), notes.into_iter().collect());
