@@ -1,6 +1,7 @@
 //! What labels in rows and columns are placed in, and whether a place in it is free.
 
-use super::candidates::{Candidate, is_at_kept_leader, is_at_lost_tip};
+use super::attached::{is_at_kept_leader, is_at_lost_tip};
+use super::candidates::Candidate;
 use super::forms::Forms;
 use super::placed::{Params, PlacedAs, Unplaced, Wanted};
 use super::room::Room;

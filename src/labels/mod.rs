@@ -13,6 +13,7 @@
 
 mod abbreviate;
 mod angles;
+mod attached;
 mod before;
 mod candidates;
 mod choose;
@@ -41,7 +42,7 @@ mod titles;
 
 use std::collections::BTreeSet;
 
-pub(crate) use candidates::FROM_KEPT_LEADER;
+pub(crate) use attached::FROM_KEPT_LEADER;
 pub use choose::{Choice, choose};
 pub use forms::LONGEST;
 pub use placed::{Attachment, Params, Placed, PlacedAs, Unplaced, Wanted, WrittenLabel};

@@ -2,7 +2,8 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{BEFORE_LEADER, Candidate};
+use super::attached::BEFORE_LEADER;
+use super::candidates::Candidate;
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::cost::LIKE_A_CELL;
