@@ -2,7 +2,7 @@
 
 use std::iter::successors;
 
-use super::joined;
+use super::joined::{self, DIGITS, digits};
 use super::table::{Group, Table};
 use super::telephone;
 
@@ -46,18 +46,12 @@ fn begins_number<'a>(mut letters: impl Iterator<Item = &'a char>) -> bool {
     letters.next() == Some(&' ') && letters.next().is_some_and(char::is_ascii_digit)
 }
 
-/// Whether one to three digits stand before a space, and three behind it.
+/// Whether the space at `i` stands behind one to three digits and before three.
 fn parts_digits(text: &[char], i: usize) -> bool {
-    (1..=DIGITS).contains(&digits(text[..i].iter().rev())) && digits(text[i + 1..].iter()) == DIGITS
+    joined::parts_digits(&text[..i], &text[i + 1..])
 }
 
-/// How many digits there are up to the first other sign.
-fn digits<'a>(letters: impl Iterator<Item = &'a char>) -> usize {
-    letters.take_while(|letter| letter.is_ascii_digit()).count()
-}
-
-/// Digits of a group, and the least number that has as many.
-const DIGITS: usize = 3;
+/// The least number of as many digits as a group has.
 const LEAST: u32 = 100;
 
 /// Whether a text has such a number, and its code leaves the blanks in it: as two lines it would be two numbers.

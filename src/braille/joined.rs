@@ -84,7 +84,8 @@ fn is_joined(words: &[&[char]], next: usize) -> bool {
     let is_sign = is_one_of(before, SIGNS) || is_one_of(after, SIGNS);
     let is_between_terms = is_one_of(before, SIGNS_OF_TERMS) && is_term(after) && other(next.checked_sub(2))
         || is_one_of(after, SIGNS_OF_TERMS) && is_term(before) && other(Some(next + 1));
-    let is_measure = is_number(before) && (is_unit(after) || is_group(before, after) || is_one_of(after, CURRENCIES))
+    let is_measure = is_number(before)
+        && (is_unit(after) || parts_digits(before, after) || is_one_of(after, CURRENCIES))
         || is_one_of(before, CURRENCIES) && is_number(after);
     is_sign || is_between_terms || is_measure || is_date(words, next)
 }
@@ -127,11 +128,18 @@ fn is_number(word: &[char]) -> bool {
     digits > 0 && word.last().is_some_and(char::is_ascii_digit) && word.len() - digits <= digits
 }
 
-/// Whether three digits go on with a number, as in 12 000 or 1:25 000.
-fn is_group(before: &[char], after: &[char]) -> bool {
-    let is_three = after.len() >= 3 && after[..3].iter().all(char::is_ascii_digit);
-    let first = before.iter().rev().take_while(|digit| digit.is_ascii_digit()).count();
-    is_three && after.get(3).is_none_or(|next| !next.is_ascii_digit()) && first <= 3
+/// Digits of a group of a number.
+pub(super) const DIGITS: usize = 3;
+
+/// Whether one to three digits stand before a blank and three behind it, as in 12 000 or 1:25 000: they may be groups
+/// of one number ([`super::grouped`] says whether they surely are), and stay on one line.
+pub(super) fn parts_digits(before: &[char], after: &[char]) -> bool {
+    (1..=DIGITS).contains(&digits(before.iter().rev())) && digits(after.iter()) == DIGITS
+}
+
+/// How many digits there are up to the first other sign.
+pub(super) fn digits<'a>(letters: impl Iterator<Item = &'a char>) -> usize {
+    letters.take_while(|letter| letter.is_ascii_digit()).count()
 }
 
 /// Whether a word is a unit, perhaps with a power and with punctuation behind it.
