@@ -75,14 +75,11 @@ pub(super) fn split_at_discs(
 ) -> Vec<FoundContour> {
     for disc in discs {
         let reach = disc.radius + BENT * params.sigma;
-        let mut others: Vec<FoundContour> = Vec::with_capacity(found.len() + 2);
+        let is_at = |vertex: &ContourPoint| (vertex.at - disc.at).length() < reach;
+        let are_there: Vec<bool> = found.iter().map(|found| found.contour.vertices.iter().any(is_at)).collect();
         let mut arms: Vec<FoundContour> = Vec::new();
         let (mut leads, mut led) = (true, true);
-        for contour in &found {
-            if !contour.contour.vertices.iter().any(|vertex| (vertex.at - disc.at).length() < reach) {
-                others.push(contour.clone());
-                continue;
-            }
+        for (contour, _) in found.iter().zip(&are_there).filter(|(_, is_there)| **is_there) {
             let outside = outside(contour, disc.at, reach);
             leads &= outside.iter().all(|part| leads_to(&part.contour, disc, reach, false));
             led &= outside.iter().all(|part| leads_to(&part.contour, disc, reach, true));
@@ -91,10 +88,11 @@ pub(super) fn split_at_discs(
         // a gridline that is led round a digit makes no disc of that
         let has_bold = || arms.iter().any(|arm| arm.height() >= BOLD * disc.height);
         if !arms.is_empty() && (leads || led && has_bold()) {
-            others.extend(arms);
-            others.iter_mut().for_each(|found| disc.lead_to_side(found, reach, is_seen));
-            others.push(disc.ring());
-            found = others;
+            let mut are_there = are_there.into_iter();
+            found.retain(|_| are_there.next() == Some(false));
+            found.extend(arms);
+            found.iter_mut().for_each(|found| disc.lead_to_side(found, reach, is_seen));
+            found.push(disc.ring());
         }
     }
     found
