@@ -182,14 +182,19 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
 
 /// [`find_of_kind`] of a bitmap of a drawing, with its signs that mark places as rings, and what is found without them.
 pub fn find_with_signs(raster: &Raster, kind: &PictureKind, params: &Params, px_per_mm: f32) -> Edges {
-    let may_have = kind.is_drawing && kind.lossy.is_none();
-    let signs = if may_have { Signs::find(raster, px_per_mm) } else { Signs::default() };
-    if signs.is_empty() {
+    if !kind.is_drawing || kind.lossy.is_some() {
         return find_of_kind(raster, kind, params, None);
     }
+    let planes = kind.planes_of_drawing(raster);
+    let signs = Signs::find(&planes, raster.size(), px_per_mm);
+    let none = || Edges::none(raster.size());
+    if signs.is_empty() {
+        return Ridges::in_planes(planes, raster, kind, params).map_or_else(none, |ridges| ridges.contours(None));
+    }
+    drop(planes);
     let rest = signs.erased_from(raster);
     let ridges = Ridges::of(&rest, kind, params).map(|ridges| Ridges { taken_out: signs.outlines(), ..ridges });
-    let mut edges = ridges.map_or_else(|| Edges::none(raster.size()), |ridges| ridges.contours(None));
+    let mut edges = ridges.map_or_else(none, |ridges| ridges.contours(None));
     signs.add_to(&mut edges);
     edges
 }
@@ -223,10 +228,15 @@ pub struct Grouped {
 impl<'a> Ridges<'a> {
     /// Of a picture; none if there is nothing in it.
     pub fn of(raster: &'a Raster, kind: &'a PictureKind, params: &Params) -> Option<Self> {
+        let planes = if kind.is_drawing { kind.planes_of_drawing(raster) } else { Vec::new() };
+        Self::in_planes(planes, raster, kind, params)
+    }
+
+    /// The same of a picture of which the planes of a drawing are known; it has none if it is no drawing.
+    fn in_planes(mut planes: Vec<Plane>, raster: &'a Raster, kind: &'a PictureKind, params: &Params) -> Option<Self> {
         let size = raster.size();
         let (noise, drawn) = (&kind.noise, kind.is_drawing);
         let params = noise.adapted(&if drawn { params.of_drawing() } else { *params });
-        let mut planes = if drawn { kind.planes_of_drawing(raster) } else { Vec::new() };
         let mut strokes = if drawn { stroke::find(&planes, kind.noise_of_pixel(), &params) } else { Vec::new() };
         let heads = stroke::filled_heads(&strokes, &planes, params.high);
         if !heads.is_empty() {

@@ -20,7 +20,6 @@ use self::blobs::{Blob, kinds};
 use self::template::{Shape, Sought, Template};
 use super::edgel::{ChainKind, Edgel, Edges};
 use crate::geom::polygon::circle_points;
-use crate::raster::lab;
 use crate::raster::plane::Plane;
 use crate::raster::{Planes, Raster};
 use crate::units::{PxPoint, Size};
@@ -132,14 +131,13 @@ pub(super) struct Signs {
 }
 
 impl Signs {
-    /// Those of a drawing.
-    pub(super) fn find(raster: &Raster, px_per_mm: f32) -> Self {
-        let planes = lab::whole(raster);
-        let Some((signs, others)) = blobs::find(&planes, (LARGEST * px_per_mm).ceil() as usize) else {
+    /// Those of a drawing of this size, given as planes of Lab.
+    pub(super) fn find(planes: &[Plane], size: Size, px_per_mm: f32) -> Self {
+        let Some((signs, others)) = blobs::find(planes, (LARGEST * px_per_mm).ceil() as usize) else {
             return Self::default();
         };
         let mut found: Vec<Found> =
-            kinds(signs, LEAST).into_iter().filter_map(|kind| Found::of(kind, &planes, px_per_mm)).collect();
+            kinds(signs, LEAST).into_iter().filter_map(|kind| Found::of(kind, planes, px_per_mm)).collect();
         // beside signs there may be signs of another kind
         let is_of = |kind: &Found, other: &Blob| {
             let is_there = |at: [f32; 2]| distance(at, other.middle()) < SAME * kind.side();
@@ -149,7 +147,7 @@ impl Signs {
         let others: Vec<Blob> = others.into_iter().filter(|other| !is_sign(other)).collect();
         found.retain(|kind| !are_letters(&kind.middles().collect::<Vec<_>>(), kind.side(), &others));
         found.sort_by_key(|kind| (kind.shape != Shape::Filled, std::cmp::Reverse(kind.places.len())));
-        let cells = found.iter().flat_map(|kind| kind.cells(raster.size())).collect();
+        let cells = found.iter().flat_map(|kind| kind.cells(size)).collect();
         Self { kinds: found.iter().map(Found::signs).collect(), cells }
     }
 

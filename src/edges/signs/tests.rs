@@ -1,6 +1,7 @@
 //! Tests of `signs`.
 
 use super::*;
+use crate::raster::lab;
 
 const SIZE: Size = Size::new(400, 300);
 const PX_PER_MM: f32 = 4.0;
@@ -31,7 +32,7 @@ fn picture(is_inside: impl Fn(f32, f32) -> bool, has_grid: bool) -> Raster {
 }
 
 fn found(raster: &Raster) -> Signs {
-    Signs::find(raster, PX_PER_MM)
+    Signs::find(&lab::whole(raster), raster.size(), PX_PER_MM)
 }
 
 /// How many of each kind there are, all of them at these places.
