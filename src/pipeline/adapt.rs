@@ -91,11 +91,9 @@ fn adapted(read: &Reading, plan: &Plan, for_another: bool, translate: Option<&Tr
     }
     notes.extend(drawn_areas::lay(&mut parts, &mut areas, &read.areas, plan));
     let labels = parts.braille.len();
-    let Typed { notes: of_texts, mut of_places, as_labels, abbreviated } =
+    let Typed { notes: of_texts, mut of_places, as_labels, abbreviates } =
         typed::write(&mut parts, &mut lines, &read.texts, plan, translate);
     notes.extend(of_texts.into_iter().chain(as_labels.filter(|_| for_another)));
-    let abbreviates = abbreviated.is_some();
-    of_places.extend(abbreviated);
     if read.is_changed {
         of_places.extend(print_words::follow(&mut parts, labels, plan));
     }

@@ -15,7 +15,7 @@ use super::progress::Watch;
 use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::textures::{blank_ground, draw_textures, without_unlearned};
-use super::told_lines::{left_out, told_left_out};
+use super::told_lines::{LinesLeftOut, left_out};
 use super::words::{Words, WrittenWords};
 use crate::classes::Classes;
 use crate::edges::Edges;
@@ -96,7 +96,8 @@ pub(super) fn marks(
     let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, LinesOf::Person, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().unwrap_or(&edges);
     let overview = draw_overview(edges_of_overview, LinesOf::Person, OverviewSize::Own, &layout, plan, watch);
-    let mut notes: Vec<Note> = told_left_out(&drawn, &edges, &layout).map(of_page).into_iter().collect();
+    let told = LinesLeftOut::of(&drawn, &edges, &layout).map(LinesLeftOut::told_of_page);
+    let mut notes: Vec<Note> = told.into_iter().collect();
     notes.extend(hand_lines.told_outside().into_iter().chain(of_leaders));
     if plan.profile().figure.lines {
         let (stand_for, mut shares) =
@@ -314,16 +315,6 @@ fn keep_widths(drawn: &mut [Line], stand_for: &[Option<usize>], old: OldPage<'_>
         for run in line.runs.iter_mut().filter(|run| run.pen == Pen::Stroke && length > 0.0) {
             run.width = width.clamp(params.width_min, params.width_max);
         }
-    }
-}
-
-/// A note as it is of use for a page: it has no parts to draw, and no sheets to be spread over.
-fn of_page(note: Note) -> Note {
-    match note {
-        Note::TooDense { millimetres, percent, place, is_larger_turned, .. } => {
-            Note::LinesLeftOut { millimetres, percent, place, is_larger_turned }
-        }
-        other => other,
     }
 }
 

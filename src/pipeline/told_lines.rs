@@ -34,22 +34,49 @@ pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan
     Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
-/// What the maker is told of contours that are not drawn.
-pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
-    let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
-    let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
-    let least = least_told(&layout.medium, wanted);
-    let (of_drawing, is_larger_turned) = (edges.of_drawing(), is_larger_turned(layout));
-    let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
-    let place = drawn.lost.place_name();
-    // a display has one sheet, so a figure is not spread over several
-    let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
-    if of_drawing && has_sheets && lost >= least && share >= DENSE {
-        let width = layout.figure.width().round() as u32;
-        return Some(Note::TooDense { millimetres, percent, place, width, is_larger_turned });
+/// Contours that are not drawn, where the maker is told of them.
+pub(super) struct LinesLeftOut {
+    millimetres: u32,
+    percent: u32,
+    place: Option<&'static str>,
+    is_larger_turned: bool,
+    /// The width of the figure, mm, for which a drawing is too dense.
+    too_dense_for: Option<u32>,
+}
+
+impl LinesLeftOut {
+    /// None where they are too few to be told.
+    pub(super) fn of(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Self> {
+        let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
+        let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
+        let of_drawing = edges.of_drawing();
+        // a display has one sheet, so a figure is not spread over several
+        let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if !dots.device.takes_paper());
+        let is_dense = of_drawing && has_sheets && share >= DENSE;
+        let is_told = lost >= least_told(&layout.medium, wanted) && (of_drawing || share >= LeftOut::TOLD);
+        is_told.then(|| Self {
+            millimetres: lost.round() as u32,
+            percent: (100.0 * share).round() as u32,
+            place: drawn.lost.place_name(),
+            is_larger_turned: is_larger_turned(layout),
+            too_dense_for: is_dense.then(|| layout.figure.width().round() as u32),
+        })
     }
-    let is_told = lost >= least && (of_drawing || share >= LeftOut::TOLD);
-    is_told.then_some(Note::LinesLeftOut { millimetres, percent, place, is_larger_turned })
+
+    /// What is told of the page of a picture.
+    pub(super) fn told(self) -> Note {
+        let Self { millimetres, percent, place, is_larger_turned, .. } = self;
+        match self.too_dense_for {
+            Some(width) => Note::TooDense { millimetres, percent, place, width, is_larger_turned },
+            None => self.told_of_page(),
+        }
+    }
+
+    /// What is told of a page that was read: it has no parts to draw, and no sheets to be spread over.
+    pub(super) fn told_of_page(self) -> Note {
+        let Self { millimetres, percent, place, is_larger_turned, .. } = self;
+        Note::LinesLeftOut { millimetres, percent, place, is_larger_turned }
+    }
 }
 
 /// The least length of lines left out that is told, mm, of so many mm of lines.
@@ -83,8 +110,8 @@ pub(super) fn told_of_lost(
     let (lost, sheets) = (&drawn.lost, Places::of(layout));
     let texts = &of_places(texts, &drawn.lines)[..];
     let is_all = is_told_by_lines(lost, least_told(&layout.medium, lost.wanted));
-    let left_out = told_left_out(drawn, edges, layout);
-    let left_out = left_out.filter(|note| !(is_all && matches!(note, Note::LinesLeftOut { .. })));
+    let left_out = LinesLeftOut::of(drawn, edges, layout);
+    let left_out = left_out.filter(|left_out| !is_all || left_out.too_dense_for.is_some()).map(LinesLeftOut::told);
     let whole = told_gone(lost, &drawn.lines, texts, sheets).into_iter().chain(told_gaps(lost, sheets));
     let whole = whole.chain(told_torn(lost, texts, sheets));
     left_out.into_iter().chain(whole).chain(told_gridlines(lost))

@@ -13,7 +13,7 @@ use super::request::{Fit, OverviewSize, Request, enough_pixels, working_size};
 use super::subject;
 use super::told_bars;
 use super::told_given::says_no_lines;
-use super::told_lines::told_left_out;
+use super::told_lines::LinesLeftOut;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
 use crate::page::layout::Layout;
@@ -167,7 +167,7 @@ fn lines_as_data(
     let regions = regions_of_figure(edges, decisions, layout, plan, watch);
     let lines_of = lines_of(given, regions.as_ref(), decisions);
     let FigureLines { lines: drawn, instead, .. } = draw_lines(edges, lines_of, layout, plan, watch);
-    let mut notes: Vec<Note> = told_left_out(&drawn, edges, layout).into_iter().collect();
+    let mut notes: Vec<Note> = LinesLeftOut::of(&drawn, edges, layout).map(LinesLeftOut::told).into_iter().collect();
     notes.extend(subject::told(decisions, edges.size, &drawn.lines, None, layout, plan));
     notes.extend(told_bars::told(instead, None));
     let transform = PageTransform::new(edges.size, layout.figure);

@@ -23,8 +23,8 @@ pub(super) struct Typed {
     pub(super) of_places: Vec<Note>,
     /// That they are labels, where these are placed anew.
     pub(super) as_labels: Option<Note>,
-    /// Those that are abbreviated.
-    pub(super) abbreviated: Option<Note>,
+    /// Whether some are abbreviated.
+    pub(super) abbreviates: bool,
 }
 
 /// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is
@@ -77,7 +77,7 @@ pub(super) fn write(
     };
     let written = WrittenWords::new(&words, plan);
     let layout = Layout::of_figure(parts.sheet, place, medium);
-    let OnPage { mut braille, notes, lines, .. } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
+    let OnPage { mut braille, notes, counts, lines, .. } = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     *names = lines.into_iter().map(|line| names[line].clone()).collect();
     braille.retain(|text| text.role == TextRole::Label);
     let elsewhere = elsewhere(&exact, &braille);
@@ -85,11 +85,13 @@ pub(super) fn write(
     let led = braille.iter().filter(|text| text.leader.is_some()).count();
     parts.braille.extend(braille);
     let notes = written.notes().iter().cloned().chain(notes);
-    let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) = notes.partition(|note| matches!(note, Note::Abbreviated(_)));
+    // they are told last of those of places
+    let (abbreviated, notes): (Vec<Note>, Vec<Note>) = notes.partition(|note| matches!(note, Note::Abbreviated(_)));
     let (of_labels, notes): (Vec<Note>, Vec<Note>) = notes.into_iter().partition(is_of_place);
-    let of_places = told(count - in_braille, led, in_braille).into_iter().chain(elsewhere).chain(of_labels).collect();
+    let of_places = told(count - in_braille, led, in_braille).into_iter().chain(elsewhere).chain(of_labels);
+    let of_places = of_places.chain(abbreviated).collect();
     let notes = typed_outside(&outside).into_iter().chain(notes).collect();
-    Typed { notes, of_places, as_labels: told_as_labels(count), abbreviated: abbreviated.pop() }
+    Typed { notes, of_places, as_labels: told_as_labels(count), abbreviates: counts.abbreviated > 0 }
 }
 
 /// Whether a note tells how labels stand, and not that they are left out.
