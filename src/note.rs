@@ -15,6 +15,7 @@ pub use about::{About, GivenFile};
 pub(crate) use phrases::LEAST_DRAWN;
 pub use reason::Reason;
 pub use told::Told;
+pub(crate) use told::from_edges;
 
 use phrases::{
     MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, or_if_none,

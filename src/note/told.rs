@@ -58,8 +58,13 @@ impl From<&str> for Told {
     }
 }
 
-/// From where places are counted, as remarks say it.
-const FROM: [&str; 2] = [" from the left and the top of the sheet", " from the left and the top of the display"];
+/// From where places on a sheet are counted, behind their numbers; `of` is what the sheet is called.
+pub(crate) fn from_edges(of: &str) -> String {
+    format!(" from the left and the top of {of}")
+}
+
+/// What a sheet is called that is no one of several.
+const ALONE: [&str; 2] = ["the sheet", "the display"];
 
 impl Told {
     /// The same, with a larger figure as the next that helps.
@@ -112,13 +117,13 @@ impl Told {
 
     /// Whether it says from where a place is counted, of a single sheet or display.
     pub(super) fn has_origin(&self) -> bool {
-        FROM.into_iter().any(|from| self.what.contains(from))
+        ALONE.into_iter().any(|of| self.what.contains(&from_edges(of)))
     }
 
     /// Leaves out from where a place is counted.
     pub(super) fn leave_origin_out(&mut self) {
-        for from in FROM {
-            self.what = self.what.replace(from, "");
+        for of in ALONE {
+            self.what = self.what.replace(&from_edges(of), "");
         }
     }
 }

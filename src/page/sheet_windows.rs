@@ -1,5 +1,6 @@
 //! Which part of a picture each of several sheets shows, and how a place is called where there are several.
 
+use crate::note::from_edges;
 use crate::units::{MmPoint, MmVector};
 
 /// The windows of a picture on its sheets, in the space of all sheets together.
@@ -48,11 +49,11 @@ pub fn place_in_words(at: MmPoint, sheets: Option<&SheetWindows>) -> String {
 /// The same with what the numbers count from: `20, 30 mm from the left and the top of the sheet`; `name` is what a
 /// single one is called, such as `display`.
 pub fn place_from_edges(at: MmPoint, sheets: Option<&SheetWindows>, name: &str) -> String {
-    let mm = |at: MmPoint| format!("{:.0}, {:.0} mm from the left and the top of", at.x, at.y);
-    match sheets.map(|sheets| sheets.on_sheet(at)) {
-        Some((sheet, at)) => format!("{} sheet {sheet}", mm(at)),
-        None => format!("{} the {name}", mm(at)),
-    }
+    let (of, at) = match sheets.map(|sheets| sheets.on_sheet(at)) {
+        Some((sheet, at)) => (format!("sheet {sheet}"), at),
+        None => (format!("the {name}"), at),
+    };
+    format!("{:.0}, {:.0} mm{}", at.x, at.y, from_edges(&of))
 }
 
 #[cfg(test)]
