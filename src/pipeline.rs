@@ -58,6 +58,7 @@ mod texts;
 mod textures;
 mod thing_of_overview;
 mod told_bars;
+mod told_drawn;
 mod told_given;
 mod told_labels;
 mod told_lines;

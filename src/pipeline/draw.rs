@@ -1,21 +1,18 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::areas_of_colours::AreasOfColours;
-use super::areas_of_overview;
 use super::decisions::{Decisions, LinesOf, OutlinedRegions};
 use super::figure_lines::{FigureLines, draw_lines};
 use super::find_edges::{GIVEN, edges_of, find_edges, skip_edges};
 use super::finish::{PageSays, PictureFacts};
-use super::given::{Given, GivenLines, erase, is_in};
+use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, weaken_thin_strokes};
 use super::key::KeySheets;
 use super::legend::{self, LegendEntry};
 use super::margins::Lettered;
 use super::named::NamedThings;
 use super::outlines::regions_of_figure;
-use super::overview::{
-    DrawnOverview, draw_overview, seen_in_figure, told_by_hand, told_of_few, told_of_overview, told_without_overview,
-};
+use super::overview::{DrawnOverview, draw_overview, seen_in_figure};
 use super::paper_edge;
 use super::progress::{Watch, in_parallel};
 use super::read::{Content, Read, ReadPicture, read_lines};
@@ -23,23 +20,20 @@ use super::request::{Fit, LayoutOf, OverviewSize, Request, enough_pixels};
 use super::series::{self, TexturedPicture};
 use super::subject;
 use super::texts::{self, Text, placed};
-use super::thing_of_overview;
 use super::told_bars;
+use super::told_drawn::{DrawnLines, told_of_figure};
 use super::told_given::{told_no_drawing, told_no_lines, told_short, told_words};
-use super::told_lines::{
-    left_out, told_beside_added, told_cut, told_dashed, told_of_lost, told_opened, told_overlaid, told_simplified,
-};
+use super::told_lines::{left_out, told_simplified};
 use super::words::{Words, become_labels};
-use super::{leaders, line_legend, links_of_overview, lost_colours, lost_marks};
+use super::{leaders, line_legend};
 use crate::edges::{self, Edges};
 use crate::lines::{Line, Lines, LostSign};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut};
 use crate::profile::Plan;
-use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
 use crate::regions::Chosen;
-use crate::units::{MmPoint, MmRect, PageTransform, Size};
+use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, GivenFile, Note, Reason};
 
 /// All marks of a picture, where its layout puts them.
@@ -190,18 +184,16 @@ pub(super) fn draw(
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
     let overview = if regions.is_some() { overview.within(&drawn.lines, &layout, plan) } else { overview };
-    notes.extend(told_of_drawn(&drawn, &edges, (&texts, &picture.raster), &layout, plan));
+    notes.extend(told_of_figure(&drawn, &edges, (&texts, &picture.raster), &layout, plan));
     if let Some(of_colours) = &mut areas_of_colours {
         of_colours.without(&legend::patches_in_key(&legend, &texts), layout.figure);
         notes.extend(of_colours.fit_to_page(given, &mut decisions, areas.as_ref(), edges.size, &layout, plan));
         facts.coloured_ground = of_colours.coloured_ground;
     }
     let said = said_of(&drawn, &overview, &edges, areas_of_colours.as_ref(), facts.texts_left_out);
-    notes.extend(told_of_overview(&overview, &drawn.lost.marks));
-    notes.extend(told_of_shapes((&edges, regions.as_ref(), &decisions), &drawn.lines, &overview, &layout, plan));
-    notes.extend(told_of_person((given, &decisions), &drawn.lines, &overview, &layout, plan));
-    notes.extend(if follows_figure { told_of_few(&drawn.lines, &overview, &layout, plan) } else { None });
-    notes.extend(subject::told(&decisions, edges.size, &drawn.lines, overview.marks.as_ref(), &layout, plan));
+    let (of_picture, by) = ((&edges, regions.as_ref()), (given, &decisions));
+    let both = DrawnLines { of_picture, by, drawn: &drawn, overview: &overview, layout: &layout, plan };
+    notes.extend(both.told(follows_figure));
     notes.extend(told_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     notes.extend(legend::told_lines(&edges, &picture.raster, &layout, plan).filter(|_| !facts.has_named_lines));
@@ -230,62 +222,6 @@ fn said_of(
 ) -> PageSays {
     let areas = areas.map_or(0, |of_colours| of_colours.too_small as u32);
     PageSays::of(LeftOut { areas, texts, ..left_out(&drawn.lost, overview.lost.rings, edges.of_drawing()) })
-}
-
-/// What the maker is told of the lines of the figure: what is not drawn, and what is drawn otherwise.
-fn told_of_drawn(
-    drawn: &Lines,
-    edges: &Edges,
-    (texts, raster): (&[Text], &Raster),
-    layout: &Layout,
-    plan: &Plan,
-) -> Vec<Note> {
-    let of_colours = lost_colours::told(drawn, edges, raster, layout, plan);
-    let left_out = told_of_lost(drawn, edges, texts, layout).chain(of_colours);
-    let has_lines = plan.profile().figure.lines;
-    let signs = super::told_signs::told(&drawn.lines, edges, layout);
-    let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
-    left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).chain(signs).collect()
-}
-
-/// What the maker is told of areas of the figure, of lines between its shapes, and of the first and the large ones of
-/// its regions, that the overview lacks, and of one with nothing in it.
-fn told_of_shapes(
-    (edges, regions, decisions): (&Edges, Option<&Chosen>, &Decisions),
-    lines: &[Line],
-    overview: &DrawnOverview,
-    layout: &Layout,
-    plan: &Plan,
-) -> impl Iterator<Item = Note> {
-    let areas = areas_of_overview::told(edges, lines, overview, layout, plan);
-    let all = told_without_overview(overview, edges, lines, layout).into_iter().chain(areas);
-    let things = thing_of_overview::told(edges, (regions, decisions), lines, overview, layout, plan);
-    all.chain(links_of_overview::told(edges, lines, overview, layout, plan)).chain(things)
-}
-
-/// What the maker is told of lines that a person drew: of what runs beside those that are added or is open there, of
-/// what is missing of them, and of an overview that is made of lines that are given, and what it lacks.
-fn told_of_person(
-    (given, decisions): (&Given, &Decisions),
-    lines: &[Line],
-    overview: &DrawnOverview,
-    layout: &Layout,
-    plan: &Plan,
-) -> impl Iterator<Item = Note> {
-    let added = given.added.as_ref();
-    let is_erased = |at: MmPoint| {
-        let [from, size] = [at - layout.figure.min, layout.figure.size().to_vector()];
-        is_in([from.x / size.x, from.y / size.y], &decisions.erased)
-    };
-    let cut = told_cut(added, lines, is_erased, layout, plan);
-    let opened = told_opened(added, lines, &decisions.gave_way, layout, plan);
-    let beside = told_beside_added(added, lines, layout, plan);
-    let anew = match (&given.lines, &overview.marks) {
-        (Some(GivenLines::Vectors(of_page)), Some((place, drawn))) => of_page.told_overview_anew(*place, drawn.len()),
-        _ => None,
-    };
-    let all = cut.into_iter().chain(opened).chain(beside).chain(anew);
-    all.chain(told_by_hand(given.hand_lines(), lines, overview, layout))
 }
 
 /// The contours of a picture, and what is decided about the lines that are drawn of them.
