@@ -31,6 +31,7 @@ use crate::lines::{Line, Lines, LostSign};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut};
 use crate::profile::Plan;
+use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
 use crate::regions::Chosen;
 use crate::units::{MmRect, PageTransform, Size};
@@ -130,26 +131,51 @@ pub(super) fn find(
     let of_given = [of_other, told_short(given, &layout, plan), told_words(given, words), given.told_areas()];
     notes.extend(of_given.into_iter().flatten());
     let none_sought = content.is_uniform() || given.lines.is_some();
-    let mut facts = PictureFacts { none_sought, all_erased, texts_left_out, ..PictureFacts::default() };
-    if plan.profile().figure.lines {
-        let (is_label, beside) = (become_labels(words), leaders::FROM_PRINT);
-        let of_legend = line_legend::to_curves(&mut edges, &mut texts, &is_label, &picture.raster, &layout);
-        facts.has_named_lines = of_legend.is_some();
-        notes.extend(of_legend);
-        let lines_of = lines_of(given, None, &decisions);
-        let draw = |edges: &Edges| draw_lines(edges, lines_of, &layout, plan, &mut |_| ()).lines.lines;
-        notes.extend(leaders::whole_or_none(&mut edges, &mut texts, beside, &is_label, &layout, draw));
-    }
-    let legend = legend::entries(&edges, &texts, &picture.raster, &layout, plan);
-    if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
-        let words = (&mut texts[..], become_labels(words));
-        notes.extend(legend::moved_to_key(&mut edges, &legend, words, &picture.raster, &layout));
-    }
+    let lines_of = lines_of(given, None, &decisions);
+    let beside_words = (&mut edges, &mut texts[..]);
+    let ApartFromWords { legend, has_named_lines, told } =
+        apart_from_words(beside_words, words, lines_of, &picture.raster, &layout, plan);
+    notes.extend(told);
+    let facts = PictureFacts { none_sought, all_erased, texts_left_out, has_named_lines, ..PictureFacts::default() };
     let things = NamedThings::of(given, file, request, watch)?;
     notes.extend(subject::prepare(given, things.as_ref(), &mut edges, &mut decisions, source, &layout, plan));
     request.go_on()?;
     let has_labels = plan.profile().braille.on && (!words.labels.is_empty() || texts.iter().any(become_labels(words)));
     Ok(Found { picture, facts, layout, texts, edges, decisions, legend, overview, has_labels, notes })
+}
+
+/// What is known of a drawing whose contours that go with its words were taken out.
+struct ApartFromWords {
+    legend: Vec<LegendEntry>,
+    /// Whether words of a legend of lines became labels of these.
+    has_named_lines: bool,
+    told: Vec<Note>,
+}
+
+/// Takes out of the contours of a drawing what says nothing beside words in braille: the samples of a legend of lines,
+/// leader lines that have no room as a whole, and a legend of colours that the key has.
+fn apart_from_words(
+    (edges, texts): (&mut Edges, &mut [Text]),
+    words: &Words<'_>,
+    lines_of: LinesOf<'_>,
+    raster: &Raster,
+    layout: &Layout,
+    plan: &Plan,
+) -> ApartFromWords {
+    let (mut has_named_lines, mut told) = (false, Vec::new());
+    let is_label = become_labels(words);
+    if plan.profile().figure.lines {
+        let of_legend = line_legend::to_curves(edges, texts, &is_label, raster, layout);
+        has_named_lines = of_legend.is_some();
+        told.extend(of_legend);
+        let draw = |edges: &Edges| draw_lines(edges, lines_of, layout, plan, &mut |_| ()).lines.lines;
+        told.extend(leaders::whole_or_none(edges, texts, leaders::FROM_PRINT, &is_label, layout, draw));
+    }
+    let legend = legend::entries(edges, texts, raster, layout, plan);
+    if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
+        told.extend(legend::moved_to_key(edges, &legend, (texts, is_label), raster, layout));
+    }
+    ApartFromWords { legend, has_named_lines, told }
 }
 
 /// Everything but the page: draws the contours and colours that were found.
