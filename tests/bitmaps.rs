@@ -216,9 +216,13 @@ fn all_points_of_a_scatter_plot_are_on_the_page_and_its_two_kinds_are_told_apart
         svg += &format!(r##"<rect x="{}" y="{}" width="11" height="11" fill="#e70"/>"##, x - 5, y - 5);
     }
     svg += "</svg>";
-    for (profile, name) in [("swell-a4", "paper"), ("index-basic-d", "dots")] {
+    let png = bitmap::png(&svg, 1200).expect("a PNG");
+    let pictures = [(&png[..], "a bitmap"), (svg.as_bytes(), "paths")];
+    for (profile, (bytes, name)) in
+        ["swell-a4", "index-basic-d"].into_iter().flat_map(|profile| pictures.map(|of| (profile, of)))
+    {
         let options = Options::new(Profile::named(profile).expect("it is built in"));
-        let drawing = tactograph::convert(&bitmap::png(&svg, 1200).expect("a PNG"), &options).expect("a page");
+        let drawing = tactograph::convert(bytes, &options).expect("a page");
         let extent = |line: &tactograph::marks::Line| {
             let points: Vec<_> = line.runs.iter().flat_map(|run| &run.points).collect();
             let side = |of: fn(&tactograph::MmPoint) -> f32| {
@@ -228,8 +232,9 @@ fn all_points_of_a_scatter_plot_are_on_the_page_and_its_two_kinds_are_told_apart
             side(|at| at.x).max(side(|at| at.y))
         };
         let points = drawing.page.figure.lines.iter().filter(|line| extent(line) < 6.5).count();
-        assert_eq!(points, 13, "{name}: {:?}", drawing.notes);
+        assert_eq!(points, 13, "{profile}, {name}: {:?}", drawing.notes);
         let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("signs of several kinds"));
-        assert!(told.is_some_and(|note| note.contains("7 are filled points on the page, and 6 are rings")), "{name}");
+        let is_told = told.is_some_and(|note| note.contains("7 are filled points on the page, and 6 are rings"));
+        assert!(is_told, "{profile}, {name}");
     }
 }

@@ -44,7 +44,7 @@ pub struct ChainKind {
     pub added: bool,
     /// Whether it is the filled head of an arrow in a bitmap: its tip and two other corners.
     pub head: bool,
-    /// Whether it is the ring of a sign in a bitmap that marks a place, as the points of a scatter plot do.
+    /// Whether it is the ring of a sign that marks a place, as the points of a scatter plot do.
     pub sign: bool,
 }
 

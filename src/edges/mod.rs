@@ -66,7 +66,7 @@ use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use chain::Chain;
 use contour::ContourPoint;
 use discs::Disc;
-pub use drawing::find_in_vector;
+pub use drawing::{find_in_vector, find_in_vector_with_signs};
 pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
 use heads::EdgesOfHeads;
 use hysteresis::Selection;

@@ -9,7 +9,8 @@
 //! ```
 //!
 //! No signs are letters (they stand beside others), the dots and dashes of a line, windows, bricks and patterns (they
-//! are in rows, or near one another), and the points of a curve in its colour (the curve touches them).
+//! are in rows, or near one another), and the points of a curve in its colour (the curve touches them). Those of a
+//! vector drawing are found among its paths (`drawing/painted_signs`), by the same rules.
 
 mod blobs;
 mod template;
@@ -25,9 +26,9 @@ use crate::raster::{Planes, Raster};
 use crate::units::{PxPoint, Size};
 
 /// So many that are alike are signs, as so many points on one line are a series.
-const LEAST: usize = 4;
+pub(super) const LEAST: usize = 4;
 /// The sizes of signs, mm: a larger one has room as it is, a smaller one is the dot of a shade.
-const SMALLEST: f32 = 1.0;
+pub(super) const SMALLEST: f32 = 1.0;
 const LARGEST: f32 = 5.0;
 /// From most of them the next one of their kind is this far, mm, and in their sides: fingers can tell them apart, and
 /// they are no pattern.
@@ -52,12 +53,19 @@ const AS_LARGE: f32 = 1.4;
 /// such as an axis, is no paler than it is. Chosen by us.
 const THIN: f32 = 0.7;
 
-/// A sign in the pixels.
+/// A sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Sign {
-    at: PxPoint,
-    radius: f32,
-    strength: f32,
+pub(super) struct Sign {
+    pub(super) at: PxPoint,
+    pub(super) radius: f32,
+    pub(super) strength: f32,
+}
+
+/// Something small that is no sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Neighbour {
+    pub(super) middle: [f32; 2],
+    pub(super) sides: [f32; 2],
 }
 
 /// Signs of a kind in the pixels.
@@ -97,7 +105,8 @@ impl Found {
             }
         }
         let at: Vec<[f32; 2]> = places.iter().map(|(_, at)| *at).collect();
-        let are_signs = 2 * touched <= places.len() && are_scattered(&at, side, px_per_mm);
+        let apart = (APART_SIDES * side).max(APART * px_per_mm);
+        let are_signs = 2 * touched <= places.len() && are_scattered(&at, apart);
         are_signs.then_some(Self { template, shape, places })
     }
 
@@ -121,7 +130,7 @@ impl Found {
     }
 }
 
-/// The signs of a picture.
+/// The signs of a picture, in pixels or among paths.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Signs {
     /// Kind by kind: filled ones first, then those that are many.
@@ -144,11 +153,17 @@ impl Signs {
             other.side() as f32 <= AS_LARGE * kind.side() && kind.middles().any(is_there)
         };
         let is_sign = |other: &Blob| found.iter().any(|kind| is_of(kind, other));
-        let others: Vec<Blob> = others.into_iter().filter(|other| !is_sign(other)).collect();
+        let neighbour = |other: &Blob| Neighbour { middle: other.middle(), sides: other.sides.map(|side| side as f32) };
+        let others: Vec<Neighbour> = others.iter().filter(|other| !is_sign(other)).map(neighbour).collect();
         found.retain(|kind| !are_letters(&kind.middles().collect::<Vec<_>>(), kind.side(), &others));
         found.sort_by_key(|kind| (kind.shape != Shape::Filled, std::cmp::Reverse(kind.places.len())));
         let cells = found.iter().flat_map(|kind| kind.cells(size)).collect();
         Self { kinds: found.iter().map(Found::signs).collect(), cells }
+    }
+
+    /// Those of a vector drawing, kind by kind.
+    pub(super) fn of_kinds(kinds: Vec<Vec<Sign>>) -> Self {
+        Self { kinds, cells: Vec::new() }
     }
 
     /// Whether there are none.
@@ -199,8 +214,8 @@ fn distance(a: [f32; 2], b: [f32; 2]) -> f32 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// Whether signs lie apart, and in no rows, columns or even distances.
-fn are_scattered(at: &[[f32; 2]], side: f32, px_per_mm: f32) -> bool {
+/// Whether signs lie so far apart, px, most of them, and in no rows, columns or even distances.
+pub(super) fn are_scattered(at: &[[f32; 2]], least_apart: f32) -> bool {
     let nearest = |i: usize| {
         let others = (0..at.len()).filter(|other| *other != i);
         others.map(|other| distance(at[i], at[other])).fold(f32::INFINITY, f32::min)
@@ -215,18 +230,17 @@ fn are_scattered(at: &[[f32; 2]], side: f32, px_per_mm: f32) -> bool {
         1 + places.windows(2).filter(|pair| pair[1] - pair[0] > 1.0).count()
     };
     let least = SCATTERED * at.len() as f32;
-    apart[apart.len() / 2] >= (APART_SIDES * side).max(APART * px_per_mm)
+    apart[apart.len() / 2] >= least_apart
         && spread >= EVEN * mean
         && [0, 1].into_iter().all(|axis| lanes(axis) as f32 >= least)
 }
 
 /// Whether other small things stand beside many of them, as letters do.
-fn are_letters(at: &[[f32; 2]], side: f32, others: &[Blob]) -> bool {
+pub(super) fn are_letters(at: &[[f32; 2]], side: f32, others: &[Neighbour]) -> bool {
     let has_beside = |at: &&[f32; 2]| {
         others.iter().any(|other| {
-            let middle = other.middle();
-            let gap = |axis: usize| (middle[axis] - at[axis]).abs() - 0.5 * (other.sides[axis] as f32 + side);
-            let is_own = distance(middle, **at) < SAME * side;
+            let gap = |axis: usize| (other.middle[axis] - at[axis]).abs() - 0.5 * (other.sides[axis] + side);
+            let is_own = distance(other.middle, **at) < SAME * side;
             !is_own && gap(0).max(gap(1)) < BESIDE_SIDES * side
         })
     };

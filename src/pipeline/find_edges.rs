@@ -59,7 +59,13 @@ pub(super) fn find_edges(
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
         let params = plan.edges(px_per_mm);
-        if let Some(kind) = content.kind().filter(|kind| kind.is_drawing && picture.drawing.is_none()) {
+        if let Some(drawing) = &picture.drawing {
+            watch(Event::Skip(Stage::Regions, OF_DRAWING));
+            return run_stage(watch, Stage::Edges, || {
+                edges::find_in_vector_with_signs(&picture.raster, drawing, &params, px_per_mm)
+            });
+        }
+        if let Some(kind) = content.kind().filter(|kind| kind.is_drawing) {
             watch(Event::Skip(Stage::Regions, OF_DRAWING));
             return run_stage(watch, Stage::Edges, || {
                 edges::find_with_signs(&picture.raster, kind, &params, px_per_mm)

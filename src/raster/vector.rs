@@ -25,12 +25,15 @@ pub struct PaintedPath {
     pub dashed: bool,
     /// Whether it is filled with the colour of its stroke.
     pub filled_alike: bool,
+    /// The colours of its area and of its stroke, with their opacity; none where that is not painted, or in more than
+    /// one colour.
+    pub colours: [Option<[u8; 4]>; 2],
 }
 
 impl PaintedPath {
     /// One without a stroke.
     pub fn filled(path: Path) -> Self {
-        Self { path, stroke: None, dashed: false, filled_alike: false }
+        Self { path, stroke: None, dashed: false, filled_alike: false, colours: [None; 2] }
     }
 
     /// Whether it is nothing but straight strokes, each by itself, such as ticks.

@@ -172,7 +172,7 @@ impl Lab {
     }
 
     /// Colour at a point; beyond the picture that of its border.
-    fn colour(&self, at: PxPoint) -> [f32; 3] {
+    pub(super) fn colour(&self, at: PxPoint) -> [f32; 3] {
         let axis = |at: f32, count: u32| {
             let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
             let first = (at.floor() as usize).min(count as usize - 1);

@@ -6,7 +6,7 @@ use resvg::tiny_skia::{Path, PathSegment, Point};
 use super::proposal::Proposal;
 use crate::geom::polygon::{area, roundness};
 use crate::geom::polyline::Polyline;
-use crate::raster::vector::{PaintedPath, VectorDrawing};
+use crate::raster::vector::PaintedPath;
 use crate::units::{PxPoint, PxVector, Size};
 
 /// Distance of the points of a contour, px: the pixels are asked at the middle between two of them.
@@ -24,11 +24,15 @@ const FAR: f32 = 8.0;
 /// What a path may reach beyond the picture and still be looked at, px.
 const MARGIN: f32 = 2.0;
 
-/// All that the drawing proposes: strokes first, since of a filled and stroked area the stroke is the contour.
-pub(super) fn proposals(drawing: &VectorDrawing, widest_stroke: f32, size: Size) -> Vec<Proposal> {
+/// All that paths of a drawing propose: strokes first, since of a filled and stroked area the stroke is the contour.
+pub(super) fn proposals<'p>(
+    paths: impl IntoIterator<Item = &'p PaintedPath>,
+    widest_stroke: f32,
+    size: Size,
+) -> Vec<Proposal> {
     let mut strokes = Vec::new();
     let mut outlines = Vec::new();
-    for PaintedPath { path, stroke, dashed, filled_alike } in &drawing.paths {
+    for PaintedPath { path, stroke, dashed, filled_alike, .. } in paths {
         match stroke {
             Some(stroke) if stroke.width <= widest_stroke => {
                 let of_path = of_path(path, Some(stroke.width), size);

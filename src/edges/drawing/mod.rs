@@ -1,7 +1,8 @@
 //! Contours of a vector drawing: its own geometry proposes them, its picture confirms them.
 //!
 //! ```text
-//! VectorDrawing -> flatten (outlines of fills, centre lines of strokes)
+//! VectorDrawing -> painted_signs (small paths that mark places; rings in the end)
+//!               -> flatten (outlines of fills, centre lines of strokes)
 //!               -> confirm (the stretches where the picture shows a step or a stroke at that very place)
 //!               -> unite (of paths that coincide, one) -> Edges
 //! ```
@@ -11,13 +12,16 @@
 
 mod confirm;
 mod flatten;
+mod painted_signs;
 mod proposal;
 mod unite;
 
 use super::edgel::{ChainKind, Edgel, Edges};
 use super::params::Params;
+use super::signs::Signs;
 use crate::raster::Raster;
 use crate::raster::vector::VectorDrawing;
+use confirm::Lab;
 use proposal::Confirmed;
 
 /// An edge found in the pixels that is this near to a contour of the drawing, px, is that contour.
@@ -25,12 +29,32 @@ const EXPLAINED: f32 = 4.0;
 
 /// Finds the contours of a drawing and of its rendering, `raster`.
 pub fn find_in_vector(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> Edges {
+    let are_signs = vec![false; drawing.paths.len()];
+    contours(raster, drawing, (&Signs::default(), &are_signs), &Lab::of(raster), params)
+}
+
+/// The same with its signs that mark places as rings.
+pub fn find_in_vector_with_signs(raster: &Raster, drawing: &VectorDrawing, params: &Params, px_per_mm: f32) -> Edges {
+    let picture = Lab::of(raster);
+    let found = painted_signs::find(&drawing.paths, &picture, params, px_per_mm, raster.size());
+    let (signs, are_signs) = found.unwrap_or_else(|| (Signs::default(), vec![false; drawing.paths.len()]));
+    contours(raster, drawing, (&signs, &are_signs), &picture, params)
+}
+
+/// The contours of a drawing, those of its paths that are signs as rings.
+fn contours(
+    raster: &Raster,
+    drawing: &VectorDrawing,
+    (signs, are_signs): (&Signs, &[bool]),
+    picture: &Lab,
+    params: &Params,
+) -> Edges {
     let size = raster.size();
-    let proposals = flatten::proposals(drawing, params.widest_stroke, size);
-    let picture = confirm::Lab::of(raster);
+    let others = drawing.paths.iter().zip(are_signs).filter(|(_, is_sign)| !**is_sign).map(|(path, _)| path);
+    let proposals = flatten::proposals(others, params.widest_stroke, size);
     let (mut confirmed, mut edges): (Vec<Vec<Confirmed>>, Edges) = (Vec::new(), Edges::none(size));
     for proposal in &proposals {
-        let of_proposal = confirm::confirmed(proposal, &picture, params);
+        let of_proposal = confirm::confirmed(proposal, picture, params);
         edges.dashed += usize::from(proposal.dashed && !of_proposal.is_empty());
         confirmed.push(of_proposal);
     }
@@ -43,6 +67,7 @@ pub fn find_in_vector(raster: &Raster, drawing: &VectorDrawing, params: &Params)
             line.closed,
         );
     }
+    signs.add_to(&mut edges);
     if drawing.pixel_areas.iter().any(|area| area.is_seen(size)) {
         add_from_pixels(raster, drawing, params, &mut edges);
     }

@@ -142,12 +142,21 @@ fn add_path(path: &usvg::Path, transform: Transform, last: Option<&usvg::Path>, 
     if fill.is_some() {
         found.paths.pop();
     }
-    let filled_alike = are_alike(fill.unwrap_or(path).fill(), path.stroke());
+    let area = fill.unwrap_or(path).fill();
+    let filled_alike = are_alike(area, path.stroke());
+    let of_area = area.and_then(|fill| colour(fill.paint(), fill.opacity().get()));
+    let of_stroke = path.stroke().and_then(|stroke| colour(stroke.paint(), stroke.opacity().get()));
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
-        found.paths.push(PaintedPath::filled(outline));
+        found.paths.push(PaintedPath { colours: [of_area, None], ..PaintedPath::filled(outline) });
     } else {
-        found.paths.push(PaintedPath { path: outline, stroke, dashed, filled_alike });
+        found.paths.push(PaintedPath { path: outline, stroke, dashed, filled_alike, colours: [of_area, of_stroke] });
     }
+}
+
+/// The colour of a paint with this opacity, if it is one.
+fn colour(paint: &Paint, opacity: f32) -> Option<[u8; 4]> {
+    let Paint::Color(of) = paint else { return None };
+    Some([of.red, of.green, of.blue, (255.0 * opacity).round() as u8])
 }
 
 /// Whether an area and the stroke around it are of one colour, and nothing shows through either.

@@ -1,0 +1,306 @@
+//! Signs of a vector drawing that mark places, such as the points of a scatter plot: small paths that are alike and
+//! scattered. As contours they are too small for lines; so each becomes a ring, as a sign of a bitmap does
+//! (`edges/signs`), by the same rules:
+//!
+//! ```text
+//! paths -> small things (a path, or several around one middle) -> kinds (one outline in the same colours)
+//!       -> those of a shape that marks places, which are scattered, on no curve, and no letters -> Signs
+//! ```
+//!
+//! Paths say where each is and what it looks like, also where others hide it in part. The picture says whether anything
+//! of it is seen, and whether it is filled.
+
+mod shape;
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use lyon::geom::euclid::Box2D;
+
+use super::confirm::{Lab, confirmed};
+use super::flatten::proposals;
+use crate::edges::params::Params;
+use crate::edges::signs::{LEAST, Neighbour, SMALLEST, Sign, Signs, are_letters, are_scattered};
+use crate::geom::nearby::Index;
+use crate::raster::contrast::distance;
+use crate::raster::vector::PaintedPath;
+use crate::units::{Px, PxPoint, PxVector, Size};
+use shape::{is_cross, is_outline, parts};
+
+/// The largest sign, mm, with its stroke: a larger one has room as it is. Of points in the figure of a page discs are
+/// drawn up to 5.9 mm.
+const LARGEST: f32 = 5.5;
+/// Two things stand around one middle if these are no farther apart than this share of the larger side.
+const ONE_MIDDLE: f32 = 0.1;
+/// A sign has at most so many paths: an outline and what is in it, the strokes of a star.
+const MOST_PATHS: usize = 4;
+/// Things are alike if no point of them is farther aside than this, px, and this share of their side: in files
+/// coordinates have two decimals.
+const ALIKE: f32 = 0.15;
+const ALIKE_SHARE: f32 = 0.03;
+/// The shorter side of a sign is at least this share of the longer one: the diamond of some programs is 0.58 times as
+/// wide as it is high.
+const AS_WIDE: f32 = 0.55;
+/// A line leads through the middle of a sign where its pieces meet, but for this share of the sign's side; it ends at
+/// the sign if no farther from its middle than this share.
+const AT_MIDDLE: f32 = 0.12;
+const AT_SIDE: f32 = 0.75;
+/// From most of them the next one of their kind is as far as so many of their sides: they lie beside one another, and
+/// are no texture.
+const APART: f32 = 1.0;
+/// Least contrast of a filled sign with its ground, in units of strength, as of signs in pixels; the ground is looked at
+/// so far beside it, px.
+const CONTRAST: f32 = 15.0;
+const BESIDE: f32 = 2.0;
+/// More small things than this are letters, or a texture.
+const MOST: usize = 5000;
+/// Side of the cells of the index, px.
+const CELL: f32 = 16.0;
+
+/// The signs among paths, and which of the paths are theirs; none where there are no signs.
+pub(super) fn find(
+    paths: &[PaintedPath],
+    picture: &Lab,
+    params: &Params,
+    px_per_mm: f32,
+    size: Size,
+) -> Option<(Signs, Vec<bool>)> {
+    let things = small_things(paths, LARGEST * px_per_mm);
+    if things.len() > MOST {
+        return None;
+    }
+    let may_be =
+        |kind: &Vec<Thing>| kind.len() >= LEAST && kind[0].side() >= SMALLEST * px_per_mm && kind[0].may_mark(paths);
+    let (marks, others): (Vec<Vec<Thing>>, Vec<Vec<Thing>>) = kinds(things, paths).into_iter().partition(may_be);
+    if marks.is_empty() {
+        return None;
+    }
+    let lines = LineEnds::of(paths, &marks, size);
+    let mut others: Vec<Neighbour> = others.iter().flatten().map(Thing::as_neighbour).collect();
+    let mut found: Vec<Kind> = Vec::new();
+    for kind in marks {
+        match Kind::of(&kind, paths, picture, params, size).filter(|_| !lines.lead_to(&kind)) {
+            Some(of) => found.push(of),
+            None => others.extend(kind.iter().map(Thing::as_neighbour)),
+        }
+    }
+    found.retain(|kind| !are_letters(&kind.middles(), kind.side, &others));
+    // of kinds that are as many, the one that is painted first comes first
+    found.sort_by_key(|kind| (!kind.is_filled, Reverse(kind.signs.len())));
+    let mut are_signs = vec![false; paths.len()];
+    found.iter().flat_map(|kind| kind.paths.iter().cloned().flatten()).for_each(|path| are_signs[path] = true);
+    (!found.is_empty()).then(|| (Signs::of_kinds(found.into_iter().map(|kind| kind.signs).collect()), are_signs))
+}
+
+/// A small thing that one path paints, or several one after the other.
+#[derive(Debug, Clone, PartialEq)]
+struct Thing {
+    /// The numbers of its paths.
+    paths: Range<usize>,
+    /// The box around it, with its strokes.
+    min: PxPoint,
+    max: PxPoint,
+}
+
+impl Thing {
+    fn of(number: usize, painted: &PaintedPath) -> Self {
+        let bounds = painted.path.bounds();
+        let half = 0.5 * painted.stroke.as_ref().map_or(0.0, |stroke| stroke.width);
+        let min = PxPoint::new(bounds.left() - half, bounds.top() - half);
+        let max = PxPoint::new(bounds.right() + half, bounds.bottom() + half);
+        Self { paths: number..number + 1, min, max }
+    }
+
+    fn middle(&self) -> PxPoint {
+        self.min.lerp(self.max, 0.5)
+    }
+
+    fn sides(&self) -> [f32; 2] {
+        (self.max - self.min).to_array()
+    }
+
+    fn side(&self) -> f32 {
+        let [width, height] = self.sides();
+        width.max(height)
+    }
+
+    fn as_neighbour(&self) -> Neighbour {
+        Neighbour { middle: self.middle().to_array(), sides: self.sides() }
+    }
+
+    /// Whether what is painted next stands around the same middle, as the second stroke of a cross.
+    fn is_one_with(&self, next: &Self, paths: &[PaintedPath]) -> bool {
+        self.paths.end == next.paths.start
+            && self.paths.len() < MOST_PATHS
+            && (self.middle() - next.middle()).length() <= ONE_MIDDLE * self.side().max(next.side())
+            && !self.is_like(next, paths)
+    }
+
+    /// Whether another one is the same at another place.
+    fn is_like(&self, other: &Self, paths: &[PaintedPath]) -> bool {
+        let away = other.middle() - self.middle();
+        let most = ALIKE.max(ALIKE_SHARE * self.side());
+        let mut pairs = paths[self.paths.clone()].iter().zip(&paths[other.paths.clone()]);
+        self.paths.len() == other.paths.len() && pairs.all(|(own, of)| are_alike(own, of, away, most))
+    }
+
+    /// Whether its shape is one that marks places: about as wide as high, and round, or with some corners, or a cross.
+    fn may_mark(&self, paths: &[PaintedPath]) -> bool {
+        let [width, height] = self.sides();
+        let own = &paths[self.paths.clone()];
+        let is_of_outlines = || own.iter().all(|of| is_outline(of, self.middle(), self.side()));
+        let is_as_wide = width.min(height) >= AS_WIDE * width.max(height);
+        is_as_wide && (is_of_outlines() || is_cross(own, self.middle(), self.side()))
+    }
+
+    /// The strength of what the picture shows of it; 0 where it is hidden.
+    fn strength(&self, paths: &[PaintedPath], picture: &Lab, params: &Params, size: Size) -> f32 {
+        let own = proposals(&paths[self.paths.clone()], params.widest_stroke, size);
+        let seen = own.iter().flat_map(|proposal| confirmed(proposal, picture, params));
+        seen.flat_map(|of| of.line.vertices).map(|vertex| vertex.strength).fold(0.0, f32::max)
+    }
+
+    /// Whether its middle has another colour than its ground.
+    fn is_filled(&self, picture: &Lab) -> bool {
+        let (middle, reach) = (self.middle(), 0.5 * self.side() + BESIDE);
+        let own = picture.colour(middle);
+        let around = [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)];
+        let is_other =
+            |(x, y): (f32, f32)| distance(picture.colour(middle + PxVector::new(x, y) * reach), own) >= CONTRAST;
+        // another sign may lie on one of its sides
+        around.into_iter().filter(|way| is_other(*way)).count() > 2
+    }
+}
+
+/// Whether two paths are one but for where they are: the second lies so far `away`, but for `most`, px.
+fn are_alike(own: &PaintedPath, of: &PaintedPath, away: PxVector, most: f32) -> bool {
+    let widths = [own, of].map(|painted| painted.stroke.as_ref().map(|stroke| stroke.width));
+    let is_as_wide = match widths {
+        [Some(own), Some(of)] => (own - of).abs() <= most,
+        [own, of] => own.is_none() && of.is_none(),
+    };
+    let mut points = own.path.points().iter().zip(of.path.points());
+    is_as_wide
+        && own.colours == of.colours
+        && own.path.verbs() == of.path.verbs()
+        && points.all(|(own, of)| (PxVector::new(of.x - own.x, of.y - own.y) - away).length() <= most)
+}
+
+/// All small things that are painted, none larger than `most`, px.
+fn small_things(paths: &[PaintedPath], most: f32) -> Vec<Thing> {
+    let mut all: Vec<Thing> = Vec::new();
+    for (number, painted) in paths.iter().enumerate() {
+        let next = Thing::of(number, painted);
+        if next.side() > most {
+            continue;
+        }
+        match all.last_mut().filter(|last| last.is_one_with(&next, paths)) {
+            Some(last) => {
+                last.paths.end = next.paths.end;
+                (last.min, last.max) = (last.min.min(next.min), last.max.max(next.max));
+            }
+            None => all.push(next),
+        }
+    }
+    all
+}
+
+/// Things that are alike, kind by kind, in the order in which the first of each is painted.
+fn kinds(things: Vec<Thing>, paths: &[PaintedPath]) -> Vec<Vec<Thing>> {
+    let mut kinds: Vec<Vec<Thing>> = Vec::new();
+    // only what has as many pieces is compared
+    let mut of_pieces: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for thing in things {
+        let pieces = paths[thing.paths.clone()].iter().map(|painted| painted.path.len()).sum::<usize>();
+        let same = of_pieces.entry(pieces).or_default();
+        let own = same.iter().copied().find(|&kind| kinds[kind][0].is_like(&thing, paths));
+        match own {
+            Some(kind) => kinds[kind].push(thing),
+            None => {
+                same.push(kinds.len());
+                kinds.push(vec![thing]);
+            }
+        }
+    }
+    kinds
+}
+
+/// Signs of one kind.
+struct Kind {
+    signs: Vec<Sign>,
+    /// The paths of all of them, also of those that are hidden.
+    paths: Vec<Range<usize>>,
+    side: f32,
+    is_filled: bool,
+}
+
+impl Kind {
+    /// Those of things that are alike, as far as they are seen, if they are scattered.
+    fn of(kind: &[Thing], paths: &[PaintedPath], picture: &Lab, params: &Params, size: Size) -> Option<Self> {
+        let [width, height] = kind.first()?.sides();
+        let side = 0.5 * (width + height);
+        let sign = |thing: &Thing| Sign {
+            at: thing.middle(),
+            radius: 0.5 * side,
+            strength: thing.strength(paths, picture, params, size),
+        };
+        let signs: Vec<Sign> = kind.iter().map(sign).filter(|sign| sign.strength > 0.0).collect();
+        if signs.len() < LEAST {
+            return None;
+        }
+        let own = &paths[kind[0].paths.clone()];
+        let filled = kind.iter().filter(|thing| thing.is_filled(picture)).count();
+        let is_filled = 2 * filled > kind.len() && !is_cross(own, kind[0].middle(), kind[0].side());
+        let of = Self { signs, paths: kind.iter().map(|thing| thing.paths.clone()).collect(), side, is_filled };
+        are_scattered(&of.middles(), APART * side).then_some(of)
+    }
+
+    fn middles(&self) -> Vec<[f32; 2]> {
+        self.signs.iter().map(|sign| sign.at.to_array()).collect()
+    }
+}
+
+/// Where the pieces of lines meet, and where lines end. A curve is drawn from point to point, and the lines of a graph
+/// and the shafts of arrows end at what marks their ends; a straight line that leads over points is none of them.
+struct LineEnds(Index<(PxPoint, bool), Px>);
+
+impl LineEnds {
+    /// Those of all strokes but the strokes of these things.
+    fn of(paths: &[PaintedPath], things: &[Vec<Thing>], size: Size) -> Self {
+        let mut is_of_thing = vec![false; paths.len()];
+        things.iter().flatten().flat_map(|thing| thing.paths.clone()).for_each(|path| is_of_thing[path] = true);
+        let area = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
+        let mut index = Index::new(area, CELL);
+        let strokes = paths.iter().zip(is_of_thing).filter(|(painted, of_thing)| !of_thing && painted.stroke.is_some());
+        for part in strokes.flat_map(|(painted, _)| parts(&painted.path)) {
+            let last = part.corners.len().saturating_sub(1);
+            for (number, at) in part.corners.iter().enumerate() {
+                index.put_at(*at, (*at, !part.closed && (number == 0 || number == last)));
+            }
+            // the bar of an error has its value in the middle
+            if let [from, to] = part.corners[..] {
+                let middle = from.lerp(to, 0.5);
+                index.put_at(middle, (middle, false));
+            }
+        }
+        Self(index)
+    }
+
+    /// Whether lines lead to half of these things or more.
+    fn lead_to(&self, things: &[Thing]) -> bool {
+        let is_led_to = |thing: &&Thing| {
+            let (middle, side) = (thing.middle(), thing.side());
+            let mut is_any = false;
+            self.0.around(middle, middle, AT_SIDE * side, |(at, is_end)| {
+                let share = if *is_end { AT_SIDE } else { AT_MIDDLE };
+                is_any |= (*at - middle).length() <= share * side;
+            });
+            is_any
+        };
+        2 * things.iter().filter(is_led_to).count() >= things.len()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,117 @@
+//! Tests of `painted_signs`.
+
+use resvg::tiny_skia::{PathBuilder, Rect, Stroke};
+
+use super::*;
+use crate::edges::edgel::Edges;
+use crate::raster::Raster;
+
+const SIZE: Size = Size::new(400, 300);
+const PX_PER_MM: f32 = 4.0;
+const BLACK: [u8; 4] = [0, 0, 0, 255];
+/// Nowhere in rows or columns.
+const PLACES: [(f32, f32); 8] = [
+    (61.0, 47.0),
+    (103.0, 202.0),
+    (148.0, 91.0),
+    (190.0, 251.0),
+    (233.0, 33.0),
+    (287.0, 160.0),
+    (322.0, 222.0),
+    (350.0, 75.0),
+];
+
+/// A square with sides of 10 px around its middle.
+fn square((x, y): (f32, f32), colour: [u8; 4]) -> PaintedPath {
+    let path = PathBuilder::from_rect(Rect::from_xywh(x - 5.0, y - 5.0, 10.0, 10.0).expect("it has sides"));
+    PaintedPath { colours: [Some(colour), None], ..PaintedPath::filled(path) }
+}
+
+fn squares(places: &[(f32, f32)]) -> Vec<PaintedPath> {
+    places.iter().map(|at| square(*at, BLACK)).collect()
+}
+
+fn stroke(through: &[(f32, f32)]) -> PaintedPath {
+    let mut path = PathBuilder::new();
+    for (number, &(x, y)) in through.iter().enumerate() {
+        if number == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+    }
+    PaintedPath { stroke: Some(Stroke::default()), ..PaintedPath::filled(path.finish().expect("a path")) }
+}
+
+/// A white picture with black squares at these places.
+fn picture(places: &[(f32, f32)]) -> Lab {
+    let width = SIZE.width as usize;
+    let is_inside = |x: f32, y: f32| places.iter().any(|at| (x - at.0).abs().max((y - at.1).abs()) < 5.0);
+    let pixel = |cell: usize| f32::from(!is_inside((cell % width) as f32 + 0.5, (cell / width) as f32 + 0.5));
+    Lab::of(&Raster::grey(SIZE, (0..SIZE.len()).map(pixel).collect()))
+}
+
+/// How many filled and hollow signs there are among paths in a picture of squares, and how many of the paths are theirs.
+fn found(paths: &[PaintedPath], places: &[(f32, f32)]) -> [usize; 3] {
+    let Some((signs, are_signs)) = find(paths, &picture(places), &Params::default(), PX_PER_MM, SIZE) else {
+        return [0; 3];
+    };
+    let mut edges = Edges::none(SIZE);
+    signs.add_to(&mut edges);
+    let filled = edges.chains.iter().filter(|chain| chain.kind.stroke.is_none()).count();
+    [filled, edges.chains.len() - filled, are_signs.into_iter().filter(|is_sign| *is_sign).count()]
+}
+
+#[test]
+fn scattered_squares_are_signs_and_rows_of_them_are_none() {
+    assert_eq!(found(&squares(&PLACES), &PLACES), [8, 0, 8]);
+    assert_eq!(found(&squares(&PLACES[..3]), &PLACES), [0; 3], "three");
+    let windows: Vec<(f32, f32)> =
+        (0..12).map(|k| (80.0 + 41.0 * (k % 4) as f32, 60.0 + 57.0 * (k / 4) as f32)).collect();
+    assert_eq!(found(&squares(&windows), &windows), [0; 3], "windows");
+}
+
+#[test]
+fn what_is_hidden_is_no_sign_and_no_contour() {
+    assert_eq!(found(&squares(&PLACES), &PLACES[..6]), [6, 0, 8]);
+}
+
+#[test]
+fn of_two_colours_the_second_are_hollow() {
+    // scattered, each four by themselves
+    let is_black = [true, false, true, false, true, false, false, true];
+    let coloured = |(at, is_black): (&(f32, f32), bool)| square(*at, if is_black { BLACK } else { [200, 0, 0, 255] });
+    let paths: Vec<PaintedPath> = PLACES.iter().zip(is_black).map(coloured).collect();
+    assert_eq!(found(&paths, &PLACES), [4, 4, 8]);
+}
+
+#[test]
+fn two_strokes_around_one_middle_are_one_sign() {
+    let strokes = |at: &(f32, f32)| {
+        let corner = |x: f32, y: f32| (at.0 + x, at.1 + y);
+        [stroke(&[corner(-5.0, -5.0), corner(5.0, 5.0)]), stroke(&[corner(-5.0, 5.0), corner(5.0, -5.0)])]
+    };
+    let paths: Vec<PaintedPath> = PLACES.iter().flat_map(strokes).collect();
+    let things = small_things(&paths, 22.0);
+    assert_eq!(things.len(), 8);
+    let kinds = kinds(things, &paths);
+    assert!(kinds.len() == 1 && kinds[0][3].may_mark(&paths));
+    assert!((kinds[0][3].middle() - PxPoint::new(190.0, 251.0)).length() < 0.01);
+}
+
+#[test]
+fn points_of_a_curve_and_ends_of_lines_are_no_signs_and_points_below_a_straight_line_are() {
+    let with = |lines: &[PaintedPath]| found(&[&squares(&PLACES)[..], lines].concat(), &PLACES);
+    assert_eq!(with(&[stroke(&PLACES)]), [0; 3], "a curve");
+    assert_eq!(with(&[stroke(&[(10.0, 10.0), (390.0, 290.0)])]), [8, 0, 8], "a line that fits");
+    let shafts: Vec<PaintedPath> = PLACES.iter().map(|at| stroke(&[(at.0, at.1 + 5.0), (200.0, 290.0)])).collect();
+    assert_eq!(with(&shafts), [0; 3], "heads of arrows");
+    let errors: Vec<PaintedPath> =
+        PLACES.iter().map(|at| stroke(&[(at.0, at.1 - 12.0), (at.0, at.1 + 12.0)])).collect();
+    assert_eq!(with(&errors), [0; 3], "bars of errors");
+}
+
+#[test]
+fn what_has_something_small_beside_it_is_a_letter() {
+    let stems: Vec<PaintedPath> = PLACES.iter().map(|at| square((at.0 + 14.0, at.1 + 4.0), [9, 9, 9, 255])).collect();
+    let long: Vec<PaintedPath> =
+        PLACES.iter().map(|at| stroke(&[(at.0 + 8.0, at.1 - 5.0), (at.0 + 9.0, at.1 + 5.0)])).collect();
+    assert_eq!(found(&[squares(&PLACES), long].concat(), &PLACES), [0; 3]);
+    assert_eq!(found(&[squares(&PLACES), stems[..1].to_vec()].concat(), &PLACES), [8, 0, 8], "one of them");
+}
