@@ -257,3 +257,28 @@ fn an_overview_without_shapes_does_not_become_one_of_gridlines() {
     assert_eq!(long(&drawing.page.figure.lines), 5, "the gridlines");
     assert_eq!(drawing.page.overview.as_ref().map_or(0, |overview| long(&overview.lines)), 0);
 }
+
+/// As of a histogram: the ticks were parts of the sides of bars, or these were in their way.
+#[test]
+fn ticks_in_line_with_the_sides_of_bars_are_as_long_as_others() {
+    let mut svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}'>\
+         <rect width='{WIDTH}' height='{HEIGHT}' fill='#fff'/><g fill='none' stroke='#000' stroke-width='3'>"
+    );
+    for (k, height) in [60, 150, 320, 430, 280, 120, 70].into_iter().enumerate() {
+        let x = 130 + 90 * k;
+        write!(svg, "<path d='M{x} {BASE}V{}h90V{BASE}Z' fill='#8bf'/>", BASE - height as f32).expect("it is a string");
+    }
+    write!(svg, "<path d='M90 {BASE}H860'/>").expect("it is a string");
+    let ticks = (0..8).map(|k| 130.0 + 90.0 * k as f32);
+    for x in ticks.clone() {
+        write!(svg, "<path d='M{x} {BASE}v10'/>").expect("it is a string");
+    }
+    let drawing = converted(&Chart { svg: svg + "</g></svg>", tops: Vec::new() }, "swell-a4");
+    let (place, lines) = (drawing.page.figure.place, &drawing.page.figure.lines);
+    for x in ticks {
+        let foot = MmPoint::new(x / WIDTH * place.width(), BASE / HEIGHT * place.height());
+        let below = place.min + foot.to_vector() + MmPoint::new(0.0, 7.0).to_vector();
+        assert!(far(below, lines, None) < NEAR, "{x}: {}", told(&drawing));
+    }
+}

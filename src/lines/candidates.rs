@@ -64,8 +64,10 @@ impl LineCandidates {
         }
         let spurs = if is_overview { ticks::spurs::take(&mut polylines, area, params) } else { Vec::new() };
         let standing = StandingEnds::of(&mut polylines, area, params);
-        let mut polylines = join::join(polylines, params.bridged_gap(), &standing, params.of_drawing);
         let lengthens = params.of_drawing && !is_overview;
+        let are_ticks = if lengthens { ticks::of_scales(&polylines, area, params) } else { Vec::new() };
+        let gap = params.bridged_gap();
+        let mut polylines = join::join_but_ticks(polylines, &are_ticks, gap, &standing, params.of_drawing);
         let at_points: Vec<MmPoint> = points.iter().map(|point| point.at).collect();
         let (scales, thinned) =
             if lengthens { lengthened(&mut polylines, &at_points, area, params) } else { (Vec::new(), Vec::new()) };

@@ -40,11 +40,25 @@ pub(super) fn join(
     standing: &StandingEnds,
     of_drawing: bool,
 ) -> Vec<Polyline<Vertex>> {
+    join_but_ticks(polylines, &[], gap, standing, of_drawing)
+}
+
+/// The same where some of the lines are ticks (in their order; none where it says nothing), which are joined with one
+/// another only: the side of a bar that ends on the other side of their line is no part of one.
+pub(super) fn join_but_ticks(
+    polylines: Vec<Polyline<Vertex>>,
+    are_ticks: &[bool],
+    gap: f32,
+    standing: &StandingEnds,
+    of_drawing: bool,
+) -> Vec<Polyline<Vertex>> {
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
     // a gridline is no part of the axis at whose end it begins
     let faint: Vec<bool> = polylines.iter().map(is_faint).collect();
     let base = |end: &End<Mm>| standing.base(end.at, TOUCHING);
-    let is_parted = |a: &End<Mm>, b: &End<Mm>| (b.at - a.at).length() > TOUCHING && base(a) != base(b);
+    let is_tick = |end: &End<Mm>| are_ticks.get(end.polyline).copied().unwrap_or(false);
+    let is_parted =
+        |a: &End<Mm>, b: &End<Mm>| is_tick(a) != is_tick(b) || (b.at - a.at).length() > TOUCHING && base(a) != base(b);
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
         let of_hooks = || cost_of_hooks(a, b, &polylines, &lengths, gap).filter(|_| of_drawing);
         let cost = cost(a, b, &lengths, gap).or_else(of_hooks).filter(|_| faint[a.polyline] == faint[b.polyline])?;

@@ -38,12 +38,40 @@ const ON_SIDE: f32 = 1.0;
 /// A point so near to where a tick crosses its line, mm, is at that place.
 const AT_POINT: f32 = 1.0;
 
+/// Ticks of a scale are as long as one another if they differ by no more than this share.
+const AS_LONG: f32 = 0.1;
+
 /// What is left out of a scale whose ticks are too near to one another for fingers.
 pub(super) struct ThinnedScale {
     /// Its ticks that are not drawn.
     pub(super) left_out: Vec<TickMark>,
     /// What is told of them.
     pub(super) lost: LostScale,
+}
+
+/// Which lines are ticks of scales for certain: too short for lines, so many of one length on one line, on which each
+/// stands with one end while the other leads to nothing.
+pub(super) fn of_scales(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<bool> {
+    let mut are_ticks = vec![false; polylines.len()];
+    let mut ticks = ticks(polylines, area, params);
+    ticks.retain(|tick| tick.foot().is_some() && polylines[tick.number].length() < params.min_length);
+    if ticks.len() < SCALE {
+        return are_ticks;
+    }
+    let all = nearby(polylines.iter(), area, params);
+    ticks.retain(|tick| {
+        let tip = tick.foot().and_then(|(foot, _)| foot.other().of(&polylines[tick.number]));
+        let is_other = |line: u32| line as usize != tick.number && line as usize != tick.base;
+        tip.is_some_and(|tip| all.nearest(tip.at, FREE, |segment| is_other(segment.line)).is_none())
+    });
+    for tick in &ticks {
+        let is_like = |other: &&Tick| {
+            let apart = (other.length - tick.length).abs();
+            other.axis == tick.axis && apart <= AS_LONG * other.length.max(tick.length)
+        };
+        are_ticks[tick.number] = ticks.iter().filter(is_like).take(SCALE).count() == SCALE;
+    }
+    are_ticks
 }
 
 /// Makes the ticks of scales longer where there is room for it: all of a scale by the same length, so that longer ones
@@ -194,7 +222,10 @@ impl TickGroup<'_> {
         let ways = [false, true].into_iter().filter(|lacks| self.may_lack || !lacks);
         for (may_lack, side) in ways.flat_map(|may| self.sides.iter().map(move |side| (may, *side))) {
             let longer = self.longer(side, polylines, params);
-            let is_free: Vec<bool> = longer.iter().map(|line| is_free(line, self.others, area, params)).collect();
+            let is_free = |(line, tick): (&Polyline<Vertex>, &&Tick)| {
+                is_free(line, tick.base_of(&polylines[tick.number]), self.others, area, params)
+            };
+            let is_free: Vec<bool> = longer.iter().zip(&self.ticks).map(is_free).collect();
             let free =
                 || longer.iter().zip(&self.ticks).zip(&is_free).filter(|(_, is_free)| **is_free).map(|(of, _)| of);
             let lines: Vec<&Polyline<Vertex>> = free().map(|(line, _)| line).collect();
@@ -326,6 +357,15 @@ fn whole(marks: Vec<(f32, TickMark)>) -> Vec<TickMark> {
 }
 
 impl Tick {
+    /// Where it stands on the line that it belongs to, and which way it leads away from that; none of one that goes
+    /// across. `line` is its own.
+    fn base_of(&self, line: &Polyline<Vertex>) -> Option<(MmPoint, MmVector)> {
+        let (which, gap) = self.foot()?;
+        let (foot, end) = (which.of(line)?.at, which.other().of(line)?.at);
+        let way = (end - foot).try_normalize()?;
+        Some((foot - way * gap, way))
+    }
+
     /// Its line, longer by so much, mm, and standing on the line that it belongs to: at its free ends, or where both
     /// are free at that on one side of its line, if one is given.
     fn longer(&self, line: &Polyline<Vertex>, more: f32, side: Option<MmVector>) -> Polyline<Vertex> {
@@ -352,13 +392,23 @@ fn longer(line: &Polyline<Vertex>, by: [f32; 2]) -> Polyline<Vertex> {
     line
 }
 
-/// Whether a line is apart from all these others.
-fn is_free(line: &Polyline<Vertex>, others: &Nearby, area: MmRect, params: &Params) -> bool {
-    let clearance = params.max_clearance();
-    line.vertices.iter().all(|vertex| {
+/// Whether a tick is apart from all these others. Where it stands on its line, and which way it leads away from that, is
+/// given, if it does: what is on the other side of its line, as the side of a bar that ends there, is not in its way.
+fn is_free(
+    tick: &Polyline<Vertex>,
+    base: Option<(MmPoint, MmVector)>,
+    others: &Nearby,
+    area: MmRect,
+    params: &Params,
+) -> bool {
+    let (clearance, half) = (params.max_clearance(), 0.5 * params.width_max);
+    // what ends within the line does so from there
+    let is_behind = |at: MmPoint| base.is_some_and(|(foot, way)| (at - foot).dot(way) <= half);
+    tick.vertices.iter().all(|vertex| {
         let mut free = area.contains(vertex.at);
         others.around_point(vertex.at, clearance, |segment| {
-            free &= nearest_on_segment(vertex.at, segment.a, segment.b).0 >= clearance;
+            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
+            free &= distance >= clearance || is_behind(at);
         });
         free
     })

@@ -77,3 +77,11 @@ fn an_arc_whose_ends_meet_is_a_ring() {
     assert!(joined.len() == 1 && joined[0].closed);
     assert!(joined[0].vertices.first() != joined[0].vertices.last());
 }
+
+/// As in a histogram: the tick was a part of the bar's side, and as short as it was.
+#[test]
+fn a_tick_is_no_part_of_what_ends_on_the_other_side_of_its_line() {
+    let lines = || vec![straight((20., 50.), (20., 52.), 0.0), straight((20., 20.), (20., 50.), 0.0)];
+    assert_eq!(join(lines(), 3.0, &StandingEnds::default(), true).len(), 1);
+    assert_eq!(join_but_ticks(lines(), &[true, false], 3.0, &StandingEnds::default(), true).len(), 2);
+}

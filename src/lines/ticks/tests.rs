@@ -54,6 +54,38 @@ fn all_of_a_scale_or_none() {
     assert_eq!(lengths(10.0, &[(60.0, 66.0); 3], None), [6.0; 3], "on no line");
 }
 
+/// Five ticks below an axis along y = 50, then the axis, then the sides of bars that stand on it above each of them.
+fn histogram() -> Vec<Polyline<Vertex>> {
+    let below = |k: usize| (20.0 + 10.0 * k as f32, 50.0);
+    let ticks = (0..5).map(|k| line(below(k), (below(k).0, 52.0)));
+    let sides = (0..5).map(|k| line((below(k).0, 20.0), below(k)));
+    ticks.chain([line((10.0, 50.0), (90.0, 50.0))]).chain(sides).collect()
+}
+
+#[test]
+fn what_ends_on_the_axis_above_a_tick_is_not_in_its_way() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let lengths = |mut lines: Vec<Polyline<Vertex>>| -> Vec<f32> {
+        lengthen(&mut lines, &[], area, &PARAMS);
+        lines[..5].iter().map(|line| (10.0 * line.length()).round() / 10.0).collect()
+    };
+    assert_eq!(lengths(histogram()), [8.2; 5]);
+    let mut crossed = histogram();
+    crossed.push(line((15.0, 56.0), (55.0, 56.0)));
+    assert_eq!(lengths(crossed), [2.0; 5], "what is below the axis is");
+}
+
+#[test]
+fn ticks_of_a_scale_are_so_many_of_one_length_whose_other_end_leads_to_nothing() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let count = |lines: &[Polyline<Vertex>]| of_scales(lines, area, &PARAMS).iter().filter(|is| **is).count();
+    let lines = histogram();
+    assert_eq!(of_scales(&lines, area, &PARAMS)[..6], [true, true, true, true, true, false]);
+    assert_eq!((count(&lines), count(&lines[3..])), (5, 0), "two are no scale");
+    let box_below = line((15.0, 52.0), (65.0, 52.0));
+    assert_eq!(count(&[&lines[..], &[box_below]].concat()), 0, "they lead on to something");
+}
+
 #[test]
 fn a_scale_is_drawn_without_the_few_ticks_that_have_no_room_and_those_at_points() {
     let beside = |from: f32, to: f32, y: f32| Some(line((from, y), (to, y)));
