@@ -44,7 +44,7 @@ impl Places<'_> {
         let Some(toward) = heading(tip).map(|way| self.on_lattice(way)) else { return false };
         let legs = self.legs(tip.at, toward);
         let count = legs.iter().map(Vec::len).sum();
-        let is_free = |dot: &GridPoint| self.is_free(*dot, tip, count, None);
+        let is_free = |dot: &GridPoint| self.is_free(*dot, (tip, None), count, None);
         if legs.iter().any(|leg| leg.len() < LEAST) || !legs.iter().flatten().all(is_free) {
             return false;
         }

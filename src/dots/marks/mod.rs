@@ -402,7 +402,7 @@ impl Places<'_> {
             dots.retain(|dot| !own(*dot) && !is_inside(*dot));
             if dots.is_empty() {
                 is_covered |= point.is_some();
-            } else if dots.iter().all(|dot| self.is_free(*dot, foot, count, behind)) {
+            } else if dots.iter().all(|dot| self.is_free(*dot, (foot, Some(way)), count, behind)) {
                 drawn.sides[side] = dots;
             }
         }
@@ -432,8 +432,15 @@ impl Places<'_> {
     }
 
     /// Whether a dot of a tick of so many dots, which stands on its foot, or behind the point of this number there, is
-    /// apart from all others.
-    fn is_free(&self, dot: GridPoint, foot: RowDot, count: usize, behind: Option<usize>) -> bool {
+    /// apart from all others. Which way it leads may be given: what ends on the other side of its row, as the side of a
+    /// bar, does not count then.
+    fn is_free(
+        &self,
+        dot: GridPoint,
+        (foot, way): (RowDot, Option<MmVector>),
+        count: usize,
+        behind: Option<usize>,
+    ) -> bool {
         let lattice = self.field.lattice;
         if !lattice.holds(dot) {
             return false;
@@ -447,6 +454,9 @@ impl Places<'_> {
         // the row beside its own place is as near as the tick is long
         let beside = 2 * (count + self.params.line_gap as usize) + 4;
         let row = &self.rows[foot.row];
+        let at = lattice.to_mm(foot.at);
+        let ahead = |other: GridPoint| way.map(|way| (lattice.to_mm(other) - at).dot(way));
+        let is_beyond = |other: GridPoint| ahead(other).is_some_and(|mm| mm < 0.25 * self.params.pitch);
         let mut near = self.field.around(dot, gap + 1.0).filter(|(_, other, _)| lattice.are_near(dot, *other, gap));
         near.all(|(_, other, owner)| match owner {
             Owner::Row(of, number) if of == foot.row => {
@@ -454,7 +464,9 @@ impl Places<'_> {
                 apart <= beside || row.closed && row.dots.len() - apart <= beside
             }
             // what leads to the point behind which it is
-            Owner::Row(..) => own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius + gap),
+            Owner::Row(..) => {
+                is_beyond(other) || own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius + gap)
+            }
             Owner::Tick(..) => !self.are_close(dot, other),
         })
     }

@@ -65,6 +65,20 @@ fn where_a_line_is_beside_the_axis_ticks_are_on_its_other_side() {
 }
 
 #[test]
+fn the_side_of_a_bar_that_ends_on_the_axis_above_a_tick_is_not_in_its_way() {
+    let side = |last: i32| Row {
+        dots: (5..=last).map(|y| MmPoint::new(20.0, 2.0 * y as f32)).collect(),
+        closed: false,
+        is_heavy: false,
+        is_weak: false,
+    };
+    let scale = [tick(20.0, 0.0, 2.0), tick(40.0, 0.0, 2.0), tick(60.0, 0.0, 2.0)];
+    let drawn = |last: i32| placed(&[], &scale, &rows(Some(side(last)))).shown.scales.remove(0).ticks;
+    assert_eq!(drawn(19), [true; 3]);
+    assert_eq!(drawn(24), [false; 3], "it goes on below the axis");
+}
+
+#[test]
 fn ticks_too_near_to_one_another_are_left_out_but_for_every_so_many_th() {
     let near: Vec<TickMark> = (0..9).map(|k| tick(20.0 + 4.0 * k as f32, 2.0, 2.0)).collect();
     let shown = placed(&[], &near, &rows(None)).shown.scales.remove(0);
