@@ -51,6 +51,7 @@ mod remarks;
 mod request;
 mod series;
 pub mod sheets;
+mod sign_legend;
 mod small_areas;
 mod subject;
 mod text_reader;

@@ -41,6 +41,7 @@ mod relations;
 mod scenes;
 mod sheet;
 mod sheets;
+mod signs;
 mod skips;
 mod spread;
 mod structure;

@@ -44,8 +44,8 @@ pub struct ChainKind {
     pub added: bool,
     /// Whether it is the filled head of an arrow in a bitmap: its tip and two other corners.
     pub head: bool,
-    /// Whether it is the ring of a sign that marks a place, as the points of a scatter plot do.
-    pub sign: bool,
+    /// Of the ring of a sign that marks a place, as the points of a scatter plot do, the number of its kind.
+    pub sign: Option<u8>,
 }
 
 /// The edgels of one chain.

@@ -194,6 +194,7 @@ impl Signs {
     /// them apart.
     pub(super) fn add_to(&self, edges: &mut Edges) {
         for (number, kind) in self.kinds.iter().enumerate() {
+            let of_kind = Some(u8::try_from(number).unwrap_or(u8::MAX));
             for sign in kind {
                 let is_filled = number == 0;
                 let contrast = [if is_filled { sign.strength } else { 0.0 }, 0.0, 0.0];
@@ -201,7 +202,7 @@ impl Signs {
                 let count = ((TAU * sign.radius).ceil() as usize).max(16);
                 let stroke = (!is_filled).then_some(1.0);
                 edges.push_as(
-                    ChainKind { exact: true, of_drawing: true, sign: true, stroke, ..ChainKind::default() },
+                    ChainKind { exact: true, of_drawing: true, sign: of_kind, stroke, ..ChainKind::default() },
                     circle_points(sign.at, sign.radius, count).map(edgel),
                     true,
                 );

@@ -214,7 +214,7 @@ impl Polyline<Vertex> {
         let source = match kind {
             ChainKind { exact: true, added: true, .. } => FoundIn::Person,
             ChainKind { head: true, .. } => FoundIn::Head,
-            ChainKind { sign: true, .. } => FoundIn::Sign,
+            ChainKind { sign: Some(_), .. } => FoundIn::Sign,
             ChainKind { exact: true, .. } => FoundIn::Vector,
             ChainKind { of_drawing: true, stroke: Some(_), .. } => FoundIn::Stroke,
             _ => FoundIn::Pixels,

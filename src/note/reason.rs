@@ -256,6 +256,8 @@ reasons! {
     SignNearLine => "sign-near-line", TexturesMissing;
     /// The legend is in the key, and not in the figure.
     LegendInKey => "legend-in-key", Changed;
+    /// A legend of signs is not on the page, where its samples would be felt as points.
+    LegendOfSigns => "legend-of-signs", ThingsMissing;
     /// No key tells what the colours of a legend mean.
     LegendWithoutKey => "legend-without-key", ThingsMissing;
     /// A colour of the legend has no texture on the page.

@@ -25,7 +25,7 @@ use super::told_drawn::{DrawnLines, told_of_figure};
 use super::told_given::{told_no_drawing, told_no_lines, told_short, told_words};
 use super::told_lines::{left_out, told_simplified};
 use super::words::{Words, become_labels};
-use super::{leaders, line_legend};
+use super::{leaders, line_legend, sign_legend};
 use crate::edges::{self, Edges};
 use crate::lines::{Line, Lines, LostSign};
 use crate::page::layout::Layout;
@@ -152,8 +152,8 @@ struct ApartFromWords {
     told: Vec<Note>,
 }
 
-/// Takes out of the contours of a drawing what says nothing beside words in braille: the samples of a legend of lines,
-/// leader lines that have no room as a whole, and a legend of colours that the key has.
+/// Takes out of the contours of a drawing what says nothing beside words in braille: the samples of a legend of signs or
+/// lines, leader lines that have no room as a whole, and a legend of colours that the key has.
 fn apart_from_words(
     (edges, texts): (&mut Edges, &mut [Text]),
     words: &Words<'_>,
@@ -165,6 +165,7 @@ fn apart_from_words(
     let (mut has_named_lines, mut told) = (false, Vec::new());
     let is_label = become_labels(words);
     if plan.profile().figure.lines {
+        told.extend(sign_legend::taken_out(edges, texts, raster, layout));
         let of_legend = line_legend::to_curves(edges, texts, &is_label, raster, layout);
         has_named_lines = of_legend.is_some();
         told.extend(of_legend);

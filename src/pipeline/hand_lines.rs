@@ -42,7 +42,7 @@ pub struct HandLines {
 const MOST_NAMED: usize = 5;
 /// Contours of the lines of a page, and of lines that a person adds to those of a picture.
 const OF_PAGE: ChainKind =
-    ChainKind { exact: true, of_drawing: true, stroke: None, faint: false, added: false, head: false, sign: false };
+    ChainKind { exact: true, of_drawing: true, stroke: None, faint: false, added: false, head: false, sign: None };
 const ADDED: ChainKind = ChainKind { of_drawing: false, added: true, ..OF_PAGE };
 /// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
 pub(super) const SAME_SHAPE: f32 = 0.03;

@@ -264,6 +264,7 @@ fn text_at(label: &BrailleText, page: &Page, layout: &Layout) -> Text {
         lost_leader: None,
         kept_leader: None,
         in_key: false,
+        of_sign: None,
     }
 }
 

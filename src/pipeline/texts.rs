@@ -27,8 +27,10 @@ pub struct Text {
     pub(super) lost_leader: Option<(MmPoint, MmPoint)>,
     /// Of a text whose leader line in the drawing is on the page, where that begins and its tip.
     pub(super) kept_leader: Option<(MmPoint, MmPoint)>,
-    /// Whether it is a word of a legend, which the key has instead.
+    /// Whether it is a word of a legend that is taken out of the drawing.
     pub(super) in_key: bool,
+    /// Of a word of a legend of signs, whether it stands for filled ones.
+    pub(super) of_sign: Option<bool>,
 }
 
 impl Text {
@@ -125,6 +127,7 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
         lost_leader: None,
         kept_leader: None,
         in_key: false,
+        of_sign: None,
     };
     texts.iter().map(placed).collect()
 }

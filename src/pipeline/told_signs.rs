@@ -1,7 +1,9 @@
-//! Signs of a bitmap that mark places, such as the points of a scatter plot: what is told of those of several kinds.
+//! Signs that mark places, such as the points of a scatter plot: what is told of those of several kinds.
 
 use super::lost_signs::{MOVED, extent};
 use super::on_sheet::on_sheet;
+use super::texts::Text;
+use super::unwritten::named;
 use crate::edges::{ChainRange, Edges};
 use crate::lines::{Line, SignKind};
 use crate::page::layout::Layout;
@@ -17,7 +19,7 @@ const LARGEST: f32 = 8.0;
 pub(super) fn places(edges: &Edges, figure: MmRect) -> Vec<(MmPoint, bool)> {
     let transform = PageTransform::new(edges.size, figure);
     let middle = |range: &ChainRange| MmRect::from_points(on_sheet(edges, range, &transform)).center();
-    let signs = edges.chains.iter().filter(|range| range.kind.sign);
+    let signs = edges.chains.iter().filter(|range| range.kind.sign.is_some());
     signs.map(|range| (middle(range), range.kind.stroke.is_none())).collect()
 }
 
@@ -29,8 +31,9 @@ pub(super) fn kind_of(at: MmPoint, signs: &[(MmPoint, bool)]) -> SignKind {
     }
 }
 
-/// What the maker is told of signs of several kinds: how they are told apart on the page, if they are.
-pub(super) fn told(lines: &[Line], edges: &Edges, layout: &Layout) -> Option<Note> {
+/// What the maker is told of signs of several kinds: how they are told apart on the page, if they are, with the words of
+/// their legend.
+pub(super) fn told(lines: &[Line], edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Note> {
     let signs = places(edges, layout.figure);
     let filled = signs.iter().filter(|(_, is_filled)| *is_filled).count();
     let hollow = signs.len() - filled;
@@ -43,8 +46,13 @@ pub(super) fn told(lines: &[Line], edges: &Edges, layout: &Layout) -> Option<Not
     };
     let rings: Vec<MmPoint> = lines.iter().filter(is_ring).map(|line| extent(line).center()).collect();
     let is_drawn = |at: MmPoint| rings.iter().any(|ring| (*ring - at).length() < MOVED);
+    let of = |is_filled: bool| {
+        let words = texts.iter().filter(|text| text.of_sign == Some(is_filled)).map(|text| text.string.as_str());
+        let words: Vec<&str> = words.collect();
+        if words.is_empty() { String::new() } else { format!(" ({})", named(&words)) }
+    };
     let apart = match signs.iter().any(|(at, is_filled)| !is_filled && is_drawn(*at)) {
-        true => format!("{filled} are filled points on the page, and {hollow} are rings"),
+        true => format!("{filled}{} are filled points on the page, and {hollow}{} are rings", of(true), of(false)),
         false => "all are discs on the page, as there is no room for rings".to_owned(),
     };
     let told = format!("signs of several kinds mark places: {apart}; say in the title or a label what they stand for");

@@ -160,6 +160,7 @@ fn in_place(text: &TypedText, cells: &CellGrid<'_>) -> Text {
         lost_leader: None,
         kept_leader: None,
         in_key: false,
+        of_sign: None,
     }
 }
 

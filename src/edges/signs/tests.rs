@@ -64,7 +64,7 @@ fn discs_on_gridlines_and_on_one_another_are_found_and_taken_out() {
     assert!((at(210, 132) - 0.6).abs() < 0.02, "a gridline");
     let mut edges = Edges::none(SIZE);
     signs.add_to(&mut edges);
-    assert!(edges.chains.len() == 10 && edges.chains.iter().all(|chain| chain.closed && chain.kind.sign));
+    assert!(edges.chains.len() == 10 && edges.chains.iter().all(|chain| chain.closed && chain.kind.sign == Some(0)));
 }
 
 /// A shape around its middle.

@@ -126,6 +126,7 @@ fn a_line_that_is_gone_is_told_with_the_text_that_is_nearest_to_it() {
         lost_leader: None,
         kept_leader: None,
         in_key: false,
+        of_sign: None,
     };
     let door = LostLine {
         extent: MmRect::new((22.0, 40.0).into(), (46.0, 40.0).into()),

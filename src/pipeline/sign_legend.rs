@@ -1,0 +1,159 @@
+//! A legend of signs, as that of a scatter plot: one sign of each kind with a word beside it, which tells what the
+//! points stand for. On a page a sample would be felt as one more point. So samples are left out, and with them their
+//! words and their frame, which say nothing alone.
+
+use super::legend::{OF_PATCH, frames, gap};
+use super::texts::Text;
+use super::unwritten::named;
+use crate::edges::{ChainRange, Edges};
+use crate::geom::polygon::holds_box;
+use crate::page::layout::Layout;
+use crate::raster::Raster;
+use crate::units::{MmRect, PageTransform};
+use crate::{About, Note, Reason, Told};
+
+/// A word stands so far beside its sample at most, mm, or so many times the size of its font: in Matplotlib 1.5 times.
+const FARTHEST: f32 = 8.0;
+const FARTHEST_IN_FONTS: f32 = 2.0;
+/// A frame lies so far around samples and words at most, in sizes of their font: what is wider may hold a point that
+/// has a name.
+const AROUND: f32 = 2.5;
+/// The side of a frame lies no farther from the box around it, mm: its corners may be round.
+const BESIDE_FRAME: f32 = 1.5;
+/// Without a frame, samples stand in a column or a row, and the words of a column begin in line, mm.
+const IN_LINE: f32 = 0.5;
+const WORDS_IN_LINE: f32 = 1.0;
+/// Of all other signs at most this share has a word beside it then: else words are the names of points, or their values.
+const NAMED: f32 = 0.2;
+
+/// A sign on the sheet.
+#[derive(Debug, Clone, PartialEq)]
+struct PlacedSign {
+    chain: usize,
+    kind: u8,
+    is_filled: bool,
+    place: MmRect,
+    /// The word beside it, of which it is the nearest sign.
+    word: Option<usize>,
+}
+
+/// Takes a legend of signs out of a drawing. Tells of it.
+pub(super) fn taken_out(edges: &mut Edges, texts: &mut [Text], raster: &Raster, layout: &Layout) -> Option<Note> {
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let signs = signs(edges, texts, &transform);
+    if signs.iter().all(|sign| sign.word.is_none()) {
+        return None;
+    }
+    let framed = in_frame(&signs, texts, &boxes(edges, &transform));
+    let samples = if framed.is_empty() { in_line(&signs, texts) } else { framed };
+    let names: Vec<String> = samples.iter().filter_map(|of| Some(texts[of.word?].string.clone())).collect();
+    if names.is_empty() {
+        return None;
+    }
+    for sample in &samples {
+        if let Some(word) = sample.word {
+            (texts[word].in_key, texts[word].of_sign) = (true, Some(sample.is_filled));
+        }
+    }
+    let patches: Vec<MmRect> = samples.iter().map(|of| of.place.inflate(OF_PATCH, OF_PATCH)).collect();
+    let of_samples: Vec<bool> =
+        (0..edges.chains.len()).map(|chain| samples.iter().any(|sample| sample.chain == chain)).collect();
+    let of_frame = frames(edges, &of_samples, &patches, texts, raster, &transform);
+    let mut gone = of_samples.into_iter().zip(of_frame).map(|(of_sample, of_frame)| of_sample || of_frame);
+    edges.chains.retain(|_| !gone.next().unwrap_or(false));
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let told = format!("the legend in the figure ({}): its samples would be felt as points of the drawing", named(&names));
+    let helped = Told::from(told).or("say in the title or a label what the points stand for");
+    Some(Note::NotOnPage(About::Lines, Reason::LegendOfSigns, helped))
+}
+
+/// The signs among contours, each with its word.
+fn signs(edges: &Edges, texts: &[Text], transform: &PageTransform) -> Vec<PlacedSign> {
+    let sign = |(chain, of): (usize, &ChainRange)| {
+        let kind = of.kind.sign?;
+        let place = place_of(edges, of, transform);
+        Some(PlacedSign { chain, kind, is_filled: of.kind.stroke.is_none(), place, word: word_of(place, texts) })
+    };
+    let mut signs: Vec<PlacedSign> = edges.chains.iter().enumerate().filter_map(sign).collect();
+    let far = |sign: &PlacedSign, word: usize| gap(sign.place, texts[word].place);
+    let is_nearest = |sign: &PlacedSign| {
+        sign.word.is_some_and(|word| {
+            let mut rivals = signs.iter().filter(|other| other.word == Some(word));
+            rivals.all(|other| far(sign, word) <= far(other, word))
+        })
+    };
+    let are_nearest: Vec<bool> = signs.iter().map(is_nearest).collect();
+    signs.iter_mut().zip(are_nearest).for_each(|(sign, is_nearest)| sign.word = sign.word.filter(|_| is_nearest));
+    signs
+}
+
+/// The word at the side of a sign, at its height.
+fn word_of(sign: MmRect, texts: &[Text]) -> Option<usize> {
+    let is_beside = |text: &Text| {
+        let off = (sign.center().y - text.place.center().y).abs();
+        let farthest = FARTHEST.max(FARTHEST_IN_FONTS * text.size);
+        let is_level = off <= 0.5 * sign.height().max(text.place.height());
+        text.is_read() && is_level && (0.0..=farthest).contains(&gap(sign, text.place))
+    };
+    let beside = (0..texts.len()).filter(|&text| is_beside(&texts[text]));
+    beside.min_by(|&a, &b| gap(sign, texts[a].place).total_cmp(&gap(sign, texts[b].place)))
+}
+
+fn place_of(edges: &Edges, chain: &ChainRange, transform: &PageTransform) -> MmRect {
+    MmRect::from_points(edges.chain(chain).vertices.iter().map(|edgel| transform.to_mm(edgel.at)))
+}
+
+/// Closed contours that run along the sides of a box.
+fn boxes(edges: &Edges, transform: &PageTransform) -> Vec<MmRect> {
+    let as_box = |chain: &ChainRange| {
+        let place = place_of(edges, chain, transform);
+        let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
+        let mut points = edges.chain(chain).vertices.iter().map(|edgel| transform.to_mm(edgel.at));
+        (!inside.is_empty() && points.all(|at| !inside.contains(at))).then_some(place)
+    };
+    let closed = edges.chains.iter().filter(|chain| chain.closed && chain.kind.sign.is_none());
+    closed.filter_map(as_box).collect()
+}
+
+/// The samples in the frame of a legend: all signs that it holds, each with its word, and not much more.
+fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect]) -> Vec<PlacedSign> {
+    let samples = |frame: &MmRect| -> Option<Vec<PlacedSign>> {
+        let inside = signs.iter().filter(|sign| frame.contains(sign.place.center()));
+        let samples: Vec<PlacedSign> = inside.cloned().collect();
+        let words: Vec<&Text> = samples.iter().filter_map(|of| Some(&texts[of.word?])).collect();
+        let holds_words = words.len() == samples.len() && words.iter().all(|of| frame.contains(of.place.center()));
+        let places = samples.iter().map(|of| of.place).chain(words.iter().map(|of| of.place));
+        let around = places.reduce(|a, b| a.union(&b)).filter(|_| holds_words)?;
+        let most = AROUND * words.iter().map(|of| of.size).fold(0.0, f32::max);
+        holds_box(around.inflate(most, most), *frame).then_some(samples)
+    };
+    boxes.iter().filter_map(samples).max_by_key(Vec::len).unwrap_or_default()
+}
+
+/// The samples of a legend without a frame: one of each kind, two kinds and more, in a column or a row.
+fn in_line(signs: &[PlacedSign], texts: &[Text]) -> Vec<PlacedSign> {
+    let with_words = || signs.iter().filter(|sign| sign.word.is_some());
+    let begins = |sign: &PlacedSign| sign.word.map_or(f32::NAN, |word| texts[word].place.min.x);
+    let is_in_line = |a: &PlacedSign, b: &PlacedSign| {
+        let off = a.place.center() - b.place.center();
+        let in_column = off.x.abs() <= IN_LINE && (begins(a) - begins(b)).abs() <= WORDS_IN_LINE;
+        in_column || off.y.abs() <= IN_LINE
+    };
+    let kinds = |of: &[PlacedSign]| {
+        let mut kinds: Vec<u8> = of.iter().map(|sign| sign.kind).collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        kinds.len()
+    };
+    let all = kinds(signs);
+    let samples = |first: &PlacedSign| -> Option<Vec<PlacedSign>> {
+        let own: Vec<PlacedSign> = with_words().filter(|sign| is_in_line(first, sign)).cloned().collect();
+        let others = with_words().count() - own.len();
+        let are_few = others as f32 <= NAMED * (signs.len() - own.len()) as f32;
+        (all > 1 && own.len() == all && kinds(&own) == all && are_few).then_some(own)
+    };
+    with_words().find_map(samples).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests;
