@@ -6,9 +6,10 @@ use crate::geom::nearest_on_segment;
 use crate::raster::vector::PaintedPath;
 use crate::units::{PxPoint, PxVector};
 
-/// A sign has at most so many corners, as a broad cross has; a circle is drawn of eight pieces. Letters have more, or
-/// stand beside others.
-const MOST_CORNERS: usize = 12;
+/// A sign has at most so many straight sides, as a broad cross has; more is a picture. A circle is drawn of so many
+/// pieces at most: they are as many as its size asks for in the units of its file.
+const MOST_SIDES: usize = 12;
+const MOST_PIECES: usize = 64;
 /// Two halves of an outline are alike but for this share of its side.
 const MIRRORED: f32 = 0.06;
 /// The strokes of a cross lead through its middle, but for this share of its side.
@@ -67,8 +68,10 @@ pub(super) fn is_outline(painted: &PaintedPath, middle: PxPoint, side: f32) -> b
         let image = |at: &PxPoint| middle + PxVector::new(x * (at.x - middle.x), y * (at.y - middle.y));
         corners.iter().all(|at| has_image(image(at)))
     };
-    let has_corners = (3..=MOST_CORNERS).contains(&corners.len());
-    is_closed && has_corners && (is_mirrored([-1.0, 1.0]) || is_mirrored([1.0, -1.0]))
+    let is_straight = |segment: &PathSegment| matches!(segment, PathSegment::LineTo(_));
+    let sides = painted.path.segments().filter(is_straight).count();
+    let is_simple = sides <= MOST_SIDES && (3..=MOST_PIECES).contains(&corners.len());
+    is_closed && is_simple && (is_mirrored([-1.0, 1.0]) || is_mirrored([1.0, -1.0]))
 }
 
 /// Whether paths are straight strokes, two and more, that lead through one middle.
@@ -114,8 +117,10 @@ mod tests {
         assert!(!is(&[(-5.0, -5.0), (-5.0, 5.0), (5.0, 5.0)]), "a corner of a square");
         assert!(!is(&[(-5.0, -5.0), (-5.0, 5.0), (4.0, 5.0), (4.0, 3.0), (-3.0, 3.0), (-3.0, -5.0)]), "an L");
         assert!(!is_outline(&path(&[&[(-5.0, 5.0), (0.0, -5.0), (5.0, 5.0)]], false), MIDDLE, 10.0), "a roof is open");
-        let circle = PathBuilder::from_circle(50.0, 50.0, 5.0).expect("a circle");
-        assert!(is_outline(&PaintedPath::filled(circle), MIDDLE, 10.0));
+        for radius in [2.0, 5.0, 40.0] {
+            let circle = PathBuilder::from_circle(50.0, 50.0, radius).expect("a circle");
+            assert!(is_outline(&PaintedPath::filled(circle), MIDDLE, 2.0 * radius), "a circle of {radius}");
+        }
         let square = PathBuilder::from_rect(Rect::from_xywh(45.0, 45.0, 10.0, 10.0).expect("it has sides"));
         assert!(is_outline(&PaintedPath::filled(square), MIDDLE, 10.0));
     }
