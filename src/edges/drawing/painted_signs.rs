@@ -42,10 +42,12 @@ const ALIKE_SHARE: f32 = 0.03;
 /// The shorter side of a sign is at least this share of the longer one: the diamond of some programs is 0.58 times as
 /// wide as it is high.
 const AS_WIDE: f32 = 0.55;
-/// A line leads through the middle of a sign where its pieces meet, but for this share of the sign's side; it ends at
-/// the sign if no farther from its middle than this share.
-const AT_MIDDLE: f32 = 0.12;
+/// A line leads through the middle of a sign but for this share of the sign's side; it ends at the sign if no farther
+/// from its middle than this share.
+const AT_MIDDLE: f32 = 0.15;
 const AT_SIDE: f32 = 0.75;
+/// A line is slanted if it is neither level nor upright: the sine of 1.1 degrees.
+const SLANTED: f32 = 0.02;
 /// From most of them the next one of their kind is as far as so many of their sides: they lie beside one another, and
 /// are no texture.
 const APART: f32 = 1.0;
@@ -76,11 +78,11 @@ pub(super) fn find(
     if marks.is_empty() {
         return None;
     }
-    let lines = LineEnds::of(paths, &marks, size);
+    let are_led_to = LedTo::among(paths, &marks, params.widest_stroke, size).kinds();
     let mut others: Vec<Neighbour> = others.iter().flatten().map(Thing::as_neighbour).collect();
     let mut found: Vec<Kind> = Vec::new();
-    for kind in marks {
-        match Kind::of(&kind, paths, picture, params, size).filter(|_| !lines.lead_to(&kind)) {
+    for (kind, is_led_to) in marks.into_iter().zip(are_led_to) {
+        match Kind::of(&kind, paths, picture, params, size).filter(|_| !is_led_to) {
             Some(of) => found.push(of),
             None => others.extend(kind.iter().map(Thing::as_neighbour)),
         }
@@ -261,44 +263,72 @@ impl Kind {
     }
 }
 
-/// Where the pieces of lines meet, and where lines end. A curve is drawn from point to point, and the lines of a graph
-/// and the shafts of arrows end at what marks their ends; a straight line that leads over points is none of them.
-struct LineEnds(Index<(PxPoint, bool), Px>);
+/// Which things lines lead to: those in whose middle lines have a corner or their own middle, or through which curves
+/// and slanted lines are led, and those at which lines end. Such are the points of a curve or of a figure, the nodes of
+/// a graph, the values of bars of errors, and the heads of arrows. The lines of a grid may lie below any point.
+struct LedTo<'t> {
+    things: &'t [Vec<Thing>],
+    /// The kind and the number of each, by place.
+    index: Index<(usize, usize), Px>,
+    /// The largest side of them, px.
+    largest: f32,
+    led: Vec<Vec<bool>>,
+}
 
-impl LineEnds {
-    /// Those of all strokes but the strokes of these things.
-    fn of(paths: &[PaintedPath], things: &[Vec<Thing>], size: Size) -> Self {
-        let mut is_of_thing = vec![false; paths.len()];
-        things.iter().flatten().flat_map(|thing| thing.paths.clone()).for_each(|path| is_of_thing[path] = true);
+impl<'t> LedTo<'t> {
+    /// Those to which the strokes lead that are no parts of things.
+    fn among(paths: &[PaintedPath], things: &'t [Vec<Thing>], widest_stroke: f32, size: Size) -> Self {
         let area = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
-        let mut index = Index::new(area, CELL);
-        let strokes = paths.iter().zip(is_of_thing).filter(|(painted, of_thing)| !of_thing && painted.stroke.is_some());
-        for part in strokes.flat_map(|(painted, _)| parts(&painted.path)) {
-            let last = part.corners.len().saturating_sub(1);
-            for (number, at) in part.corners.iter().enumerate() {
-                index.put_at(*at, (*at, !part.closed && (number == 0 || number == last)));
-            }
-            // the bar of an error has its value in the middle
-            if let [from, to] = part.corners[..] {
-                let middle = from.lerp(to, 0.5);
-                index.put_at(middle, (middle, false));
+        let led = things.iter().map(|kind| vec![false; kind.len()]).collect();
+        let mut found = Self { things, index: Index::new(area, CELL), largest: 0.0, led };
+        let mut is_of_thing = vec![false; paths.len()];
+        for (kind, of) in things.iter().enumerate() {
+            for (number, thing) in of.iter().enumerate() {
+                found.index.put_at(thing.middle(), (kind, number));
+                found.largest = found.largest.max(thing.side());
+                thing.paths.clone().for_each(|path| is_of_thing[path] = true);
             }
         }
-        Self(index)
+        let strokes = paths.iter().zip(is_of_thing).filter(|(painted, of_thing)| !of_thing && painted.stroke.is_some());
+        strokes.for_each(|(painted, _)| found.follow(painted, widest_stroke, size));
+        found
     }
 
-    /// Whether lines lead to half of these things or more.
-    fn lead_to(&self, things: &[Thing]) -> bool {
-        let is_led_to = |thing: &&Thing| {
-            let (middle, side) = (thing.middle(), thing.side());
-            let mut is_any = false;
-            self.0.around(middle, middle, AT_SIDE * side, |(at, is_end)| {
-                let share = if *is_end { AT_SIDE } else { AT_MIDDLE };
-                is_any |= (*at - middle).length() <= share * side;
-            });
-            is_any
-        };
-        2 * things.iter().filter(is_led_to).count() >= things.len()
+    /// Marks what a stroke leads to.
+    fn follow(&mut self, painted: &PaintedPath, widest_stroke: f32, size: Size) {
+        for part in parts(&painted.path) {
+            let last = part.corners.len().saturating_sub(1);
+            for (number, at) in part.corners.iter().enumerate() {
+                let is_end = !part.closed && (number == 0 || number == last);
+                self.mark(*at, if is_end { AT_SIDE } else { AT_MIDDLE });
+            }
+            if let [from, to] = part.corners[..] {
+                self.mark(from.lerp(to, 0.5), AT_MIDDLE);
+            }
+        }
+        for proposal in proposals([painted], widest_stroke, size) {
+            for (from, to) in proposal.line.segments() {
+                let way = *to - *from;
+                if way.x.abs().min(way.y.abs()) > SLANTED * way.length() {
+                    self.mark(from.lerp(*to, 0.5), AT_MIDDLE);
+                }
+            }
+        }
+    }
+
+    /// Marks the things whose middles are no farther from a place of a line than this share of their sides.
+    fn mark(&mut self, at: PxPoint, share: f32) {
+        let Self { things, index, largest, led } = self;
+        index.around(at, at, share * *largest, |&(kind, number)| {
+            let thing = &things[kind][number];
+            led[kind][number] |= (at - thing.middle()).length() <= share * thing.side();
+        });
+    }
+
+    /// Of each kind, whether lines lead to half of its things or more.
+    fn kinds(&self) -> Vec<bool> {
+        let is_led = |led: &Vec<bool>| 2 * led.iter().filter(|is_led| **is_led).count() >= led.len();
+        self.led.iter().map(is_led).collect()
     }
 }
 

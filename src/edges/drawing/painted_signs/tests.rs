@@ -107,6 +107,20 @@ fn points_of_a_curve_and_ends_of_lines_are_no_signs_and_points_below_a_straight_
     assert_eq!(with(&errors), [0; 3], "bars of errors");
 }
 
+/// As in a figure of geometry.
+#[test]
+fn points_on_a_circle_are_no_signs() {
+    let on_circle = |degrees: f32| {
+        let (y, x) = degrees.to_radians().sin_cos();
+        (200.0 + 110.0 * x, 150.0 + 110.0 * y)
+    };
+    let places = [10.0, 55.0, 130.0, 200.0, 290.0, 335.0].map(on_circle);
+    let circle = PathBuilder::from_circle(200.0, 150.0, 110.0).expect("a circle");
+    let circle = PaintedPath { stroke: Some(Stroke::default()), ..PaintedPath::filled(circle) };
+    assert_eq!(found(&squares(&places), &places), [6, 0, 6], "without it they are");
+    assert_eq!(found(&[squares(&places), vec![circle]].concat(), &places), [0; 3]);
+}
+
 #[test]
 fn what_has_something_small_beside_it_is_a_letter() {
     let stems: Vec<PaintedPath> = PLACES.iter().map(|at| square((at.0 + 14.0, at.1 + 4.0), [9, 9, 9, 255])).collect();
