@@ -26,7 +26,7 @@ use crate::geom::nearby::Index;
 use crate::raster::contrast::distance;
 use crate::raster::vector::PaintedPath;
 use crate::units::{Px, PxPoint, PxVector, Size};
-use shape::{is_cross, is_outline, parts};
+use shape::{Part, is_cross, is_outline, parts};
 
 /// The largest sign, mm, with its stroke: a larger one has room as it is. Of points in the figure of a page discs are
 /// drawn up to 5.9 mm.
@@ -46,8 +46,10 @@ const AS_WIDE: f32 = 0.55;
 /// from its middle than this share.
 const AT_MIDDLE: f32 = 0.15;
 const AT_SIDE: f32 = 0.75;
-/// A line is slanted if it is neither level nor upright: the sine of 1.1 degrees.
+/// A line of a grid is level or upright but for this sine (1.1 degrees), and so many are alike and begin and end
+/// together.
 const SLANTED: f32 = 0.02;
+const OF_GRID: usize = 3;
 /// From most of them the next one of their kind is as far as so many of their sides: they lie beside one another, and
 /// are no texture.
 const APART: f32 = 1.0;
@@ -263,9 +265,9 @@ impl Kind {
     }
 }
 
-/// Which things lines lead to: those in whose middle lines have a corner or their own middle, or through which curves
-/// and slanted lines are led, and those at which lines end. Such are the points of a curve or of a figure, the nodes of
-/// a graph, the values of bars of errors, and the heads of arrows. The lines of a grid may lie below any point.
+/// Which things lines lead to: those through whose middles lines are led, and those at which lines end. Such are the
+/// points of a curve or of a figure, the stops of a route, the nodes of a graph, the values of bars of errors, and the
+/// heads of arrows. The lines of a grid may lie below any point.
 struct LedTo<'t> {
     things: &'t [Vec<Thing>],
     /// The kind and the number of each, by place.
@@ -290,28 +292,32 @@ impl<'t> LedTo<'t> {
             }
         }
         let strokes = paths.iter().zip(is_of_thing).filter(|(painted, of_thing)| !of_thing && painted.stroke.is_some());
-        strokes.for_each(|(painted, _)| found.follow(painted, widest_stroke, size));
+        let strokes: Vec<(&PaintedPath, Vec<Part>)> =
+            strokes.map(|(painted, _)| (painted, parts(&painted.path))).collect();
+        let lanes = |(painted, parts): &(&PaintedPath, Vec<Part>)| -> Vec<Option<Lane>> {
+            parts.iter().map(|part| lane(part, painted.colours[1])).collect()
+        };
+        let mut alike: BTreeMap<Lane, usize> = BTreeMap::new();
+        strokes.iter().flat_map(lanes).flatten().for_each(|lane| *alike.entry(lane).or_default() += 1);
+        let is_of_grid = |lane: &Option<Lane>| lane.as_ref().is_some_and(|lane| alike[lane] >= OF_GRID);
+        for stroke in strokes.iter().filter(|stroke| !lanes(stroke).iter().all(is_of_grid)) {
+            found.follow(stroke.0, &stroke.1, widest_stroke, size);
+        }
         found
     }
 
-    /// Marks what a stroke leads to.
-    fn follow(&mut self, painted: &PaintedPath, widest_stroke: f32, size: Size) {
-        for part in parts(&painted.path) {
+    /// Marks what a stroke leads to, which has these parts.
+    fn follow(&mut self, painted: &PaintedPath, parts: &[Part], widest_stroke: f32, size: Size) {
+        for part in parts {
             let last = part.corners.len().saturating_sub(1);
             for (number, at) in part.corners.iter().enumerate() {
                 let is_end = !part.closed && (number == 0 || number == last);
                 self.mark(*at, if is_end { AT_SIDE } else { AT_MIDDLE });
             }
-            if let [from, to] = part.corners[..] {
-                self.mark(from.lerp(to, 0.5), AT_MIDDLE);
-            }
         }
         for proposal in proposals([painted], widest_stroke, size) {
             for (from, to) in proposal.line.segments() {
-                let way = *to - *from;
-                if way.x.abs().min(way.y.abs()) > SLANTED * way.length() {
-                    self.mark(from.lerp(*to, 0.5), AT_MIDDLE);
-                }
+                self.mark(from.lerp(*to, 0.5), AT_MIDDLE);
             }
         }
     }
@@ -330,6 +336,20 @@ impl<'t> LedTo<'t> {
         let is_led = |led: &Vec<bool>| 2 * led.iter().filter(|is_led| **is_led).count() >= led.len();
         self.led.iter().map(is_led).collect()
     }
+}
+
+/// A level or upright line of one piece: which of both, its colour, and from where to where it leads, px.
+type Lane = (bool, Option<[u8; 4]>, [i32; 2]);
+
+/// A part of a stroke of some colour as such a line, if it is one.
+fn lane(part: &Part, colour: Option<[u8; 4]>) -> Option<Lane> {
+    let [a, b] = part.corners[..] else { return None };
+    let way = b - a;
+    let is_level = way.y.abs() <= SLANTED * way.length();
+    let is_upright = way.x.abs() <= SLANTED * way.length();
+    let [from, to] = if is_level { [a.x, b.x] } else { [a.y, b.y] };
+    let ends = [from.min(to), from.max(to)].map(|end| end.round() as i32);
+    (is_level || is_upright).then_some((is_level, colour, ends))
 }
 
 #[cfg(test)]

@@ -107,6 +107,20 @@ fn points_of_a_curve_and_ends_of_lines_are_no_signs_and_points_below_a_straight_
     assert_eq!(with(&errors), [0; 3], "bars of errors");
 }
 
+/// Level lines through the middles of all squares, so long to both sides of each or else from 10 to 390.
+#[test]
+fn stops_of_level_routes_are_no_signs_and_points_on_lines_of_a_grid_are() {
+    let with = |reach: Option<f32>| {
+        let line = |at: &(f32, f32)| match reach {
+            Some(reach) => stroke(&[(at.0 - reach, at.1), (at.0 + 1.5 * reach, at.1)]),
+            None => stroke(&[(10.0, at.1), (390.0, at.1)]),
+        };
+        let lines: Vec<PaintedPath> = PLACES.iter().map(line).collect();
+        found(&[lines, squares(&PLACES)].concat(), &PLACES)
+    };
+    assert_eq!([with(Some(40.0)), with(None)], [[0; 3], [8, 0, 8]]);
+}
+
 /// As in a figure of geometry.
 #[test]
 fn points_on_a_circle_are_no_signs() {
