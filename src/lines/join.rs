@@ -3,10 +3,10 @@
 use super::faint::is_faint;
 use super::standing::StandingEnds;
 use super::vertex::{Vertex, is_no_step};
-use crate::geom::link::{End, LinkedChain, link};
+use crate::geom::link::{End, LinkedChain, Part, link};
 use crate::geom::polyline::Polyline;
 use crate::raster::contrast::dot;
-use crate::units::{Mm, MmVector};
+use crate::units::{Mm, MmPoint, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
 const JOINED_HEADING: f32 = 1.5;
@@ -28,12 +28,16 @@ const TOUCHING: f32 = 0.5;
 /// Ends nearer than this are one point, mm.
 const MEETING: f32 = 0.05;
 
+/// Two strokes that lead to one side of a line are no fan if they make less than 20 degrees (the cosine), as two lines
+/// that meet must.
+const BLADE: f32 = 0.94;
+
 /// Ends that do not meet exactly bend towards one another over this length, mm.
 const BEND: f32 = 4.0;
 
 /// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet. Of ends that are
-/// `standing` on lines only those on one line are joined over it. Of drawings the last bit of an end may tell its
-/// direction.
+/// `standing` on lines only those on one line are joined over it, and if both come from the same side, only where that
+/// closes a ring. Of drawings the last bit of an end may tell its direction.
 pub(super) fn join(
     polylines: Vec<Polyline<Vertex>>,
     gap: f32,
@@ -64,8 +68,38 @@ pub(super) fn join_but_ticks(
         let cost = cost(a, b, &lengths, gap).or_else(of_hooks).filter(|_| faint[a.polyline] == faint[b.polyline])?;
         (!is_parted(a, b)).then_some(cost)
     });
+    let parted = |thread: LinkedChain| without_fans(thread, &polylines, &lengths, standing);
+    let threads: Vec<LinkedChain> = threads.into_iter().flat_map(parted).collect();
     let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
     threads.into_iter().filter_map(|thread| concatenate(&thread, &mut left)).collect()
+}
+
+/// A thread, in pieces where two of its polylines are strokes of one fan, each long enough for a line: each ends on the
+/// line to which it leads, where a bend would only touch it. What closes to a ring is a shape that stands there.
+fn without_fans(
+    thread: LinkedChain,
+    polylines: &[Polyline<Vertex>],
+    lengths: &[f32],
+    standing: &StandingEnds,
+) -> Vec<LinkedChain> {
+    if thread.closed || thread.parts.len() < 2 {
+        return vec![thread];
+    }
+    let end = |part: &Part, at_start: bool| {
+        let polyline = &polylines[part.polyline];
+        let tip = if at_start { polyline.vertices.first() } else { polyline.vertices.last() };
+        Some((tip?.at, direction(polyline, at_start, JOINED_HEADING)))
+    };
+    let is_fan = |before: &Part, next: &Part| {
+        let are_long = [before, next].iter().all(|part| lengths[part.polyline] >= standing.least);
+        let ends = end(before, before.reversed).zip(end(next, !next.reversed));
+        let are_of_fan = |(a, b): ((MmPoint, MmVector), (MmPoint, MmVector))| {
+            a.1.dot(b.1) <= BLADE && standing.are_on_one_side([a, b], TOUCHING)
+        };
+        are_long && ends.is_some_and(are_of_fan)
+    };
+    let pieces = thread.parts.chunk_by(|before, next| !is_fan(before, next));
+    pieces.map(|parts| LinkedChain { parts: parts.to_vec(), closed: false }).collect()
 }
 
 /// Both ends of every open polyline.

@@ -2,13 +2,14 @@
 //! the ends of its wires. The gap is what the symbol says, so that it is never closed, and made wide enough for
 //! fingers.
 
+use super::faint::is_faint;
 use super::lead_on::heading;
 use super::params::{HEADING, Params};
 use super::vertex::{Tip, Vertex, nearby};
 use crate::geom::nearby::{Index, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::units::{Mm, MmPoint, MmRect};
+use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// An end this near to another line stands on it, mm.
 const TOUCHES: f32 = 0.05;
@@ -23,6 +24,9 @@ const TOWARDS: f32 = 0.9;
 const FARTHEST: f32 = 3.0;
 /// More than two lines have to be apart, mm, so that they need not be moved again.
 const MORE: f32 = 0.05;
+/// An end is on one side of the line on which it stands if it leads there at 9 degrees at least (the sine): a flatter
+/// one may have come along that line.
+const ASIDE: f32 = 0.15;
 
 /// An end of a line that stands on another.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +36,10 @@ struct Standing {
     at: MmPoint,
     /// The number of the line on which it stands.
     base: u32,
+    /// The direction of that.
+    along: MmVector,
+    /// Whether that is thin and pale.
+    is_faint: bool,
 }
 
 /// The ends of lines that stand on others, by place; none in a photograph.
@@ -39,6 +47,8 @@ struct Standing {
 pub(super) struct StandingEnds {
     ends: Vec<Standing>,
     by_place: Option<Index<usize, Mm>>,
+    /// Length of the shortest line, mm.
+    pub(super) least: f32,
 }
 
 impl StandingEnds {
@@ -50,19 +60,37 @@ impl StandingEnds {
         let mut ends = standing(polylines, area, params);
         part_plates(polylines, &mut ends, area, params);
         let by_place = (!ends.is_empty()).then(|| by_place(&ends, 0..ends.len(), area, params));
-        Self { ends, by_place }
+        Self { ends, by_place, least: params.min_length }
     }
 
     /// The number of the line on which an end stands that is no farther than `reach` from a place, if one does: the
     /// lines are those among which the ends were found.
     pub(super) fn base(&self, at: MmPoint, reach: f32) -> Option<u32> {
+        self.first(at, reach).map(|end| end.base)
+    }
+
+    /// Whether both of two ends stand on one line, and on the same side of it, as the strokes of a fan that lead from
+    /// one box to the next ones. Each is given as its place and the direction in which it leaves its own line. A thin,
+    /// pale line does not count: a curve may touch a gridline.
+    pub(super) fn are_on_one_side(&self, ends: [(MmPoint, MmVector); 2], reach: f32) -> bool {
+        let side = |(at, direction): (MmPoint, MmVector)| {
+            let end = self.first(at, reach).filter(|end| !end.is_faint)?;
+            let sine = end.along.cross(direction);
+            (sine.abs() >= ASIDE).then_some((end.base, sine > 0.0))
+        };
+        let [one, other] = ends.map(side);
+        one.is_some() && one == other
+    }
+
+    /// The first of the ends that are no farther than `reach` from a place.
+    fn first(&self, at: MmPoint, reach: f32) -> Option<&Standing> {
         let mut first: Option<usize> = None;
         self.by_place.as_ref()?.around(at, at, reach, |&number| {
             if (self.ends[number].at - at).length() <= reach {
                 first = Some(first.map_or(number, |first| first.min(number)));
             }
         });
-        first.map(|number| self.ends[number].base)
+        first.map(|number| &self.ends[number])
     }
 }
 
@@ -92,7 +120,9 @@ fn standing(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Ve
             base != line && (polylines[base].closed || (GOES_ON..lengths[base] - GOES_ON).contains(&arc))
         };
         let (_, _, segment) = lines.nearest(at, TOUCHES, goes_on)?;
-        Some(Standing { line, which, at, base: segment.line })
+        let base = segment.line;
+        let along = (segment.b - segment.a).try_normalize().unwrap_or_default();
+        Some(Standing { line, which, at, base, along, is_faint: is_faint(&polylines[base as usize]) })
     };
     ends.filter_map(stands).collect()
 }

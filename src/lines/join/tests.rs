@@ -3,7 +3,6 @@
 use super::super::params::Params;
 use super::super::tests::area;
 use super::*;
-use crate::units::MmPoint;
 
 fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
     let [from, to] = [from, to].map(|(x, y)| MmPoint::new(x, y));
@@ -84,4 +83,27 @@ fn a_tick_is_no_part_of_what_ends_on_the_other_side_of_its_line() {
     let lines = || vec![straight((20., 50.), (20., 52.), 0.0), straight((20., 20.), (20., 50.), 0.0)];
     assert_eq!(join(lines(), 3.0, &StandingEnds::default(), true).len(), 1);
     assert_eq!(join_but_ticks(lines(), &[true, false], 3.0, &StandingEnds::default(), true).len(), 2);
+}
+
+/// How many lines are left of strokes between these places, and how many of them are rings, in a drawing with a line
+/// across at 20 mm from the top.
+fn lines_at_a_line(strokes: &[[(f32, f32); 2]]) -> [usize; 2] {
+    let across = straight((10., 20.), (90., 20.), 0.0);
+    let mut lines: Vec<_> = strokes.iter().map(|[from, to]| straight(*from, *to, 0.0)).chain([across]).collect();
+    let standing = StandingEnds::of(&mut lines, area(), &Params { of_drawing: true, ..Params::TEST });
+    let joined = join(lines, 3.0, &standing, true);
+    [joined.len() - 1, joined.iter().filter(|line| line.closed).count()]
+}
+
+#[test]
+fn strokes_that_lead_from_one_place_of_a_line_to_several_stay_lines_by_themselves() {
+    let fan = [[(50., 20.), (30., 40.)], [(50., 20.), (70., 40.)], [(50., 20.), (50., 40.)]];
+    assert_eq!(lines_at_a_line(&fan), [3, 0]);
+    assert_eq!(lines_at_a_line(&fan[..2]), [2, 0]);
+    let across = [[(50., 20.), (30., 40.)], [(50., 20.), (70., 4.)]];
+    assert_eq!(lines_at_a_line(&across), [1, 0], "it crosses the line, and bends there");
+    let short = [[(50., 20.), (46., 24.)], [(50., 20.), (54., 24.)]];
+    assert_eq!(lines_at_a_line(&short), [1, 0], "a sign");
+    let triangle = [[(50., 20.), (30., 40.)], [(30., 40.), (70., 40.)], [(70., 40.), (50., 20.)]];
+    assert_eq!(lines_at_a_line(&triangle), [1, 1], "a triangle below the line");
 }
