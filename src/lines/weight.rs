@@ -29,6 +29,11 @@ pub(super) fn width(strength: f32, params: &Params) -> f32 {
     params.width_min + (params.width_max - params.width_min) * share
 }
 
+/// The widest of the widths in steps that is no wider than this, mm.
+pub(super) fn step_below(width: f32, params: &Params) -> f32 {
+    params.width_min + ((width - params.width_min) / STEP).floor() * STEP
+}
+
 /// Gives every vertex the width that is drawn there, in steps.
 pub(super) fn assign(polyline: &mut Polyline<Vertex>, params: &Params) {
     let arcs = polyline.arc_lengths();

@@ -20,6 +20,7 @@ mod queue;
 mod self_distance;
 mod shift;
 mod split;
+mod thinner;
 mod walls;
 
 pub(super) use apart::move_apart;
@@ -36,6 +37,7 @@ use self::passage::Junction;
 use self::queue::{Queue, QueuedLine};
 use self::self_distance::self_approach;
 use self::split::{PartEnds, split, without_stubs};
+use self::thinner::thinner;
 use super::links;
 use super::outlines::Rank;
 use super::params::Params;
@@ -141,14 +143,16 @@ fn judge(line: QueuedLine, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision
     }
     let states = drawn.states_on(&polyline, &passage);
     if states.contains(&LineState::TooNear) {
+        let thinner = thinner(&polyline, &passage, drawn);
         let displaced = if keeps_its_place { None } else { displaced(&polyline, passage, drawn) };
-        return match displaced {
-            Some(displaced) => Decision::Displace(displaced),
-            None => {
-                let ends = if round < EXTENDED_ROUNDS { PartEnds::Extended } else { PartEnds::AsCut };
-                Decision::Split(split(&polyline, &states, ends, drawn))
-            }
+        if let Some(displaced) = displaced {
+            return Decision::Displace(displaced);
+        }
+        let Some(thinner) = thinner else {
+            let ends = if round < EXTENDED_ROUNDS { PartEnds::Extended } else { PartEnds::AsCut };
+            return Decision::Split(split(&polyline, &states, ends, drawn));
         };
+        (passage, polyline) = (drawn.passage(thinner.view()), thinner);
     }
     match self_approach(&polyline, drawn.params, own) {
         None => Decision::Draw { line: polyline, junctions: passage.junctions },
