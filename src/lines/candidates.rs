@@ -4,6 +4,7 @@
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::clearance::Cleared;
+use super::loose::loose_ends;
 use super::lost::{LossTally, Lost, LostScale, STANDS, gaps, gone};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
@@ -128,7 +129,10 @@ impl LineCandidates {
         let may_be_open = is_told && lost.by_place.iter().any(|mm| *mm >= STANDS);
         let gaps = if may_be_open { gaps(&contours, polylines(), area, params) } else { Vec::new() };
         let torn = if may_be_open { torn(&contours, polylines(), area, params) } else { Vec::new() };
-        Lost { gone, gaps, torn, gridlines: self.gridlines, scales: self.lost_scales.clone(), ..lost }
+        // rows of dots end elsewhere, and are led on to others after this
+        let may_be_loose = may_be_open && !params.on_dots();
+        let loose = if may_be_loose { loose_ends(&contours, polylines(), &torn, area, params) } else { Vec::new() };
+        Lost { gone, gaps, torn, loose, gridlines: self.gridlines, scales: self.lost_scales.clone(), ..lost }
     }
 }
 

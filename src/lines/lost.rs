@@ -39,6 +39,8 @@ pub struct Lost {
     pub gaps: Vec<LostLine>,
     /// What is missing of open lines of a drawing of which pieces are drawn.
     pub torn: Vec<LostLine>,
+    /// What is missing on paper between ends of lines of a drawing and the lines that they met.
+    pub loose: Vec<LostLine>,
     /// How many lines a grid has that is left out as a whole: a squared one that is torn on dots, and any in overviews.
     pub gridlines: usize,
 }

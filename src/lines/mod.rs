@@ -22,6 +22,7 @@ mod join;
 mod lead_on;
 mod line;
 mod links;
+mod loose;
 mod lost;
 mod marks;
 mod outlines;

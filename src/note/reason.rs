@@ -182,6 +182,8 @@ reasons! {
     OutlineOpen => "outline-open", PartsMissing;
     /// A line is in pieces, as some of it has no room.
     LineInPieces => "line-in-pieces", PartsMissing;
+    /// A line ends before another one that it met in the drawing, as it has no room up to it.
+    EndsBeforeLine => "ends-before-line", PartsMissing;
     /// A small closed shape has no room.
     NoRoomForShape => "no-room-for-shape", ThingsMissing;
     /// An arrowhead has no room.

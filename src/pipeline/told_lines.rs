@@ -113,7 +113,7 @@ pub(super) fn told_of_lost(
     let left_out = LinesLeftOut::of(drawn, edges, layout);
     let left_out = left_out.filter(|left_out| !is_all || left_out.too_dense_for.is_some()).map(LinesLeftOut::told);
     let whole = told_gone(lost, &drawn.lines, texts, sheets).into_iter().chain(told_gaps(lost, sheets));
-    let whole = whole.chain(told_torn(lost, texts, sheets));
+    let whole = whole.chain(told_loose(lost, texts, sheets)).chain(told_torn(lost, texts, sheets));
     left_out.into_iter().chain(whole).chain(told_gridlines(lost))
 }
 
@@ -121,10 +121,10 @@ pub(super) fn told_of_lost(
 /// together.
 const REST: f32 = 0.05;
 
-/// Whether lines that are told one by one, as gone, open or in pieces, are all that is left out, but for less than so
-/// much, mm, or a small share that is less than what is told.
+/// Whether lines that are told one by one, as gone, open, in pieces or without an end, are all that is left out, but
+/// for less than so much, mm, or a small share that is less than what is told.
 fn is_told_by_lines(lost: &Lost, least: f32) -> bool {
-    let all = lost.gone.iter().chain(&lost.gaps).chain(&lost.torn);
+    let all = lost.gone.iter().chain(&lost.gaps).chain(&lost.torn).chain(&lost.loose);
     let told: f32 = all.map(|line| line.length).sum();
     told > 0.0 && of_lines(lost) - told < least.max(told.min(REST * lost.wanted))
 }
@@ -268,6 +268,25 @@ fn told_torn(lost: &Lost, texts: &[Text], sheets: Places<'_>) -> Option<Note> {
     );
     let helped = Told::from(told).or_larger().or(format!("say in a label how {goes_on}"));
     Some(Note::NotOnPage(About::Lines, Reason::LineInPieces, helped))
+}
+
+/// What the maker is told of lines that end before the lines that they met in the drawing.
+fn told_loose(lost: &Lost, texts: &[Text], sheets: Places<'_>) -> Option<Note> {
+    let longest = lost.loose.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let (at, mm, near) = (longest.extent.center(), longest.length, near_text(longest, texts));
+    let (ends, which, them, they_lead) = match lost.loose.len() {
+        1 => ("the end of 1 line, which stops before the line that it met".to_owned(), "", "it", "it leads"),
+        count => {
+            let ends = format!("the ends of {count} lines, which stop before the lines that they met");
+            (ends, "the longest ", "them", "they lead")
+        }
+    };
+    let told = format!(
+        "{ends} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines; make the figure \
+         larger, or say in a label where {they_lead}",
+        around(at, sheets)
+    );
+    Some(Note::NotOnPage(About::Lines, Reason::EndsBeforeLine, told))
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.

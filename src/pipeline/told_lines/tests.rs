@@ -27,6 +27,28 @@ fn closed_outlines_that_are_open_on_the_page_are_told() {
 }
 
 #[test]
+fn lines_that_end_before_those_that_they_met_are_told_and_not_once_more_by_their_length() {
+    let end = |x: f32, length: f32| LostLine {
+        extent: MmRect::new((x, 40.0).into(), (x, 40.0 + length).into()),
+        length,
+        closed: false,
+        is_faint: false,
+        form: None,
+    };
+    let lost = |loose: Vec<LostLine>| Lost { wanted: 900.0, lost: 9.0, loose, ..Lost::default() };
+    let told = |loose: Vec<LostLine>| told_loose(&lost(loose), &[], SHEET).map(|note| note.to_string());
+    assert_eq!(told(vec![]), None);
+    let one = told(vec![end(20.0, 6.0)]).expect("a connector");
+    let place = "6 mm long, around 20, 43 mm from the left and the top of the sheet";
+    assert!(one.contains(&format!("the end of 1 line, which stops before the line that it met ({place})")), "{one}");
+    let two = told(vec![end(20.0, 4.0), end(60.0, 6.0)]).expect("two");
+    let wanted = "the ends of 2 lines, which stop before the lines that they met (the longest 6 mm long, around 60, 43";
+    assert!(two.contains(wanted), "{two}");
+    let is_all = |loose: Vec<LostLine>| is_told_by_lines(&lost(loose), 3.0);
+    assert!(is_all(vec![end(20.0, 4.0), end(60.0, 6.0)]) && !is_all(vec![]));
+}
+
+#[test]
 fn pieces_that_are_missing_of_open_lines_are_told_and_not_once_more_by_their_length() {
     let piece = |x: f32, length: f32| LostLine {
         extent: MmRect::new((x, 40.0).into(), (x + length, 60.0).into()),
