@@ -41,8 +41,13 @@ const APART: f32 = 4.0;
 const ENOUGH: f32 = 15.0;
 /// An end is as good as another place that is farther from other curves by this, mm.
 const AT_END: f32 = 3.0;
-/// Places are looked at between so many parts of a curve.
+/// Places are looked at between so many parts of a curve, and so many times as many where signs may be on it.
 const PARTS: usize = 10;
+const FINER: usize = 4;
+/// A small shape with a text so near, mm, is a sign with a name, as a stop of a bus line: a word there would be taken
+/// for its name. Chosen by us.
+const SIGN: f32 = 8.0;
+const TO_NAME: f32 = 4.0;
 /// Half of the side of the box for which a word stands then, mm.
 const HALF: f32 = 0.5;
 
@@ -96,7 +101,9 @@ pub(super) fn to_curves(
         return None;
     }
     let curves = contours.curves();
-    let places: Vec<MmPoint> = samples.iter().map(|of| contours.place_at(of, &curves)).collect::<Option<_>>()?;
+    let signs = contours.named_signs(texts, &samples);
+    let place = |sample| contours.place_at(sample, &curves, &signs);
+    let places: Vec<MmPoint> = samples.iter().map(place).collect::<Option<_>>()?;
     let own: Vec<MmRect> = samples.iter().map(|sample| with_marker(sample.place)).collect();
     let is_of_sample = |points: &Vec<MmPoint>| own.iter().any(|sample| points.iter().all(|at| sample.contains(*at)));
     let of_samples: Vec<bool> = contours.points.iter().map(is_of_sample).collect();
@@ -154,9 +161,21 @@ impl<'a> Contours<'a> {
         (0..self.points.len()).filter_map(curve).collect()
     }
 
+    /// The middles of small shapes that have names of their own.
+    fn named_signs(&self, texts: &[Text], samples: &[Sample]) -> Vec<MmPoint> {
+        let is_name = |text: usize| texts[text].is_read() && samples.iter().all(|sample| sample.text != text);
+        let has_name = |place: &MmRect| {
+            let near = place.inflate(TO_NAME, TO_NAME);
+            (0..texts.len()).any(|text| is_name(text) && near.intersects(&texts[text].place))
+        };
+        let closed = self.edges.chains.iter().zip(&self.places).filter(|(chain, _)| chain.closed);
+        let small = closed.map(|(_, place)| *place).filter(|place| place.width().max(place.height()) <= SIGN);
+        small.filter(has_name).map(|place| place.center()).collect()
+    }
+
     /// Where the word of a sample stands at its curve: the longest of its colour, or a level or upright one if it is
     /// the only one.
-    fn place_at(&self, sample: &Sample, curves: &[Curve]) -> Option<MmPoint> {
+    fn place_at(&self, sample: &Sample, curves: &[Curve], signs: &[MmPoint]) -> Option<MmPoint> {
         let (own, others): (Vec<&Curve>, Vec<&Curve>) =
             curves.iter().partition(|curve| cosine(curve.colour, sample.colour) >= ONE_COLOUR);
         let longer = own.iter().filter(|curve| curve.length > 2.0 * sample.place.width());
@@ -165,7 +184,7 @@ impl<'a> Contours<'a> {
         let curve = longest.or_else(|| axial.first().copied().filter(|_| axial.len() == 1))?;
         let others = others.into_iter().filter(|other| !other.is_axial);
         let others: Vec<&[MmPoint]> = others.map(|other| &self.points[other.chain][..]).collect();
-        best_place(&self.points[curve.chain], &others)
+        best_place(&self.points[curve.chain], &others, signs)
     }
 
     fn is_open_stroke(&self, chain: usize) -> bool {
@@ -239,19 +258,22 @@ fn in_line(samples: Vec<Sample>) -> Vec<Sample> {
 }
 
 /// The place of a curve at which its word is taken for that of no other: an end, the right one rather than the left, or
-/// one that is clearly farther from other curves. None where there is no such place.
-fn best_place(curve: &[MmPoint], others: &[&[MmPoint]]) -> Option<MmPoint> {
+/// one that is clearly farther from other curves; and from `signs` with names of their own, if it can be. None where
+/// there is no such place.
+fn best_place(curve: &[MmPoint], others: &[&[MmPoint]], signs: &[MmPoint]) -> Option<MmPoint> {
     let (&first, &last) = (curve.first()?, curve.last()?);
     let far = |at: MmPoint| {
         let segments = others.iter().flat_map(|other| other.windows(2));
-        segments.map(|pair| nearest_on_segment(at, pair[0], pair[1]).0).fold(ENOUGH, f32::min)
+        let from_signs = signs.iter().map(|sign| (*sign - at).length());
+        segments.map(|pair| nearest_on_segment(at, pair[0], pair[1]).0).chain(from_signs).fold(ENOUGH, f32::min)
     };
     let is_straight = (last - first).length() >= STRAIGHT * polyline::length(curve);
     let ends = if first.x > last.x { [first, last] } else { [last, first] };
     let ends = ends.into_iter().filter(|_| !is_straight).map(|at| (at, AT_END));
     // not near the ends of a straight line either
-    let from = if is_straight { 3 } else { 1 };
-    let inner = (from..=PARTS - from).map(|part| (curve[part * (curve.len() - 1) / PARTS], 0.0));
+    let finer = if signs.is_empty() { 1 } else { FINER };
+    let (from, parts) = (if is_straight { 3 * finer } else { 1 }, PARTS * finer);
+    let inner = (from..=parts - from).map(|part| (curve[part * (curve.len() - 1) / parts], 0.0));
     let mut best: Option<(MmPoint, f32)> = None;
     for (at, more) in ends.chain(inner) {
         let far = far(at);
@@ -260,7 +282,11 @@ fn best_place(curve: &[MmPoint], others: &[&[MmPoint]]) -> Option<MmPoint> {
             best = Some((at, far + more));
         }
     }
-    best.map(|(at, _)| at)
+    match best {
+        // it has signs everywhere
+        None if !signs.is_empty() => best_place(curve, others, &[]),
+        best => best.map(|(at, _)| at),
+    }
 }
 
 #[cfg(test)]

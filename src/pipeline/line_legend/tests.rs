@@ -34,7 +34,7 @@ fn a_word_stands_at_the_right_end_of_its_curve_unless_others_are_near() {
     let curve = bent(50.0, 10.0, 50.0);
     let best = |others: &[Vec<MmPoint>]| {
         let others: Vec<&[MmPoint]> = others.iter().map(|other| &other[..]).collect();
-        best_place(&curve, &others)
+        best_place(&curve, &others, &[])
     };
     assert_eq!(best(&[]), Some(at(100.0, 50.0)));
     assert_eq!(best(&[bent(80.0, 70.0, 51.0)]), Some(at(0.0, 50.0)), "another one ends there");
@@ -46,6 +46,17 @@ fn a_word_stands_at_the_right_end_of_its_curve_unless_others_are_near() {
 #[test]
 fn the_word_of_a_straight_line_stands_at_its_side() {
     let line: Vec<MmPoint> = (0..=100).map(|k| at(k as f32, 40.0)).collect();
-    let place = best_place(&line, &[]).expect("there is room");
+    let place = best_place(&line, &[], &[]).expect("there is room");
     assert!((25.0..=75.0).contains(&place.x), "at its end it would be a leader line: {place:?}");
+}
+
+#[test]
+fn the_name_of_a_bus_line_stands_between_two_stops() {
+    let line: Vec<MmPoint> = (0..=100).map(|k| at(k as f32, if k < 50 { 40.0 } else { k as f32 - 10.0 })).collect();
+    let stops = [0, 20, 50, 80, 100].map(|k: usize| line[k]);
+    let place = best_place(&line, &[], &stops).expect("there is room");
+    let nearest = stops.iter().map(|stop| (*stop - place).length()).fold(f32::INFINITY, f32::min);
+    assert!(nearest > 12.0, "at its end it would be the name of the last stop: {place:?}");
+    let everywhere: Vec<MmPoint> = line.iter().step_by(4).copied().collect();
+    assert_eq!(best_place(&line, &[], &everywhere), Some(line[100]));
 }
