@@ -99,7 +99,7 @@ impl<'a> Contours<'a> {
             let is_long = self.polylines[shaft.line].length() >= SHAFT * tip.axis().length();
             let is_other = !heads.iter().any(|of| (of.shaft.line, of.shaft.which) == (shaft.line, shaft.which));
             let are_free = lines.iter().chain([&shaft.line]).all(|line| !taken[*line]);
-            if is_long && is_other && are_free && !self.goes_on(tip, shaft.line) {
+            if is_long && is_other && are_free && !self.goes_on(tip, shaft) {
                 lines.iter().for_each(|line| taken[*line] = true);
                 heads.push(head);
             }
@@ -192,16 +192,34 @@ impl<'a> Contours<'a> {
     }
 
     /// Whether another line goes on at a tip where the shaft ends: then the triangle is a sign within a line.
-    fn goes_on(&self, tip: &HeadTip, shaft: usize) -> bool {
+    fn goes_on(&self, tip: &HeadTip, shaft: &LineEnd) -> bool {
         let Some(axis) = tip.axis().try_normalize() else { return true };
+        if self.is_of_measure(tip, axis, shaft) {
+            return false;
+        }
         let mut goes_on = false;
         self.ends.around(tip.apex, tip.apex, NEAR_HEAD, |end| {
-            let is_line = end.line != shaft && !self.is_leg[end.line] && !self.is_head[end.line];
+            let is_line = end.line != shaft.line && !self.is_leg[end.line] && !self.is_head[end.line];
             let is_line = is_line && self.polylines[end.line].length() > tip.axis().length();
             let is_at = (end.at - tip.apex).length() <= NEAR_HEAD;
             goes_on |= is_line && is_at && end.heading.dot(axis) <= -ALONG;
         });
         goes_on
+    }
+
+    /// Whether a head meets another one tip to tip, and its shaft has one at its other end too: lines that say how long
+    /// parts are which follow one another.
+    fn is_of_measure(&self, tip: &HeadTip, axis: MmVector, shaft: &LineEnd) -> bool {
+        let points_back_at = |at: MmPoint| {
+            let mut points_back = false;
+            self.tips.around(at, at, NEAR_HEAD, |(_, other)| {
+                let is_at = (other.apex - at).length() <= NEAR_HEAD;
+                points_back |= is_at && other.axis().dot(axis) <= -ALONG * other.axis().length();
+            });
+            points_back
+        };
+        let other_end = end(&self.polylines[shaft.line], shaft.which.other());
+        points_back_at(tip.apex) && other_end.is_some_and(points_back_at)
     }
 }
 

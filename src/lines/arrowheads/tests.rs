@@ -101,6 +101,21 @@ fn what_is_no_head_stays() {
 }
 
 #[test]
+fn heads_tip_to_tip_between_two_measures_are_heads_and_two_triangles_within_a_line_are_none() {
+    let head = |tip: f32, back: f32| contour(&[(tip + back, 48.0), (tip, 50.0), (tip + back, 52.0)], true);
+    let measures = |heads: Vec<Polyline<Vertex>>| {
+        let shafts = [contour(&[(10.0, 50.0), (60.0, 50.0)], false), contour(&[(60.0, 50.0), (110.0, 50.0)], false)];
+        taken(shafts.into_iter().chain(heads).collect()).0
+    };
+    let all = measures(vec![head(10.0, 3.0), head(60.0, -3.0), head(60.0, 3.0), head(110.0, -3.0)]);
+    assert_eq!(all.len(), 4, "{all:?}");
+    let mut inner: Vec<f32> = all.iter().map(|head| head.at.x).filter(|x| (30.0..90.0).contains(x)).collect();
+    inner.sort_by(f32::total_cmp);
+    assert!(inner.len() == 2 && inner[1] - inner[0] >= PARAMS.max_clearance(), "{inner:?}");
+    assert!(measures(vec![head(60.0, -3.0), head(60.0, 3.0)]).is_empty(), "a valve in a pipe");
+}
+
+#[test]
 fn a_shaft_ends_before_what_it_points_at() {
     let wall = contour(&[(61.0, 10.0), (61.0, 90.0)], false);
     let (heads, left) = taken([shaft(), contour(&[(58.0, 48.0), (60.4, 50.0), (58.0, 52.0)], false), wall].to_vec());
