@@ -35,6 +35,7 @@ mod lost_signs;
 mod margins;
 mod misread;
 mod named;
+mod narrower_bars;
 mod next_cell;
 mod on_sheet;
 mod open_rings;

@@ -40,7 +40,7 @@ pub(super) fn told(
     plan: &Plan,
 ) -> Option<Note> {
     // bars that touch, or have one outline, are told as that
-    let are_told = overview.instead.is_some_and(|style| style.bars != Bars::Apart);
+    let are_told = overview.instead.is_some_and(|style| matches!(style.bars, Bars::Touching | Bars::Outline));
     let (place, lines) = overview.marks.as_ref().filter(|_| edges.of_drawing() && !are_told)?;
     let open = if overview.rings == Rings::Whole { overview.lost.gaps.len() } else { 0 };
     let told = overview.lost.rings.max(open);

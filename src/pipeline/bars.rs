@@ -87,6 +87,8 @@ pub(super) struct Chart {
     pub(super) sides: Vec<BaseSpan>,
     /// Where gridlines are.
     pub(super) gridlines: Vec<f32>,
+    /// Whether most of the bars are stacks of parts.
+    pub(super) is_divided: bool,
 }
 
 impl Chart {
@@ -117,8 +119,10 @@ impl Chart {
         }
         let levels = joined(levels);
         let base = base(&sides, &levels)?;
-        let mut chart = Self { direction, base, bars: Vec::new(), sides, gridlines: Vec::new() };
+        let (bars, gridlines, is_divided) = (Vec::new(), Vec::new(), false);
+        let mut chart = Self { direction, base, bars, sides, gridlines, is_divided };
         chart.bars = chart.bars_below(&levels);
+        chart.is_divided = 2 * chart.lowest_parts(&levels).len() > chart.bars.len();
         if are_cells(&chart.bars, &levels) {
             return None;
         }
@@ -146,6 +150,15 @@ impl Chart {
     /// apart from one another, and most of them are divided, their lowest parts at heights of which none is that of
     /// most. Windows are divided alike.
     fn are_stacks(&self, levels: &[BaseSpan]) -> bool {
+        let are_apart = self.bars.windows(2).all(|pair| pair[1].from - pair[0].to > SAME);
+        let parts = self.lowest_parts(levels);
+        let alike = |at: &f32| parts.iter().filter(|other| (*other - at).abs() <= SAME).count();
+        let most_alike = parts.iter().map(alike).max().unwrap_or(0);
+        are_apart && 2 * parts.len() > self.bars.len() && 2 * most_alike <= parts.len()
+    }
+
+    /// How high the lowest parts of those bars are that some of these levels divide.
+    fn lowest_parts(&self, levels: &[BaseSpan]) -> Vec<f32> {
         let lowest_part = |bar: &Bar| {
             let (low, high) = (self.base + 2.0 * SAME, bar.top - 2.0 * SAME);
             let divides = |level: &&BaseSpan| {
@@ -154,11 +167,7 @@ impl Chart {
             };
             levels.iter().filter(divides).map(|level| level.at).min_by(f32::total_cmp)
         };
-        let are_apart = self.bars.windows(2).all(|pair| pair[1].from - pair[0].to > SAME);
-        let parts: Vec<f32> = self.bars.iter().filter_map(lowest_part).collect();
-        let alike = |at: &f32| parts.iter().filter(|other| (*other - at).abs() <= SAME).count();
-        let most_alike = parts.iter().map(alike).max().unwrap_or(0);
-        are_apart && 2 * parts.len() > self.bars.len() && 2 * most_alike <= parts.len()
+        self.bars.iter().filter_map(lowest_part).collect()
     }
 
     /// Whether straight pieces run from the base up to `top` at this place across.

@@ -32,9 +32,10 @@ const fn variant(bars: Bars, has_gridlines: bool, lacks: f32) -> Variant {
 /// What else is tried, in this order: what says most comes first. Where none has all bars whole, what lacks least is
 /// taken. The penalties are chosen by us, in the order of what a reader loses: gridlines least, then the blank between
 /// bars, then the sides by which bars are counted.
-const VARIANTS: [Variant; 6] = [
+const VARIANTS: [Variant; 7] = [
     variant(Bars::Apart, true, 0.0),
     variant(Bars::Apart, false, 0.02),
+    variant(Bars::Narrower, true, 0.01),
     variant(Bars::Touching, true, 0.03),
     variant(Bars::Touching, false, 0.05),
     variant(Bars::Outline, true, 0.15),
@@ -61,6 +62,8 @@ pub(super) struct BarTolerances {
     reach: f32,
     /// A bar of which as much is missing is torn; less is missing where lines meet.
     torn: f32,
+    /// The sides of stacked bars may be moved by so much across.
+    moved: f32,
 }
 
 impl BarTolerances {
@@ -69,10 +72,19 @@ impl BarTolerances {
         let pitch = layout.medium.pitch();
         let lines = plan.lines();
         let reach = lines.farthest_moved().max(1.5 * pitch);
-        Self { gap: lines.max_spacing() + pitch, low: lines.max_spacing(), reach, torn: TORN.max(3.0 * pitch) }
+        let (gap, low) = (lines.max_spacing() + pitch, lines.max_spacing());
+        Self { gap, low, reach, torn: TORN.max(3.0 * pitch), moved: 0.0 }
+    }
+
+    /// The same in an overview, where no labels stand at bars.
+    pub(super) fn of_overview(layout: &Layout, plan: &Plan) -> Self {
+        let of_figure = Self::of(layout, plan);
+        Self { moved: 0.5 * of_figure.reach, ..of_figure }
     }
 }
 
+/// Narrower bars are farther apart by so much more, mm, than a gap for fingers is wide.
+const MORE: f32 = 0.05;
 /// A bar of which a contour of this length, mm, is not drawn is torn, on paper.
 const TORN: f32 = 3.0;
 /// The middle of a top, and how near a line lies to it, as a share of the bar's width: nearer than its sides.
@@ -233,6 +245,9 @@ impl Chart {
         let gap_px = tolerances.gap / transform.mm_per_px();
         let (low, high): (Vec<Bar>, Vec<Bar>) =
             self.bars.iter().partition(|bar| (bar.top - self.base) * transform.mm_per_px() < tolerances.low);
+        if bars == Bars::Narrower {
+            return if low.is_empty() { self.narrower(edges, tolerances, transform) } else { None };
+        }
         let joins = bars != Bars::Apart;
         let row = |bars: &[Bar]| {
             let ends = [self.end(&bars[0], gap_px, false), self.end(&bars[bars.len() - 1], gap_px, true)];
@@ -269,6 +284,21 @@ impl Chart {
         let tops = in_rows.map(|bar| self.middle_of_top(bar, tolerances, transform));
         let wanted = paths.chain(tops).chain(unchanged.wanted(tolerances, transform)).collect();
         Some(Redrawn { edges: kept, wanted, instead })
+    }
+
+    /// The contours of a chart of stacked bars that are narrower, and moved aside from an axis.
+    fn narrower(&self, edges: &Edges, tolerances: BarTolerances, transform: &PageTransform) -> Option<Redrawn> {
+        let to_px = |mm: f32| mm / transform.mm_per_px();
+        let gap = to_px(tolerances.gap + MORE);
+        let [first, .., last] = &self.bars[..] else { return None };
+        let before = [(first, false), (last, true)].map(|(bar, is_last)| {
+            let RowEnd { at, is_axis } = self.end(bar, gap, is_last);
+            let own = if is_last { bar.to } else { bar.from };
+            if is_axis { (at - own).abs() } else { f32::INFINITY }
+        });
+        let (edges, chart) = self.with_room(edges, before, gap, to_px(tolerances.moved))?;
+        let instead = BarStyle { bars: Bars::Narrower, ..BarStyle::AS_IT_IS };
+        Some(Redrawn { edges, wanted: chart.wanted(tolerances, transform), instead })
     }
 
     /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be

@@ -176,7 +176,7 @@ impl OverviewSource<'_> {
         let (first, rings) = (drawn.place, drawn.rings);
         let draw =
             |edges: &Edges, place: MmRect, detail: f32| OverviewSource { edges, ..*self }.draw_at(place, detail, rings);
-        let (tolerances, detail) = (BarTolerances::of(layout, plan), plan.lines().detail);
+        let (tolerances, detail) = (BarTolerances::of_overview(layout, plan), plan.lines().detail);
         let redraw = Redraw {
             edges,
             places: &places,

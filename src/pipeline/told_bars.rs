@@ -20,6 +20,8 @@ pub(super) struct BarStyle {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bars {
     Apart,
+    /// The same, each a little narrower, and all moved aside a little.
+    Narrower,
     /// A line between every two.
     Touching,
     /// None.
@@ -55,7 +57,8 @@ impl BarStyle {
             PagePart::Overview => told.into(),
         };
         let bars = match self.bars {
-            Bars::Apart => None,
+            // as other lines are moved a little
+            Bars::Apart | Bars::Narrower => None,
             Bars::Touching => Some("touch one another, without gaps"),
             Bars::Outline => Some("are drawn as one common outline, without lines between them"),
         };

@@ -45,7 +45,8 @@ fn bars_of_one_height_are_a_chart_if_they_are_stacks_divided_at_several_heights(
         let levels: Vec<BaseSpan> = divided
             .flat_map(|(bar, parts)| parts.iter().map(move |&at| BaseSpan { at, from: bar.from, to: bar.to }))
             .collect();
-        let chart = Chart { direction: Direction::Up, base: 0.0, bars, sides: Vec::new(), gridlines: Vec::new() };
+        let (sides, gridlines) = (Vec::new(), Vec::new());
+        let chart = Chart { direction: Direction::Up, base: 0.0, bars, sides, gridlines, is_divided: true };
         chart.are_stacks(&levels)
     };
     assert!(are_stacks(20.0, [&[40.0, 75.0], &[20.0, 70.0], &[60.0, 70.0], &[15.0, 40.0]]));

@@ -16,7 +16,8 @@ fn chart(axis: f32) -> Chart {
     let side = |at: f32, to: f32| BaseSpan { at, from: 0.0, to };
     let sides = BARS.iter().flat_map(|bar| [side(bar.from, bar.top), side(bar.to, bar.top)]);
     let sides = sides.chain([side(-10.0, axis)]).collect();
-    Chart { direction: Direction::Up, base: 0.0, bars: BARS.to_vec(), sides, gridlines: Vec::new() }
+    let (bars, gridlines) = (BARS.to_vec(), Vec::new());
+    Chart { direction: Direction::Up, base: 0.0, bars, sides, gridlines, is_divided: false }
 }
 
 fn row(ends: [RowEnd; 2]) -> BarRow {
