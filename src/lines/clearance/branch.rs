@@ -1,5 +1,6 @@
 //! A line of a drawing that leaves another at a flat angle, as one hand of a clock beside the other, has no room until
-//! the two are apart. Where little would be left of it, it branches off the other a little later and more steeply:
+//! the two are apart. Where little would be left of it, or it would end before the other, it branches off the other a
+//! little later and more steeply:
 //!
 //! ```text
 //!   o------------------------------------      o----------___-----------------------

@@ -10,7 +10,7 @@ use crate::geom::polyline::Polyline;
 use crate::lines::links;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
-use crate::lines::vertex::Vertex;
+use crate::lines::vertex::{FoundIn, Vertex};
 
 /// A line that joins another this near to its end, mm, ends there.
 const TIP: f32 = 0.01;
@@ -105,6 +105,12 @@ pub(super) fn split(
     {
         return vec![branch];
     }
+    if ends == PartEnds::Extended
+        && loses_end(polyline, &coarse, drawn)
+        && let Some(branch) = branch(polyline, states, drawn).filter(|branch| stands_for(branch, polyline, drawn))
+    {
+        return vec![branch];
+    }
     if kept(&coarse) >= least {
         return coarse;
     }
@@ -121,6 +127,27 @@ pub(super) fn split(
     } else {
         telling(coarse, is_exact, params)
     }
+}
+
+/// Whether an end of a line on paper lies on another one, and that of its `pieces` on none, so that fingers find nothing
+/// there. Thin, pale lines give way to all others.
+fn loses_end(line: &Polyline<Vertex>, pieces: &[Polyline<Vertex>], drawn: &DrawnLines<'_>) -> bool {
+    let is_joined = |end: Option<&Vertex>| end.is_some_and(|end| drawn.is_on_line(end.at));
+    let lost = |own: Option<&Vertex>, left: Option<&Vertex>| is_joined(own) && !is_joined(left);
+    let is_faint = || line.vertices.iter().any(|vertex| vertex.source == FoundIn::FaintStroke);
+    let may_lose = !line.closed && !drawn.params.on_dots() && !is_faint();
+    may_lose
+        && (lost(line.vertices.first(), pieces.first().and_then(|piece| piece.vertices.first()))
+            || lost(line.vertices.last(), pieces.last().and_then(|piece| piece.vertices.last())))
+}
+
+/// Whether a branch begins so near to an end of the line that it is that nobody finds it elsewhere: no farther than two
+/// lines are apart. And it has room.
+fn stands_for(branch: &Polyline<Vertex>, line: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> bool {
+    let Some(foot) = branch.vertices.first() else { return false };
+    let ends = line.vertices.first().into_iter().chain(line.vertices.last());
+    let moved = ends.map(|end| (end.at - foot.at).length()).fold(f32::INFINITY, f32::min);
+    moved <= drawn.params.max_clearance() && !drawn.states(branch).contains(&LineState::TooNear)
 }
 
 /// The parts of an open line that are long enough.

@@ -85,6 +85,18 @@ fn lines_that_end_on_another_at_nearly_one_place_meet_there_unless_they_run_besi
 }
 
 #[test]
+fn a_long_line_that_leaves_another_a_little_too_flat_begins_on_it_a_little_later() {
+    let base: &[(f32, f32)] = &[(10.0, 50.0), (90.0, 50.0)];
+    // at 17.5 degrees it is cut where the two are apart, 16 mm from where they meet
+    let [steep, flat] = [17.5_f32, 12.0].map(|angle| {
+        let (sine, cosine) = angle.to_radians().sin_cos();
+        lengths_drawn(&[base, &[(20.0, 50.0), (20.0 + 60.0 * cosine, 50.0 - 60.0 * sine)]])[1]
+    });
+    assert!((56.0..60.0).contains(&steep), "{steep}");
+    assert!(flat < 40.0, "10 mm later would be elsewhere: {flat}");
+}
+
+#[test]
 fn a_line_from_one_line_to_another_may_be_short_and_goes_if_they_do() {
     let (one, other): (&[_], &[_]) = (&[(10.0, 50.0), (90.0, 50.0)], &[(10.0, 44.0), (90.0, 44.0)]);
     let bond: &[(f32, f32)] = &[(50.0, 50.0), (50.0, 44.0)];
