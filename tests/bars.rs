@@ -282,3 +282,30 @@ fn ticks_in_line_with_the_sides_of_bars_are_as_long_as_others() {
         assert!(far(below, lines, None) < NEAR, "{x}: {}", told(&drawing));
     }
 }
+
+/// Bars of an overview that touched were a wall of bricks if they are stacks: which part is of which bar?
+#[test]
+fn stacked_bars_stay_apart_in_the_overview() {
+    let mut svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} 640'>\
+         <rect width='{WIDTH}' height='640' fill='#fff'/>\
+         <path d='M90 40V540H860' fill='none' stroke='#000' stroke-width='3'/>"
+    );
+    let parts = [[190.0, 170.0, 120.0], [96.0, 240.0, 144.0], [260.0, 110.0, 110.0], [120.0, 150.0, 210.0]];
+    for (k, parts) in parts.iter().enumerate() {
+        let mut y = 540.0;
+        for (height, fill) in parts.iter().zip(["#3b6fb6", "#e8c23a", "#c0392b"]) {
+            y -= height;
+            let x = 140 + 160 * k;
+            write!(svg, "<rect x='{x}' y='{y}' width='110' height='{height}' fill='{fill}'/>").expect("it is a string");
+        }
+    }
+    svg += "</svg>";
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("page.orientation", "landscape").expect("it lies so");
+    let drawing = tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page");
+    let told = told(&drawing);
+    assert!(!told.contains("in the overview the bars of the chart"), "{told}");
+    let overview = drawing.page.overview.as_ref().expect("it has one");
+    assert!(loose_ends(&overview.lines) <= 3, "the ends of the axes: {}", loose_ends(&overview.lines));
+}

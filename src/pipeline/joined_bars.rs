@@ -35,12 +35,15 @@ const fn variant(bars: Bars, has_gridlines: bool, lacks: f32) -> Variant {
 const VARIANTS: [Variant; 7] = [
     variant(Bars::Apart, true, 0.0),
     variant(Bars::Apart, false, 0.02),
-    variant(Bars::Narrower, true, 0.01),
+    NARROWER,
     variant(Bars::Touching, true, 0.03),
     variant(Bars::Touching, false, 0.05),
     variant(Bars::Outline, true, 0.15),
     variant(Bars::Outline, false, 0.17),
 ];
+
+/// Stacked bars that are narrower and moved aside.
+const NARROWER: Variant = variant(Bars::Narrower, true, 0.01);
 
 /// The contours of a chart that rows of bars do not replace.
 struct Kept {
@@ -133,6 +136,11 @@ impl<T> Redraw<'_, T> {
         let all_lines = (detail < ALL).then(|| draw(edges, place, ALL));
         let at = &PageTransform::new(edges.size, place);
         let mut least = self.lacking(&chart.wanted(tolerances, at), all_lines.as_ref().unwrap_or(&first), at);
+        if least <= 0.0
+            && let Some((drawn, instead)) = self.narrowed(&chart, place)
+        {
+            return (drawn, Some(instead));
+        }
         let mut best = None;
         let mut torn = percent(least);
         'variants: for variant in VARIANTS {
@@ -159,6 +167,18 @@ impl<T> Redraw<'_, T> {
             Some((drawn, .., instead)) if detail >= ALL => (drawn, Some(instead)),
             Some((_, edges, place, instead)) => (draw(&edges, place, detail), Some(instead)),
         }
+    }
+
+    /// The chart in this place with narrower bars, if these have no room as they are and are whole then: stacked bars
+    /// cannot move apart by themselves, as what divides them ends on their sides. Where they are torn, what is left of
+    /// each may be near enough to stand for all of it.
+    fn narrowed(&self, chart: &Chart, place: MmRect) -> Option<(T, BarStyle)> {
+        let transform = PageTransform::new(self.edges.size, place);
+        let Redrawn { edges, wanted, instead } = chart.drawn(self.edges, NARROWER, self.tolerances, &transform)?;
+        let drawn = (self.draw)(&edges, place, ALL);
+        let is_whole = self.lacking(&wanted, &drawn, &transform) <= 0.0;
+        let drawn = if self.detail < ALL { (self.draw)(&edges, place, self.detail) } else { drawn };
+        is_whole.then_some((drawn, instead))
     }
 
     /// Which share of the paths that are wanted is not drawn.
