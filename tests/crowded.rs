@@ -220,3 +220,54 @@ fn a_coast_is_whole_in_the_overview_though_a_lake_beside_it_is_clearer() {
     let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("the overview leaves out"));
     assert!(told.is_some_and(|told| told.starts_with("the overview leaves out 1 closed shape")));
 }
+
+/// Boxes of 130 by 48, and lines, as paths.
+fn tree(boxes: &[(f32, f32)], lines: &str) -> String {
+    let rect = |(x, y): &(f32, f32)| format!("M{x} {y}h130v48h-130Z");
+    let boxes: String = boxes.iter().map(rect).collect();
+    format!("<g fill='none' stroke='#000' stroke-width='2'><path d='{boxes}'/><path d='{lines}'/></g>")
+}
+
+/// Two of three strokes from one place of a box were one bent line, which took the room of the box; and a line that
+/// lacked 0.05 mm on either side ended 5 mm before the line that it met.
+#[test]
+fn connectors_of_trees_reach_the_boxes_and_lines_that_they_meet() {
+    let along = |[(x, y), (u, v)]: [(f32, f32); 2]| {
+        (0..=50).map(move |k| k as f32 / 50.0).map(move |share| (x + share * (u - x), y + share * (v - y)))
+    };
+    let fan = tree(
+        &[(385.0, 60.0), (135.0, 238.0), (385.0, 238.0), (635.0, 238.0)],
+        "M450 108L200 238M450 108V238M450 108L700 238",
+    );
+    let of_fan = [
+        [(385.0, 60.0), (515.0, 60.0)],
+        [(385.0, 108.0), (515.0, 108.0)],
+        [(450.0, 108.0), (200.0, 238.0)],
+        [(450.0, 108.0), (450.0, 238.0)],
+        [(450.0, 108.0), (700.0, 238.0)],
+    ];
+    let family = tree(
+        &[(150.0, 100.0), (330.0, 100.0), (110.0, 284.0), (350.0, 284.0)],
+        "M280 124H330M305 124V224M175 284V224H415V284",
+    );
+    let of_family = [[(280.0, 124.0), (330.0, 124.0)], [(305.0, 124.0), (305.0, 224.0)]];
+    for (drawn, lines) in [(fan, &of_fan[..]), (family, &of_family[..])] {
+        let page = page_of(&drawn).page;
+        let points: Vec<(f32, f32)> = lines.iter().copied().flat_map(along).collect();
+        let share = share_drawn(&points, page.figure.place, &page.figure.lines);
+        assert!(share >= 0.995, "{share} of the lines is drawn");
+    }
+}
+
+#[test]
+fn a_connector_that_ends_before_the_line_that_it_met_is_told_as_such() {
+    let notes = |gap: f32| {
+        let (boxes, middle) = ([(150.0, 100.0), (280.0 + gap, 100.0)], 280.0 + 0.5 * gap);
+        let drawing = page_of(&tree(&boxes, &format!("M280 124H{}M{middle} 124V264H600", 280.0 + gap)));
+        drawing.notes.iter().map(|note| format!("{note}\n")).collect::<String>()
+    };
+    let wanted = "the end of 1 line, which stops before the line that it met (";
+    assert!(notes(30.0).contains(wanted), "{}", notes(30.0));
+    assert!(!notes(30.0).contains("mm of contours"), "told once: {}", notes(30.0));
+    assert!(!notes(80.0).contains(wanted), "{}", notes(80.0));
+}
