@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::branch::branch;
+use super::branch::{branch, near_branch};
 use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
 use super::passage::{Junction, Passage};
@@ -107,7 +107,8 @@ pub(super) fn split(
     }
     if ends == PartEnds::Extended
         && loses_end(polyline, &coarse, drawn)
-        && let Some(branch) = branch(polyline, states, drawn).filter(|branch| stands_for(branch, polyline, drawn))
+        && let Some(branch) = near_branch(polyline, states, drawn)
+        && !drawn.states(&branch).contains(&LineState::TooNear)
     {
         return vec![branch];
     }
@@ -129,8 +130,8 @@ pub(super) fn split(
     }
 }
 
-/// Whether an end of a line on paper lies on another one, and that of its `pieces` on none, so that fingers find nothing
-/// there. Thin, pale lines give way to all others.
+/// Whether an end of a line on paper lies on another one, and that of its `pieces` on none, so that fingers find
+/// nothing there. Thin, pale lines give way to all others.
 fn loses_end(line: &Polyline<Vertex>, pieces: &[Polyline<Vertex>], drawn: &DrawnLines<'_>) -> bool {
     let is_joined = |end: Option<&Vertex>| end.is_some_and(|end| drawn.is_on_line(end.at));
     let lost = |own: Option<&Vertex>, left: Option<&Vertex>| is_joined(own) && !is_joined(left);
@@ -139,15 +140,6 @@ fn loses_end(line: &Polyline<Vertex>, pieces: &[Polyline<Vertex>], drawn: &Drawn
     may_lose
         && (lost(line.vertices.first(), pieces.first().and_then(|piece| piece.vertices.first()))
             || lost(line.vertices.last(), pieces.last().and_then(|piece| piece.vertices.last())))
-}
-
-/// Whether a branch begins so near to an end of the line that it is that nobody finds it elsewhere: no farther than two
-/// lines are apart. And it has room.
-fn stands_for(branch: &Polyline<Vertex>, line: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> bool {
-    let Some(foot) = branch.vertices.first() else { return false };
-    let ends = line.vertices.first().into_iter().chain(line.vertices.last());
-    let moved = ends.map(|end| (end.at - foot.at).length()).fold(f32::INFINITY, f32::min);
-    moved <= drawn.params.max_clearance() && !drawn.states(branch).contains(&LineState::TooNear)
 }
 
 /// The parts of an open line that are long enough.

@@ -94,6 +94,14 @@ fn a_long_line_that_leaves_another_a_little_too_flat_begins_on_it_a_little_later
     });
     assert!((56.0..60.0).contains(&steep), "{steep}");
     assert!(flat < 40.0, "10 mm later would be elsewhere: {flat}");
+    // two flat ones from one place leave room for the one between them
+    let fan = lengths_drawn(&[
+        base,
+        &[(50.0, 50.0), (50.0 + 60.0 * 0.963, 50.0 - 60.0 * 0.269)],
+        &[(50.0, 50.0), (50.0 - 60.0 * 0.963, 50.0 - 60.0 * 0.269)],
+        &[(50.0, 50.0), (50.0, 20.0)],
+    ]);
+    assert!(fan[1] > 53.0 && fan[2] > 53.0 && fan[3] > 29.9, "at 15.6 degrees: {fan:?}");
 }
 
 #[test]
