@@ -114,9 +114,10 @@ impl<T: Copy, U: Copy> Index<T, U> {
         }
     }
 
-    /// Calls `visit` with the entries in the cells that the segment from `from` to `to` leads through, nearest cells
-    /// first; one entry can come several times. Only what lies in the area is seen.
-    pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, mut visit: impl FnMut(&T)) {
+    /// Calls `visit` with the cells that the segment from `from` to `to` leads through, the nearest first, and with the
+    /// share of the segment at which each begins, as long as it wants more. One entry can come several times. Only what
+    /// lies in the area is seen.
+    pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, mut visit: impl FnMut(&[T], f32) -> bool) {
         let place = |p: Point2D<f32, U>| ((p.x - self.origin.x) / self.cell, (p.y - self.origin.y) / self.cell);
         let ((x, y), (end_x, end_y)) = (place(from), place(to));
         let (mut column, mut row) = (x.floor() as i64, y.floor() as i64);
@@ -129,11 +130,14 @@ impl<T: Copy, U: Copy> Index<T, U> {
         };
         let (step_x, mut next_x, each_x) = axis(x, end_x);
         let (step_y, mut next_y, each_y) = axis(y, end_y);
+        let mut begins = 0.0;
         loop {
-            if (0..self.columns as i64).contains(&column) && (0..self.rows as i64).contains(&row) {
-                self.cells[row as usize * self.columns + column as usize].iter().for_each(&mut visit);
+            let is_inside = (0..self.columns as i64).contains(&column) && (0..self.rows as i64).contains(&row);
+            if is_inside && !visit(&self.cells[row as usize * self.columns + column as usize], begins) {
+                break;
             }
-            if next_x.min(next_y) > 1.0 {
+            begins = next_x.min(next_y);
+            if begins > 1.0 {
                 break;
             }
             if next_x <= next_y {
@@ -199,7 +203,7 @@ impl<U: Copy> Nearby<U> {
     }
 
     /// [`Index::along`] for segments.
-    pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, visit: impl FnMut(&Segment<U>)) {
+    pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, visit: impl FnMut(&[Segment<U>], f32) -> bool) {
         self.index.along(from, to, visit);
     }
 

@@ -41,7 +41,13 @@ proptest! {
         }
         let (from, to) = (inside(ray.0, ray.1), inside(ray.0 + ray.2, ray.1 + ray.3));
         let mut seen = Vec::new();
-        nearby.along(from, to, |segment| seen.push(segment.index as usize));
+        let mut last = 0.0;
+        nearby.along(from, to, |segments, begins| {
+            seen.extend(segments.iter().map(|segment| segment.index as usize));
+            let is_farther = begins >= last;
+            last = begins;
+            is_farther
+        });
         for (index, &segment) in segments.iter().enumerate() {
             let crosses = segment_distance((from, to), segment) == 0.0;
             prop_assert!(!crosses || seen.contains(&index), "segment {index} is missed");
@@ -65,6 +71,30 @@ proptest! {
         let nearest = nearby.nearest_of_line(at.into(), reach, line);
         prop_assert_eq!(nearby.is_near_line(at.into(), reach, line), nearest.is_some());
     }
+}
+
+#[test]
+fn along_a_way_no_more_cells_are_looked_at_than_are_asked_for() {
+    let mut index = Index::<usize, Px>::new(Box2D::new(PxPoint::zero(), PxPoint::new(40.0, 30.0)), 1.0);
+    (0..40).for_each(|column| index.put_at(PxPoint::new(column as f32 + 0.5, 5.5), column));
+    let seen = |most: f32| {
+        let mut seen = Vec::new();
+        index.along(PxPoint::new(10.5, 5.5), PxPoint::new(20.5, 5.5), |cell, begins| {
+            let goes_on = begins <= most;
+            seen.extend(cell.iter().copied().filter(|_| goes_on));
+            goes_on
+        });
+        seen
+    };
+    assert_eq!(seen(1.0), (10..=20).collect::<Vec<_>>());
+    // the fourth cell begins 2.5 of 10 along the way, and the fifth 3.5
+    assert_eq!(seen(0.3), [10, 11, 12, 13]);
+    let mut looked = 0;
+    index.along(PxPoint::new(10.5, 5.5), PxPoint::new(20.5, 5.5), |_, _| {
+        looked += 1;
+        looked < 3
+    });
+    assert_eq!(looked, 3);
 }
 
 #[test]

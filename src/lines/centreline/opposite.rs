@@ -28,6 +28,10 @@ const BEND_LEAST: f32 = 0.8;
 const ROUNDING: f32 = 1e-3;
 /// Cells in which the other side is looked for, mm: about two vertices.
 const CELL: f32 = 1.0;
+/// Where there are more vertices than this to a square mm, as of lines a quarter of a mm apart, cells have this side,
+/// mm: each vertex looks at all segments of a cell.
+const DENSE: f32 = 10.0;
+const CELL_OF_DENSE: f32 = 0.5;
 
 /// Where a vertex has its opposite.
 #[derive(Clone, Copy)]
@@ -65,7 +69,8 @@ struct OppositeSides<'a> {
 impl<'a> OppositeSides<'a> {
     fn new(polylines: &'a [Polyline<Vertex>], area: MmRect, params: &'a Params) -> Self {
         let arcs = polylines.iter().map(Polyline::arc_lengths).collect();
-        let mut sides = Self { polylines, arcs, segments: Nearby::new(area, CELL), params };
+        let segments = Nearby::new(area, cell_of(polylines, area));
+        let mut sides = Self { polylines, arcs, segments, params };
         for (number, polyline) in polylines.iter().enumerate() {
             if sides.is_dot(number) {
                 continue;
@@ -95,20 +100,27 @@ impl<'a> OppositeSides<'a> {
         let reach = self.params.widest_stroke();
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
-            let across = right_of(tangent) * (side * best.map_or(reach, |(distance, _)| distance));
-            let ray = (here.at, here.at + across);
-            self.segments.along(ray.0, ray.1, |segment| {
-                // longer by a rounding: a line that leads through a vertex exactly crosses both segments, not neither
-                let over = (segment.b - segment.a) * ROUNDING;
-                let Some(at) = crossing(ray, (segment.a - over, segment.b + over)) else { return };
-                let distance = (at - here.at).length();
-                if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
-                    && !self.is_same_side((number, i), segment, distance)
-                    && self.steps_back(here, tangent, segment)
-                    && !self.is_corner((number, i), segment, at)
-                {
-                    best = Some((distance, self.opposite_on(segment, at)));
+            let length = best.map_or(reach, |(distance, _)| distance);
+            let ray = (here.at, here.at + right_of(tangent) * (side * length));
+            self.segments.along(ray.0, ray.1, |segments, begins| {
+                // what is in this cell and in no other before it is farther off
+                if best.is_some_and(|(least, _)| begins * length > least) {
+                    return false;
                 }
+                for segment in segments {
+                    // longer by a rounding: a way through a vertex exactly crosses both segments, and not neither
+                    let over = (segment.b - segment.a) * ROUNDING;
+                    let Some(at) = crossing(ray, (segment.a - over, segment.b + over)) else { continue };
+                    let distance = (at - here.at).length();
+                    if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
+                        && !self.is_same_side((number, i), segment, distance)
+                        && self.steps_back(here, tangent, segment)
+                        && !self.is_corner((number, i), segment, at)
+                    {
+                        best = Some((distance, self.opposite_on(segment, at)));
+                    }
+                }
+                true
             });
         }
         best.map(|(_, opposite)| opposite)
@@ -153,6 +165,12 @@ impl<'a> OppositeSides<'a> {
         let index = (segment.index as usize + nearer_end) % self.polylines[polyline].vertices.len();
         Opposite { polyline, index, at }
     }
+}
+
+/// In cells of which side the other side is looked for, mm.
+fn cell_of(polylines: &[Polyline<Vertex>], area: MmRect) -> f32 {
+    let vertices: usize = polylines.iter().map(|polyline| polyline.vertices.len()).sum();
+    if vertices as f32 > DENSE * area.area() { CELL_OF_DENSE } else { CELL }
 }
 
 #[cfg(test)]

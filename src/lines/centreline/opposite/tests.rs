@@ -45,3 +45,23 @@ fn a_ring_has_its_own_other_side_and_the_sides_of_a_sharp_corner_are_none() {
     // 25 degrees
     assert!(none(&of(&[side(&[(10.0, 50.0), (60.0, 38.9), (60.0, 61.1)], true, 60.0)])));
 }
+
+#[test]
+fn of_lines_side_by_side_the_nearest_is_the_opposite_in_cells_of_any_side() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(10.0, 10.0));
+    let level = |number: usize, apart: f32| {
+        let y = 0.5 + apart * number as f32;
+        side(&[(0.0, y), (10.0, y)], false, if number.is_multiple_of(2) { 60.0 } else { -60.0 })
+    };
+    for (count, apart, cell) in [(10, 0.9, CELL), (60, 0.15, CELL_OF_DENSE)] {
+        let lines: Vec<Polyline<Vertex>> = (0..count).map(|number| level(number, apart)).collect();
+        assert!((cell_of(&lines, area) - cell).abs() < 0.01, "{count}");
+        for (number, of) in opposites(&lines, area, &Params::TEST).iter().enumerate() {
+            for (vertex, opposite) in lines[number].vertices.iter().zip(of).skip(1).rev().skip(1) {
+                let opposite = opposite.expect("lines on one side at least");
+                assert!(opposite.polyline.abs_diff(number) == 1, "{number}: {}", opposite.polyline);
+                assert!(((opposite.at - vertex.at).length() - apart).abs() < 0.01);
+            }
+        }
+    }
+}
