@@ -76,6 +76,25 @@ fn an_overview_that_lacks_a_ring_is_larger_and_has_it() {
 }
 
 #[test]
+fn a_drawing_with_far_more_lines_than_have_room_is_drawn_in_no_larger_overview() {
+    let profile = Profile::named("swell-a4").expect("it is built in");
+    let plan = Plan::new(&profile).expect("it makes sense");
+    let layout = Fit::default().layout(Size::new(300, 200), &plan, OverviewSize::Own).expect("there is room");
+    let larger = |lines: u16| {
+        let mut edges = Edges::none(Size::new(300, 200));
+        let kind = ChainKind { of_drawing: true, exact: true, ..ChainKind::default() };
+        let edgel = |(x, y): (f32, f32)| Edgel { at: PxPoint::new(x, y), strength: 90.0, contrast: [90.0, 0.0, 0.0] };
+        for line in 0..lines {
+            let y = 10.0 + 180.0 * f32::from(line) / f32::from(lines);
+            edges.push_as(kind, [(20.0, y), (280.0, y)].into_iter().map(edgel), false);
+        }
+        OverviewSource { edges: &edges, regions: None, layout: &layout, plan: &plan }.larger_places().len()
+    };
+    assert!(larger(20) > 0);
+    assert_eq!(larger(250), 0);
+}
+
+#[test]
 fn a_ring_that_has_no_room_in_any_overview_is_told() {
     let (drawn, ..) = overview(&drawing(4.0), &[], OverviewSize::Own);
     let told: Vec<Note> = told_of_overview(&drawn, &LostMarks::default()).collect();
