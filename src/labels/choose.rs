@@ -65,6 +65,8 @@ fn in_one_order(costs: &[Vec<f32>], conflict: &dyn Fn(Choice, Choice) -> bool, o
     search.chosen
 }
 
+/// How many labels make way for one.
+const MOST_MOVED: usize = 2;
 /// How many labels in a row make way for one another.
 const DEPTH: usize = 3;
 /// Most places that are tried while labels make way: a second's work on a page of two hundred labels.
@@ -80,19 +82,19 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The labels that stand in the way of a choice.
-    fn blockers_of(&self, choice: Choice) -> Vec<usize> {
-        let stands = |&label: &usize| {
+    fn blockers_of(&self, choice: Choice) -> impl Iterator<Item = usize> {
+        let stands = move |&label: &usize| {
             let other = self.chosen[label].map(|candidate| Choice { label, candidate });
             label != choice.label && other.is_some_and(|other| (self.conflict)(choice, other))
         };
-        (0..self.costs.len()).filter(stands).collect()
+        (0..self.costs.len()).filter(stands)
     }
 
     /// Puts a label to its cheapest place that is free; whether that is another than before.
     fn take_best(&mut self, label: usize) -> bool {
         let before = self.chosen[label];
         let end = before.unwrap_or(self.costs[label].len());
-        let best = (0..end).find(|&candidate| self.blockers_of(Choice { label, candidate }).is_empty());
+        let best = (0..end).find(|&candidate| self.blockers_of(Choice { label, candidate }).next().is_none());
         self.chosen[label] = best.or(before);
         self.chosen[label] != before
     }
@@ -105,8 +107,8 @@ impl Search<'_> {
                 return false;
             }
             self.tries -= 1;
-            let blockers = self.blockers_of(Choice { label, candidate });
-            if blockers.len() > 2 || blockers.iter().any(|other| held.contains(other)) {
+            let blockers: Vec<usize> = self.blockers_of(Choice { label, candidate }).take(MOST_MOVED + 1).collect();
+            if blockers.len() > MOST_MOVED || blockers.iter().any(|other| held.contains(other)) {
                 continue;
             }
             let before = self.chosen.clone();
