@@ -430,18 +430,11 @@ impl Room {
 
     /// How far the first of these squares lies in a direction, mm.
     fn first_in(&self, marked: &MarkedSquares, at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
-        let steps = (2.0 * reach / SQUARE).ceil() as u32;
-        let distances = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|distance| *distance <= reach);
-        distances.into_iter().find(|distance| marked.holds(at + direction * *distance, &self.squares))
+        marked.first_in(&self.squares, at, direction, reach)
     }
 
     fn meets(&self, marked: &MarkedSquares, from: MmPoint, to: MmPoint, end: f32) -> bool {
-        let length = (to - from).length();
-        let steps = (length / SQUARE).ceil().max(1.0);
-        (0..=steps as u32).any(|step| {
-            let along = step as f32 / steps;
-            (1.0 - along) * length > end && marked.holds(from.lerp(to, along), &self.squares)
-        })
+        marked.meets(&self.squares, from, to, end)
     }
 }
 

@@ -1,10 +1,15 @@
 //! The squares in which a figure is looked at: which of them are marked, and sums over those in a box.
 
+use std::sync::OnceLock;
+
 use crate::geom::nearest_on_segment;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Side of the squares that the figure is looked at in, mm. Chosen by us: a sixth of the distance that labels keep.
 pub(super) const SQUARE: f32 = 0.5;
+
+/// Blocks of so many squares by as many are looked at as a whole: a way through the blank takes few steps then.
+const BLOCK: usize = 4;
 
 /// The squares of a figure, row by row.
 #[derive(Debug, Clone, Copy)]
@@ -16,7 +21,11 @@ pub(super) struct Squares {
 
 /// Some of the squares.
 #[derive(Debug)]
-pub(super) struct MarkedSquares(Vec<bool>);
+pub(super) struct MarkedSquares {
+    marked: Vec<bool>,
+    /// For each block how many blocks off the nearest is that has one of them, across, down or both.
+    far: OnceLock<Vec<u8>>,
+}
 
 /// For each corner of squares the sum over all of them above and to the left of it (a summed-area table), so that a box
 /// is looked at in one step.
@@ -61,29 +70,113 @@ impl Squares {
 
     /// The number of the square of a place; none outside of the figure.
     pub(super) fn index(&self, at: MmPoint) -> Option<usize> {
+        self.column_and_row(at).map(|[column, row]| row * self.columns + column)
+    }
+
+    fn column_and_row(&self, at: MmPoint) -> Option<[usize; 2]> {
         let from = (at - self.area.min) / SQUARE;
         let inside = from.x >= 0.0 && from.y >= 0.0 && from.x < self.columns as f32 && from.y < self.rows as f32;
-        inside.then(|| from.y as usize * self.columns + from.x as usize)
+        inside.then_some([from.x as usize, from.y as usize])
+    }
+
+    /// How many squares a place lies off the figure at least.
+    fn off(&self, at: MmPoint) -> u32 {
+        let from = (at - self.area.min) / SQUARE;
+        let off = |at: f32, count: usize| (-at).max(at - count as f32);
+        off(from.x, self.columns).max(off(from.y, self.rows)).max(0.0) as u32
+    }
+
+    /// How many blocks there are across and down.
+    fn blocks(&self) -> [usize; 2] {
+        [self.columns.div_ceil(BLOCK), self.rows.div_ceil(BLOCK)]
     }
 }
 
 impl MarkedSquares {
     pub(super) fn none_of(squares: &Squares) -> Self {
-        Self(vec![false; squares.count()])
+        Self { marked: vec![false; squares.count()], far: OnceLock::new() }
     }
 
     pub(super) fn mark(&mut self, index: usize) {
-        self.0[index] = true;
+        debug_assert!(self.far.get().is_none(), "all are marked before any is looked for");
+        self.marked[index] = true;
     }
 
     /// Whether the square of a place is one of them.
     pub(super) fn holds(&self, at: MmPoint, squares: &Squares) -> bool {
-        squares.index(at).is_some_and(|index| self.0[index])
+        squares.index(at).is_some_and(|index| self.marked[index])
+    }
+
+    /// How far the first of them lies in a direction (a vector no longer than 1), mm.
+    pub(super) fn first_in(&self, squares: &Squares, at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
+        let steps = (2.0 * reach / SQUARE).ceil() as u32;
+        let mut step = 0;
+        while step <= steps {
+            let distance = 0.5 * SQUARE * step as f32;
+            if distance > reach {
+                break;
+            }
+            let Some(blank) = self.blank_around(at + direction * distance, squares) else { return Some(distance) };
+            step += (2 * blank.saturating_sub(1)).max(1);
+        }
+        None
+    }
+
+    /// Whether one of them lies between two places; `end` mm before the second it does not count.
+    pub(super) fn meets(&self, squares: &Squares, from: MmPoint, to: MmPoint, end: f32) -> bool {
+        let length = (to - from).length();
+        let steps = (length / SQUARE).ceil().max(1.0);
+        let mut step = 0;
+        while step <= steps as u32 {
+            let along = step as f32 / steps;
+            if (1.0 - along) * length <= end {
+                break;
+            }
+            let Some(blank) = self.blank_around(from.lerp(to, along), squares) else { return true };
+            step += blank.saturating_sub(1).max(1);
+        }
+        false
+    }
+
+    /// None if the square of a place is one of them; else so many squares around it are none, in all directions.
+    fn blank_around(&self, at: MmPoint, squares: &Squares) -> Option<u32> {
+        let Some([column, row]) = squares.column_and_row(at) else { return Some(squares.off(at)) };
+        let far = self.far.get_or_init(|| self.far_blocks(squares));
+        let [across, _] = squares.blocks();
+        let blocks = u32::from(far[row / BLOCK * across + column / BLOCK]);
+        // those of the blocks that lie between
+        let blank = BLOCK as u32 * blocks.saturating_sub(1);
+        (blank > 0 || !self.marked[row * squares.columns + column]).then_some(blank)
+    }
+
+    /// Distances of blocks, by two passes over them (Rosenfeld and Pfaltz 1966).
+    fn far_blocks(&self, squares: &Squares) -> Vec<u8> {
+        let [across, down] = squares.blocks();
+        let mut far = vec![u8::MAX; across * down];
+        for (row, of_row) in self.marked.chunks_exact(squares.columns).enumerate() {
+            for (column, of_block) in of_row.chunks(BLOCK).enumerate() {
+                if of_block.contains(&true) {
+                    far[row / BLOCK * across + column] = 0;
+                }
+            }
+        }
+        let mut pass = |block: usize, beside: [(isize, isize); 4]| {
+            let (column, row) = (block % across, block / across);
+            let at = |(x, y): (isize, isize)| {
+                let (column, row) = (column.checked_add_signed(x)?, row.checked_add_signed(y)?);
+                (column < across && row < down).then(|| far[row * across + column])
+            };
+            let least = beside.into_iter().filter_map(at).min().unwrap_or(u8::MAX);
+            far[block] = far[block].min(least.saturating_add(1));
+        };
+        (0..across * down).for_each(|block| pass(block, [(-1, 0), (-1, -1), (0, -1), (1, -1)]));
+        (0..across * down).rev().for_each(|block| pass(block, [(1, 0), (1, 1), (0, 1), (-1, 1)]));
+        far
     }
 
     /// How many of them there are, as sums.
     pub(super) fn sums(&self, squares: &Squares) -> SquareSums {
-        SquareSums::of(squares, self.0.iter().map(|is_marked| u32::from(*is_marked)).enumerate())
+        SquareSums::of(squares, self.marked.iter().map(|is_marked| u32::from(*is_marked)).enumerate())
     }
 }
 
@@ -118,3 +211,6 @@ impl SquareSums {
         sum(bottom, right) + sum(top, left) - sum(top, right) - sum(bottom, left)
     }
 }
+
+#[cfg(test)]
+mod tests;
