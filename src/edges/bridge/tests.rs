@@ -53,3 +53,15 @@ fn halves_of_a_ring_become_one_closed_contour() {
     assert_eq!(whole.len(), 1);
     assert!(whole[0].closed && (whole[0].length() - 100.0).abs() < 1e-3, "{}", whole[0].length());
 }
+
+/// It has no ends, though a piece of it has no points.
+#[test]
+fn a_ring_stays_as_it_is_beside_an_end_that_points_at_where_it_begins() {
+    let mut ring = polyline(&[(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 4.0)]);
+    ring.closed = true;
+    let beside = polyline(&[(-24.0, 0.0), (-4.0, 0.0)]);
+    let counts = [ring.vertices.len(), beside.vertices.len()];
+    let mut all = joined(&[ring, beside]);
+    all.sort_unstable();
+    assert_eq!(all, [(counts[1], false), (counts[0], true)]);
+}

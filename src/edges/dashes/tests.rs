@@ -101,3 +101,24 @@ fn what_is_too_short_for_a_stroke_stays_in_a_row_of_such() {
     assert_eq!(left(3, 10.0), 1, "too few");
     assert_eq!(left(6, 30.0), 1, "too far from one another");
 }
+
+#[test]
+fn a_ring_of_dashes_has_as_many_gaps_as_dashes_and_an_open_row_one_less() {
+    let at = |degrees: f32| {
+        let (y, x) = degrees.to_radians().sin_cos();
+        (100.0 + 60.0 * x, 100.0 + 60.0 * y)
+    };
+    let gaps = |count: usize| {
+        let found: Vec<FoundContour> =
+            (0..count).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
+        let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, of)| dash(number, of, SIGMA, LEAST)).collect();
+        let rows = rows(&dashes, LEAST);
+        let [row] = &rows[..] else { panic!("{} rows", rows.len()) };
+        // chords of 6 degrees
+        assert!(row.gap_lengths().all(|length| (length - 6.28).abs() < 0.05), "{:?}", row.gaps);
+        assert!((row.period() - 6.28 - 9.42).abs() < 0.1, "{}", row.period());
+        (row.gaps.len(), row.closed)
+    };
+    assert_eq!(gaps(24), (24, true));
+    assert_eq!(gaps(20), (19, false));
+}

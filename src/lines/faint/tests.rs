@@ -50,3 +50,24 @@ fn a_pale_thin_grid_is_thin_and_gives_way_to_the_curve() {
     assert!(!grid.is_empty() && grid.iter().all(|length| *length >= 12.0), "{grid:?}");
     assert!(grid_first.lost.lost > 5.0, "and told");
 }
+
+#[test]
+fn short_pieces_of_cut_faint_lines_are_left_out_and_whole_ones_and_others_stay() {
+    let vertex = |x: f32| Vertex { at: MmPoint::new(x, 50.0), ..Vertex::TEST };
+    let line = |from: f32, to: f32| Polyline::open(vec![vertex(from), vertex(to)]);
+    let least = SCRAP * Params::TEST.min_length;
+    // one of 80 mm, and one of half the least length
+    let lines = [(line(10.0, 90.0), Rank::Faint), (line(110.0, 110.0 + 0.5 * least), Rank::Faint)];
+    let stays = |from: f32, to: f32, rank: Rank| {
+        let polyline = line(from, to);
+        let anchored = vec![false; polyline.vertices.len()];
+        let mut cleared = vec![Cleared { polyline, saliency: 1.0, rank, anchored }];
+        drop_short_faint(&mut cleared, &lines, &Params::TEST);
+        cleared.len() == 1
+    };
+    assert!(stays(30.0, 30.0 + 1.1 * least, Rank::Faint));
+    assert!(!stays(30.0, 30.0 + 0.9 * least, Rank::Faint), "a piece between two cuts");
+    assert!(!stays(10.0, 10.0 + 0.9 * least, Rank::Faint), "one at an end of its line");
+    assert!(stays(110.0, 110.0 + 0.5 * least, Rank::Faint), "a whole line");
+    assert!(stays(30.0, 30.0 + 0.5 * least, Rank::Ordinary));
+}

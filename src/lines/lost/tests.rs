@@ -135,3 +135,23 @@ fn what_a_grid_that_is_left_out_lacked_before_is_no_loss_of_others() {
     assert!((lost.lost - 25.0).abs() < 1e-3 && (lost.wanted - 55.0).abs() < 1e-3, "{lost:?}");
     assert_eq!(lost.place_name(), Some("middle right"));
 }
+
+#[test]
+fn rings_that_are_lost_are_those_wanted_that_are_not_kept() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 70.0));
+    let ring = || Polyline { closed: true, ..line((20.0, 20.0), (40.0, 20.0)) };
+    let (open, mut wanted, mut kept) = (line((10.0, 60.0), (90.0, 60.0)), LossTally::new(area), LossTally::new(area));
+    [ring(), ring(), ring()].iter().for_each(|ring| wanted.add(ring));
+    wanted.add(&open);
+    assert_eq!(wanted.lost(&kept).rings, 3);
+    kept.add(&ring());
+    kept.add(&open);
+    assert_eq!(wanted.lost(&kept).rings, 2);
+    // the length of a part of a line says nothing of rings
+    kept.add_where(&ring(), |_| true);
+    assert_eq!(wanted.lost(&kept).rings, 2);
+    kept.count_rings([&ring(), &open].into_iter());
+    assert_eq!(wanted.lost(&kept).rings, 1);
+    kept.count_rings([&ring(), &ring()].into_iter());
+    assert_eq!(wanted.lost(&kept).rings, 0, "more are there than were wanted");
+}

@@ -52,3 +52,26 @@ fn lines_keep_clear_of_the_page_number_and_of_the_margins() {
         }
     }
 }
+
+#[test]
+fn a_page_number_without_a_title_takes_one_line_and_ends_at_the_right_margin() {
+    const BESIDE: f32 = 5.0;
+    let (none, medium) = (title(""), Medium::Print(Print::default()));
+    let cells = CellGrid::printed(CellSize::MARBURG);
+    assert!(HeadingParams::of(&none, 0, CellSize::MARBURG, Align::Centre).is_none());
+    for align in Align::ALL {
+        let params = HeadingParams::of(&none, 3, CellSize::MARBURG, align).expect("there is a number");
+        let on = |size: [f32; 2]| Heading::on(&params, &cells, size, MARGIN, BESIDE);
+        let heading = on([210.0, 297.0]).expect("there is room");
+        assert!(heading.lines == 0 && heading.dots(&none, &medium).is_empty());
+        assert!((heading.height() - cells.extent(1, 1).y - GAP).abs() < 1e-3, "{}", heading.height());
+        // one of two cells ends where those of three end
+        for count in [2, 3] {
+            let dots = heading.dots_of_number(&vec![0b11_1111; count], &medium);
+            let last = dots.iter().map(|at| at.x).fold(0.0, f32::max) + 0.5 * cells.diameter;
+            assert!(dots.len() == 6 * count && (last - (210.0 - MARGIN - BESIDE)).abs() < 0.1, "{last}");
+        }
+        assert!(on([2.0 * MARGIN + BESIDE + 5.0, 297.0]).is_none(), "three cells are wider than that");
+        assert!(on([210.0, 50.0]).is_none(), "it would take more than a fifth of the height");
+    }
+}

@@ -94,3 +94,30 @@ fn a_piece_that_is_shorter_than_wide_is_left_out() {
     assert_eq!(cut_line(&line(6.0), rect()).len(), 1);
     assert_eq!(cut_line(&line(1.2), rect()), []);
 }
+
+/// It is read back from the name alone where a page is drawn anew.
+#[test]
+fn the_name_of_a_sheet_stands_in_its_corner_within_the_margin() {
+    let device = crate::devices::Device::named("index-basic-d-v5").expect("a device");
+    let dots = Params { medium: MediumParams::Dots { device, pitch: 2.0 }, margin: 6.0, ..params() };
+    for params in [params(), dots] {
+        let spread = spread(1.0, "2x2", &params);
+        let figure = Figure { place: spread.figure, source: Size::new(9, 9), textures: Vec::new(), lines: Vec::new() };
+        let cuts = spread.cut(&figure, &Dots::default(), &[]);
+        assert_eq!(cuts.iter().map(|cut| &cut.name[..]).collect::<Vec<_>>(), ["a1", "a2", "b1", "b2"]);
+        let corner = match &spread.medium {
+            Medium::Print(_) => MmPoint::zero(),
+            Medium::Dots(medium) => medium.usable().min,
+        };
+        for cut in &cuts {
+            assert_eq!(label(&cut.name, &spread.medium, params.margin).as_ref(), Some(&cut.label), "{}", cut.name);
+            let first = |of: fn(&MmPoint) -> f32| cut.label.at.iter().map(of).fold(f32::MAX, f32::min);
+            let off = [first(|at| at.x) - corner.x, first(|at| at.y) - corner.y];
+            assert!(off.iter().all(|mm| (params.margin..params.margin + 3.0).contains(mm)), "{}: {off:?}", cut.name);
+        }
+        let marks: Vec<&Dots> = cuts.iter().map(|cut| &cut.label).collect();
+        assert!((0..4).all(|a| (0..a).all(|b| marks[a] != marks[b])));
+        let are_none = ["", "a", "a0", "a10", "A1", "1a"];
+        assert!(are_none.iter().all(|name| label(name, &spread.medium, params.margin).is_none()));
+    }
+}

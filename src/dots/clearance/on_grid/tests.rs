@@ -253,3 +253,24 @@ fn a_line_that_crosses_two_others_in_a_row_keeps_its_dots() {
     // the dot in the middle is near to both
     assert_eq!(across(4), [upright(-9..-2), upright(7..20)]);
 }
+
+#[test]
+fn short_arms_of_one_line_on_both_sides_of_a_crossing_hold_one_another() {
+    let centres: Vec<f32> = (0..60_u8).map(|i| 2.0 * f32::from(i)).collect();
+    let grid = Grid { columns: centres.clone(), rows: centres };
+    let left = |steps: i32, lines: [usize; 2], has_points: bool| {
+        let cells = [row(5, 0..4), row(5, 3 + steps..7 + steps)];
+        let mut taken = taken(&cells, 1);
+        let piece = |(line, cells)| DrawnPiece { line, piece: RowPiece::cut_out(cells) };
+        let mut drawn: Vec<DrawnPiece> = lines.into_iter().zip(cells).map(piece).collect();
+        taken.drop_loose(&mut drawn, &[has_points; 2], &grid, &Params::TEST);
+        let left = drawn.iter().filter(|of| !of.piece.cells.is_empty()).count();
+        assert_eq!(taken.piece_of.len(), 4 * left, "dots of what is dropped are free again");
+        left
+    };
+    let reach = longest_cut(1) as i32 + 1;
+    assert_eq!(left(reach, [0, 0], false), 2);
+    assert_eq!(left(reach + 1, [0, 0], false), 0, "no cut is that long");
+    assert_eq!(left(reach, [0, 1], false), 0, "they are of two lines");
+    assert_eq!(left(reach + 1, [0, 0], true), 2, "points are on them");
+}

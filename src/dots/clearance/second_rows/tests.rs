@@ -2,6 +2,7 @@
 
 use super::super::on_grid::tests::{row, taken};
 use super::*;
+use crate::devices::Grid;
 
 #[test]
 fn a_second_row_keeps_the_gap_from_other_lines() {
@@ -118,4 +119,27 @@ fn walls_with_doors_have_second_rows_where_other_walls_have() {
     assert_eq!(left([some(), some(), some()]), 3);
     assert_eq!(left([None, some(), some()]), 1, "the third is about as strong as no other");
     assert_eq!(left([Some(Vec::new()), some(), None]), 0);
+}
+
+#[test]
+fn a_piece_of_a_second_row_is_as_long_as_a_line_or_half_of_its_own() {
+    let grid = Grid { columns: (0..60_u8).map(|i| 2.0 * f32::from(i)).collect(), rows: vec![0.0, 2.0, 4.0, 6.0] };
+    let within = GridBox::within(grid.bounds(), &grid);
+    let params = Params { line_gap: 1, ..Params::TEST };
+    let line = Line { strength: params.heavy_from, runs: Vec::new() };
+    // of a line of so many dots beside lines that end two steps below it, each of which takes three dots
+    let dots = |cells: i32, ends: &[i32]| {
+        let cells = row(0, 0..cells);
+        let mut taken = taken(std::slice::from_ref(&cells), 1);
+        ends.iter().for_each(|&x| taken.take([x, 2], 1));
+        let drawn = [DrawnPiece { line: 0, piece: RowPiece::cut_out(cells) }];
+        let rows = taken.second_rows(&[0], &drawn, |_| &line, within, &params);
+        rows[0].as_ref().map_or(0, Vec::len)
+    };
+    assert_eq!(dots(40, &[]), 40);
+    // 12.5 mm are eight dots; those before and behind are more
+    assert_eq!(dots(40, &[10, 21]), 34, "8 between them");
+    assert_eq!(dots(40, &[10, 20]), 34 - 7, "7 are felt as texture");
+    assert_eq!(dots(12, &[7]), 6, "half of a short line");
+    assert_eq!(dots(12, &[6]), 0, "5 and 4");
 }

@@ -36,3 +36,30 @@ fn values_across_a_line_are_those_of_the_plane_in_whatever_order_they_are_asked_
         assert_eq!(steps.value(step).to_bits(), plane.at(place.x, place.y).to_bits(), "step {step}");
     }
 }
+
+#[test]
+fn a_line_goes_straight_through_a_junction_unless_it_turns_before_or_behind_it() {
+    // drawn aside by 2 px where another joins it, and led aslant from 5 px before or behind it on
+    let line = |turns_before: bool, turns_behind: bool| {
+        let at = |k: i16| {
+            let far = (f32::from(k.abs()) - 5.0).max(0.0);
+            let turns = if k < 0 { turns_before } else { turns_behind };
+            let aside = if k.abs() <= 2 { 2.0 } else { 0.0 };
+            let (along, turned) = (f32::from(k.abs().min(5)), std::f32::consts::FRAC_1_SQRT_2 * far);
+            let (x, y) = if turns { (along + turned, turned) } else { (along + far, 0.0) };
+            PxPoint::new(50.0 + f32::from(k.signum()) * x, 50.0 + y + aside)
+        };
+        Polyline::open((-20..=20).map(at).collect())
+    };
+    let through = |line: &Polyline<PxPoint>| through_junctions(line, &[PxPoint::new(50.0, 50.0)], 4.0);
+    let straight = through(&line(false, false));
+    let (middle, level) = (straight.vertices[20], straight.vertices.iter().all(|at| (at.y - 50.0).abs() < 1e-3));
+    assert!(level && (middle.x - 50.0).abs() < 1e-3, "{straight:?}");
+    assert!(straight.vertices.is_sorted_by(|a, b| a.x < b.x));
+    for turning in [line(true, false), line(false, true), line(true, true)] {
+        assert_eq!(through(&turning).vertices, turning.vertices);
+    }
+    // one that ends in the junction goes through nothing
+    let ends = Polyline::open(line(false, false).vertices[..23].to_vec());
+    assert_eq!(through(&ends).vertices, ends.vertices);
+}

@@ -58,3 +58,27 @@ fn pieces_of_one_stroke_that_touch_are_one() {
     let one = follow(vec![stroke(10.0, 45.0), stroke(46.0, 110.0)], &border(100.0), &PARAMS);
     assert!(matches!(&one[..], [one] if (one.contour.length() - 100.0).abs() < 0.01), "{one:?}");
 }
+
+/// As the stem of a letter P that its bow comes back to.
+#[test]
+fn a_stroke_that_is_followed_to_its_own_line_ends_on_it() {
+    let corners = [(90.0, 10.0), (90.0, 50.0), (10.0, 50.0), (10.0, 30.0), (45.0, 30.0)];
+    let points = corners.windows(2).flat_map(|pair| {
+        let [a, b] = [pair[0], pair[1]].map(|(x, y)| PxPoint::new(x, y));
+        let steps = (b - a).length() as u16;
+        (0..steps).map(move |step| a.lerp(b, f32::from(step) / f32::from(steps)))
+    });
+    let mut bow = stroke(0.0, 1.0);
+    let point = bow.contour.vertices[0];
+    bow.contour.vertices = points.map(|at| ContourPoint { at, ..point }).collect();
+    bow.whole = bow.contour.length();
+    let before = bow.contour.length();
+    let one = follow(vec![bow.clone()], &border(40.0), &PARAMS);
+    let [one] = &one[..] else { panic!("{one:?}") };
+    let end = one.contour.vertices.last().expect("it has vertices").at;
+    assert!((end - PxPoint::new(90.0, 30.0)).length() < 3.5, "{end:?}");
+    assert!((one.contour.length() - before - 46.0).abs() < 2.0 && !one.contour.closed, "{}", one.contour.length());
+    // over white there is nothing to follow
+    let same = follow(vec![bow], &border(100.0), &PARAMS);
+    assert!(matches!(&same[..], [same] if (same.contour.length() - before).abs() < 0.01), "{same:?}");
+}
