@@ -202,3 +202,20 @@ fn a_tip_beyond_the_border_of_the_picture_is_none() {
     assert!(apart.len() == 2 && farthest < 95.0, "the tip is at (100, 50): {farthest}");
     assert_eq!(met_in(300, 49).len(), 2);
 }
+
+#[test]
+fn two_edges_make_a_sharp_corner_and_no_other_and_do_not_go_on_in_one_another() {
+    let edge = |points: &[(f32, f32)]| FoundContour::edge(polyline(points));
+    let met = |found: [FoundContour; 2]| join_corners(found.to_vec(), SIGMA, &|_, _, _, _| true);
+    // 28 degrees between the sides, whose tip is at (100, 50)
+    let sharp = met([edge(&[(-60.0, 10.0), (96.0, 49.0)]), edge(&[(-60.0, 90.0), (96.0, 51.0)])]);
+    let [sharp] = &sharp[..] else { panic!("{} contours", sharp.len()) };
+    let to_tip = sharp.contour.vertices.iter().map(|vertex| (vertex.at - PxPoint::new(100.0, 50.0)).length());
+    assert!(to_tip.fold(f32::INFINITY, f32::min) < 0.1 && sharp.stroke.is_none());
+    for other in [[(163.0, 33.0), (163.0, 160.0)], [(165.0, 30.0), (290.0, 30.0)]] {
+        let edges = [edge(&[(20.0, 30.0), (160.0, 30.0)]), edge(&other)];
+        let stay = met(edges.clone());
+        assert!(stay.len() == 2 && edges.iter().all(|edge| stay.contains(edge)), "a right angle, and straight on");
+        assert_eq!(met([stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&other)]).len(), 1, "strokes do");
+    }
+}

@@ -387,3 +387,16 @@ fn a_head_that_was_found_in_pixels_has_one_tip() {
     assert_eq!(taken(vec![to_lower_corner, triangle(FoundIn::Head)]).0.len(), 0);
     assert_eq!(taken(vec![shaft(), triangle(FoundIn::Head)]).0.len(), 1);
 }
+
+#[test]
+fn where_two_shafts_end_at_one_head_it_is_that_of_the_one_which_it_points_along() {
+    let other = contour(&[(20.0, 70.0), (60.0, 50.0)], false);
+    let triangle = vec![contour(&[(60.0, 48.0), (64.0, 50.0), (60.0, 52.0)], true)];
+    let strokes = vec![contour(&[(57.0, 48.0), (60.0, 50.0)], false), contour(&[(60.0, 50.0), (57.0, 52.0)], false)];
+    for head in [triangle, strokes] {
+        for shafts in [[shaft(), other.clone()], [other.clone(), shaft()]] {
+            let (heads, _) = taken(shafts.into_iter().chain(head.clone()).collect());
+            assert!(matches!(heads[..], [head] if head.toward.x > 0.99), "{heads:?}");
+        }
+    }
+}
