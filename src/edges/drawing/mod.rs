@@ -95,3 +95,6 @@ fn add_from_pixels(raster: &Raster, drawing: &VectorDrawing, params: &Params, ed
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
