@@ -31,9 +31,9 @@ const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
 const MISLEADS: f32 = 0.3;
 /// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
 const MAY_LACK: f32 = 0.04;
-/// A drawing with so many times the contours that an overview has room for is drawn in no larger one, as that would
-/// lack most of them too, and its lines take seconds in each. (Of 90 pictures of schoolbooks and worksheets none has
-/// more than 1.5 times as much; 500 rings one in the other have 11 times.)
+/// A drawing with so many times the contours that an overview has room for is drawn in no larger one, nor with parts of
+/// rings, as that would lack most of them too, and its lines take seconds in each. (Of 90 pictures of schoolbooks and
+/// worksheets none has more than 1.5 times as much; 500 rings one in the other have 11 times.)
 const FAR_TOO_DENSE: f32 = 4.0;
 /// An overview without this share of a drawing's lines is told of: a bar of a chart may be missing, and less are ticks.
 const LACKS: f32 = 0.15;
@@ -137,7 +137,9 @@ impl OverviewSource<'_> {
     fn overview(&self, place: MmRect, lines_of: LinesOf<'_>, size: OverviewSize) -> DrawnOverview {
         let first = self.place_of_photograph(size).unwrap_or(place);
         let mut best = self.largest_needed(first);
-        if self.edges.of_drawing() && best.lost.share() >= MISLEADS {
+        // of one that is far too dense parts of rings say no more than the rings that are there
+        let may_say_more = best.lines.is_empty() || !self.is_too_dense(first);
+        if self.edges.of_drawing() && best.lost.share() >= MISLEADS && may_say_more {
             let in_parts = self.draw_at(first, self.plan.lines().detail, Rings::InParts);
             // parts of rings say more than nothing
             if best.lines.is_empty() || in_parts.lost.share() < best.lost.share() {
@@ -246,13 +248,16 @@ impl OverviewSource<'_> {
             (Medium::Print(_), Some(overview)) if self.edges.of_drawing() => overview.scale,
             (Medium::Print(_), _) | (Medium::Dots(_), _) => return Vec::new(),
         };
-        let contours = self.edges.chains().map(|chain| chain.length()).sum::<f32>();
-        let has_room = |place: &MmRect| {
-            let mm = contours * PageTransform::new(self.edges.size, *place).mm_per_px();
-            mm * self.plan.lines().max_spacing() <= FAR_TOO_DENSE * place.area()
-        };
         let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
-        scales.filter_map(|scale| self.layout.overview_at(scale, &params)).filter(has_room).collect()
+        let places = scales.filter_map(|scale| self.layout.overview_at(scale, &params));
+        places.filter(|place| !self.is_too_dense(*place)).collect()
+    }
+
+    /// Whether a place has room for so little of the contours that there is no use in trying to draw more of them.
+    fn is_too_dense(&self, place: MmRect) -> bool {
+        let px = self.edges.chains().map(|chain| chain.length()).sum::<f32>();
+        let mm = px * PageTransform::new(self.edges.size, place).mm_per_px();
+        mm * self.plan.lines().max_spacing() > FAR_TOO_DENSE * place.area()
     }
 }
 
