@@ -62,7 +62,8 @@ pub(super) fn taken_out(edges: &mut Edges, texts: &mut [Text], raster: &Raster, 
     let mut gone = of_samples.into_iter().zip(of_frame).map(|(of_sample, of_frame)| of_sample || of_frame);
     edges.chains.retain(|_| !gone.next().unwrap_or(false));
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let told = format!("the legend in the figure ({}): its samples would be felt as points of the drawing", named(&names));
+    let told =
+        format!("the legend in the figure ({}): its samples would be felt as points of the drawing", named(&names));
     let helped = Told::from(told).or("say in the title or a label what the points stand for");
     Some(Note::NotOnPage(About::Lines, Reason::LegendOfSigns, helped))
 }

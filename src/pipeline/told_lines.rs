@@ -282,11 +282,11 @@ fn told_loose(lost: &Lost, texts: &[Text], sheets: Places<'_>) -> Option<Note> {
         }
     };
     let told = format!(
-        "{ends} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines; make the figure \
-         larger, or say in a label where {they_lead}",
+        "{ends} ({which}{mm:.0} mm long, {}){near}: there is no room for {them} beside other lines",
         around(at, sheets)
     );
-    Some(Note::NotOnPage(About::Lines, Reason::EndsBeforeLine, told))
+    let helped = Told::from(told).or_larger().or(format!("say in a label where {they_lead}"));
+    Some(Note::NotOnPage(About::Lines, Reason::EndsBeforeLine, helped))
 }
 
 /// What the maker is told of a squared grid that is left out as a whole.

@@ -114,9 +114,9 @@ fn a_ring_of_dashes_has_as_many_gaps_as_dashes_and_an_open_row_one_less() {
         let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, of)| dash(number, of, SIGMA, LEAST)).collect();
         let rows = rows(&dashes, LEAST);
         let [row] = &rows[..] else { panic!("{} rows", rows.len()) };
-        // chords of 6 degrees
-        assert!(row.gap_lengths().all(|length| (length - 6.28).abs() < 0.05), "{:?}", row.gaps);
-        assert!((row.period() - 6.28 - 9.42).abs() < 0.1, "{}", row.period());
+        let chord = |degrees: f32| 120.0 * (0.5 * degrees).to_radians().sin();
+        assert!(row.gap_lengths().all(|length| (length - chord(6.0)).abs() < 0.05), "{:?}", row.gaps);
+        assert!((row.period() - chord(6.0) - chord(9.0)).abs() < 0.1, "{}", row.period());
         (row.gaps.len(), row.closed)
     };
     assert_eq!(gaps(24), (24, true));

@@ -40,9 +40,9 @@ fn on_a_way_the_first_square_is_found_as_if_each_step_were_looked_at() {
             let end = 10.0 * numbers.next();
             let length = (to - at).length();
             let steps = (length / SQUARE).ceil().max(1.0);
-            let meets = (0..=steps as u32).map(|step| step as f32 / steps).any(|along| {
-                (1.0 - along) * length > end && marked.holds(at.lerp(to, along), &squares)
-            });
+            let meets = (0..=steps as u32)
+                .map(|step| step as f32 / steps)
+                .any(|along| (1.0 - along) * length > end && marked.holds(at.lerp(to, along), &squares));
             assert_eq!(marked.meets(&squares, at, to, end), meets, "{count} from {at:?} to {to:?}, without {end}");
             found = [found[0] + usize::from(first.is_some()), found[1] + usize::from(meets)];
         }
