@@ -25,8 +25,14 @@ pub(super) fn is_corner(polyline: &Polyline<Vertex>, arcs: &[f32], ring: bool, p
     if length > SHARPEST * (b - a).length() + ROUNDED {
         return false;
     }
-    let between = polyline.path().zip(arcs).filter(|(_, arc)| (from..to).contains(*arc) != over_start);
+    // nothing but what is between is looked at: it is asked of each vertex of long lines
+    let [start, end] = [from, to].map(|place| arcs.partition_point(|arc| *arc < place));
+    let (first, last) = if over_start { (0..start, end..arcs.len()) } else { (start..end, 0..0) };
+    let at = |i: usize| polyline.vertices[i % polyline.vertices.len()].at;
     let height = |at: MmPoint| (at - a).cross(b - a).abs();
-    let tip = between.map(|(vertex, _)| vertex.at).max_by(|p, q| height(*p).total_cmp(&height(*q)));
+    let tip = first.chain(last).map(at).max_by(|p, q| height(*p).total_cmp(&height(*q)));
     tip.is_some_and(|tip| (tip - a).length() + (tip - b).length() >= STRAIGHTNESS * length)
 }
+
+#[cfg(test)]
+mod tests;
