@@ -73,6 +73,25 @@ fn junctions_side_by_side_are_one() {
     assert!((nodes[0].at - PxPoint::new(4.0, 3.5)).length() < 0.1, "{nodes:?}");
 }
 
+#[test]
+fn a_path_that_ends_beside_its_own_junction_comes_back_to_it_only_after_a_way_round() {
+    // the first pixel is the junction
+    let path = |pixels: &[(usize, usize)]| {
+        let mask = StrokeMask::new(Size::new(6, 6), pixels.iter().map(|(x, y)| 6 * y + x));
+        let cell = |(x, y): (usize, usize)| (y + 1) * mask.stride + x + 1;
+        let mut node_of = vec![None; mask.cells.len()];
+        node_of[cell(pixels[0])] = Some(0);
+        let mut walk = Walk { mask: &mask, node_of: &node_of, seen: vec![false; mask.cells.len()], paths: Vec::new() };
+        walk.follow(cell(pixels[0]), cell(pixels[1]));
+        let [path] = &walk.paths[..] else { panic!("{:?}", walk.paths) };
+        (path.points.len(), path.nodes)
+    };
+    assert_eq!(path(&[(2, 2), (3, 2)]), (1, [Some(0), None]));
+    assert_eq!(path(&[(2, 2), (3, 2), (3, 3)]), (2, [Some(0), None]));
+    assert_eq!(path(&[(2, 2), (3, 2), (3, 3), (2, 3)]), (3, [Some(0), Some(0)]));
+    assert_eq!(path(&[(1, 1), (2, 1), (3, 1), (4, 1), (5, 1)]), (4, [Some(0), None]), "it leads away");
+}
+
 /// Thins a mask without keeping which neighbours of pixels are set.
 fn thin_plainly(mask: &mut StrokeMask) {
     let ring = |mask: &StrokeMask, cell: usize| {
