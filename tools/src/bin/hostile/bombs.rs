@@ -9,6 +9,7 @@ use flate2::Compression;
 use flate2::write::{GzEncoder, ZlibEncoder};
 
 use crate::Fault;
+use crate::dense;
 use crate::mutate::mend_checksums;
 use crate::seeds::{Input, Seed};
 
@@ -50,6 +51,9 @@ pub(crate) fn all() -> Result<Vec<Seed>, Fault> {
         add(&format!("svg {name}"), Input::Picture, svg.clone().into_bytes());
         add(&format!("page {name}"), Input::Page, svg.replace("<svg ", "<svg data-tactograph='1' ").into_bytes());
         add(&format!("lines {name}"), Input::Lines, svg.into_bytes());
+    }
+    for (name, svg) in dense::drawings() {
+        add(&format!("dense {name}"), Input::Lettered, svg.into_bytes());
     }
     for (name, pdf) in documents()? {
         add(&format!("pdf {name}"), Input::Picture, pdf);

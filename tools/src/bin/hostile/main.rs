@@ -15,6 +15,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 mod bombs;
+mod dense;
 mod mutate;
 mod seeds;
 mod worker;

@@ -11,6 +11,8 @@ use crate::Fault;
 pub(crate) enum Input {
     /// A picture to convert.
     Picture,
+    /// One whose texts become labels, as `--labels texts`.
+    Lettered,
     /// A page to render, check and describe.
     Page,
     /// Lines for a picture, as `--lines`.
@@ -24,8 +26,9 @@ pub(crate) enum Input {
 }
 
 impl Input {
-    const ALL: [(Self, &str); 6] = [
+    const ALL: [(Self, &str); 7] = [
         (Self::Picture, "picture"),
+        (Self::Lettered, "lettered"),
         (Self::Page, "page"),
         (Self::Lines, "lines"),
         (Self::Areas, "areas"),

@@ -83,6 +83,7 @@ impl With {
         };
         match input {
             Input::Picture => convert(bytes, &self.options),
+            Input::Lettered => convert(bytes, &self.options.clone().label_texts(true)),
             Input::Page => {
                 let drawing = tactograph::render(bytes, &RenderOptions::new()).map_err(said)?;
                 std::hint::black_box(drawing.page.to_pdf());
