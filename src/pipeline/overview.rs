@@ -254,8 +254,10 @@ impl OverviewSource<'_> {
     }
 
     /// Whether a place has room for so little of the contours that there is no use in trying to draw more of them.
+    /// Faint ones, as the lines of squared paper, give way to all others, and do not count.
     fn is_too_dense(&self, place: MmRect) -> bool {
-        let px = self.edges.chains().map(|chain| chain.length()).sum::<f32>();
+        let strong = self.edges.chains.iter().filter(|chain| !chain.kind.faint);
+        let px = strong.map(|chain| self.edges.chain(chain).length()).sum::<f32>();
         let mm = px * PageTransform::new(self.edges.size, place).mm_per_px();
         mm * self.plan.lines().max_spacing() > FAR_TOO_DENSE * place.area()
     }

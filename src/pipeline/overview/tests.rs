@@ -80,9 +80,9 @@ fn a_drawing_with_far_more_lines_than_have_room_is_drawn_in_no_larger_overview()
     let profile = Profile::named("swell-a4").expect("it is built in");
     let plan = Plan::new(&profile).expect("it makes sense");
     let layout = Fit::default().layout(Size::new(300, 200), &plan, OverviewSize::Own).expect("there is room");
-    let larger = |lines: u16| {
+    let larger = |lines: u16, faint: bool| {
         let mut edges = Edges::none(Size::new(300, 200));
-        let kind = ChainKind { of_drawing: true, exact: true, ..ChainKind::default() };
+        let kind = ChainKind { of_drawing: true, exact: true, faint, ..ChainKind::default() };
         let edgel = |(x, y): (f32, f32)| Edgel { at: PxPoint::new(x, y), strength: 90.0, contrast: [90.0, 0.0, 0.0] };
         for line in 0..lines {
             let y = 10.0 + 180.0 * f32::from(line) / f32::from(lines);
@@ -90,8 +90,9 @@ fn a_drawing_with_far_more_lines_than_have_room_is_drawn_in_no_larger_overview()
         }
         OverviewSource { edges: &edges, regions: None, layout: &layout, plan: &plan }.larger_places().len()
     };
-    assert!(larger(20) > 0);
-    assert_eq!(larger(250), 0);
+    assert!(larger(20, false) > 0);
+    assert_eq!(larger(250, false), 0);
+    assert!(larger(250, true) > 0, "a grid gives way to what is drawn on it");
 }
 
 #[test]
