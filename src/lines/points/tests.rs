@@ -113,6 +113,32 @@ fn of_a_tick_under_a_hollow_point_nothing_sticks_out() {
     assert_eq!((drawn(8.0), drawn(40.0)), (0, 2));
 }
 
+/// Where a gridline from 10 to 90 mm is drawn beside a disc, in tenths of a mm.
+fn pieces_beside(at: (f32, f32), radius: f32) -> Vec<[i32; 2]> {
+    let gridline = line(&[(10.0, 50.0), (90.0, 50.0)], false, 0.0, FoundIn::FaintStroke);
+    let discs = vec![(MmPoint::from(at), radius)];
+    let drawn = DrawnPoints { discs, gaps: vec![PARAMS.min_gap], ..DrawnPoints::default() };
+    let parts = drawn.parts(0, &gridline, &vec![false; gridline.vertices.len()], &PARAMS);
+    let ends = |part: &LinePart| [0, part.polyline.vertices.len() - 1].map(|end| part.polyline.vertices[end].at.x);
+    parts.iter().map(|part| ends(part).map(|x| (10.0 * x).round() as i32)).collect()
+}
+
+#[test]
+fn a_faint_line_is_interrupted_beside_a_point_and_its_short_pieces_are_left_out() {
+    let radius = 2.0;
+    let off = radius + PARAMS.min_gap + 0.5 * PARAMS.width_min + PARAMS.play();
+    let tenths = |x: f32| (10.0 * x).round() as i32;
+    assert_eq!(pieces_beside((50.0, 50.0), radius), [[100, tenths(50.0 - off)], [tenths(50.0 + off), 900]]);
+    assert_eq!(pieces_beside((50.0, 50.0 + off + 0.1), radius), [[100, 900]], "it is clear of the point");
+    // its ends are as far apart as any where it would only touch
+    let [[_, before], [behind, _]] = pieces_beside((50.0, 50.0 + off - 0.05), radius)[..] else { panic!("two pieces") };
+    let apart = 0.1 * (behind - before) as f32;
+    assert!((apart - PARAMS.clearance(PARAMS.width_min)).abs() < 0.5, "{apart}");
+    let least = PARAMS.min_length;
+    assert_eq!(pieces_beside((10.0 + off + 0.9 * least, 50.0), radius).len(), 1, "what is before it is too short");
+    assert_eq!(pieces_beside((10.0 + off + 1.1 * least, 50.0), radius).len(), 2);
+}
+
 /// As in the sign of a lamp, whose cross is not drawn either.
 #[test]
 fn two_strokes_that_cross_in_a_hollow_point_are_told_and_others_are_ticks_behind_it() {
