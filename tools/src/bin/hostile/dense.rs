@@ -38,9 +38,7 @@ fn circle(x: f64, y: f64, radius: f64) -> String {
 
 /// So many places in rows of so many, each with its number.
 fn in_rows(count: u32, across: u32, first: [f64; 2], step: [f64; 2]) -> impl Iterator<Item = (u32, f64, f64)> {
-    (0..count).map(move |i| {
-        (i, first[0] + step[0] * f64::from(i % across), first[1] + step[1] * f64::from(i / across))
-    })
+    (0..count).map(move |i| (i, first[0] + step[0] * f64::from(i % across), first[1] + step[1] * f64::from(i / across)))
 }
 
 /// So many places that look random and are the same every time, each with its number.
@@ -138,9 +136,8 @@ fn words() -> Vec<(&'static str, String)> {
         let height = 20 + 37 * i % 500;
         stroke(0.3, &format!("M{x:.2} 590v-{height}h1.2v{height}")) + &text(x, 598.0, 1, &i.to_string())
     };
-    let tick = |(i, x, _): (u32, f64, f64)| {
-        stroke(1.0, &format!("M{x:.1} 290V310")) + &text(x, 320.0, 3, &format!("n{i}"))
-    };
+    let tick =
+        |(i, x, _): (u32, f64, f64)| stroke(1.0, &format!("M{x:.1} 290V310")) + &text(x, 320.0, 3, &format!("n{i}"));
     let in_box = |(i, x, y): (u32, f64, f64)| {
         stroke(1.5, &format!("M{x} {y}h36v20h-36z")) + &text(x + 3.0, y + 14.0, 8, &format!("box {i}"))
     };
