@@ -392,8 +392,9 @@ fn longer(line: &Polyline<Vertex>, by: [f32; 2]) -> Polyline<Vertex> {
     line
 }
 
-/// Whether a tick is apart from all these others. Where it stands on its line, and which way it leads away from that, is
-/// given, if it does: what is on the other side of its line, as the side of a bar that ends there, is not in its way.
+/// Whether a tick is apart from all these others. Where it stands on its line, and which way it leads away from
+/// that, is given, if it does: what is on the other side of its line, as the side of a bar that ends there, is not in
+/// its way.
 fn is_free(
     tick: &Polyline<Vertex>,
     base: Option<(MmPoint, MmVector)>,

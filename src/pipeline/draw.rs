@@ -152,8 +152,8 @@ struct ApartFromWords {
     told: Vec<Note>,
 }
 
-/// Takes out of the contours of a drawing what says nothing beside words in braille: the samples of a legend of signs or
-/// lines, leader lines that have no room as a whole, and a legend of colours that the key has.
+/// Takes out of the contours of a drawing what says nothing beside words in braille: the samples of a legend of signs
+/// or lines, leader lines that have no room as a whole, and a legend of colours that the key has.
 fn apart_from_words(
     (edges, texts): (&mut Edges, &mut [Text]),
     words: &Words<'_>,

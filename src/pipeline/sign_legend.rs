@@ -23,7 +23,7 @@ const BESIDE_FRAME: f32 = 1.5;
 /// Without a frame, samples stand in a column or a row, and the words of a column begin in line, mm.
 const IN_LINE: f32 = 0.5;
 const WORDS_IN_LINE: f32 = 1.0;
-/// Of all other signs at most this share has a word beside it then: else words are the names of points, or their values.
+/// Of all other signs at most this share has a word beside it then: else words are names of points, or their values.
 const NAMED: f32 = 0.2;
 
 /// A sign on the sheet.

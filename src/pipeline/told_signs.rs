@@ -31,8 +31,8 @@ pub(super) fn kind_of(at: MmPoint, signs: &[(MmPoint, bool)]) -> SignKind {
     }
 }
 
-/// What the maker is told of signs of several kinds: how they are told apart on the page, if they are, with the words of
-/// their legend.
+/// What the maker is told of signs of several kinds: how they are told apart on the page, if they are, with the words
+/// of their legend.
 pub(super) fn told(lines: &[Line], edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Note> {
     let signs = places(edges, layout.figure);
     let filled = signs.iter().filter(|(_, is_filled)| *is_filled).count();

@@ -53,8 +53,8 @@ const OF_GRID: usize = 3;
 /// From most of them the next one of their kind is as far as so many of their sides: they lie beside one another, and
 /// are no texture.
 const APART: f32 = 1.0;
-/// Least contrast of a filled sign with its ground, in units of strength, as of signs in pixels; the ground is looked at
-/// so far beside it, px.
+/// Least contrast of a filled sign with its ground, in units of strength, as of signs in pixels; the ground is looked
+/// at so far beside it, px.
 const CONTRAST: f32 = 15.0;
 const BESIDE: f32 = 2.0;
 /// More small things than this are letters, or a texture.

@@ -47,7 +47,7 @@ fn picture(places: &[(f32, f32)]) -> Lab {
     Lab::of(&Raster::grey(SIZE, (0..SIZE.len()).map(pixel).collect()))
 }
 
-/// How many filled and hollow signs there are among paths in a picture of squares, and how many of the paths are theirs.
+/// How many filled and hollow signs there are among paths in a picture of squares, and how many paths are theirs.
 fn found(paths: &[PaintedPath], places: &[(f32, f32)]) -> [usize; 3] {
     let Some((signs, are_signs)) = find(paths, &picture(places), &Params::default(), PX_PER_MM, SIZE) else {
         return [0; 3];
