@@ -33,6 +33,12 @@ impl RowPiece {
         self.aslant() <= MOST_ASLANT
     }
 
+    /// Whether it is open and turns, as the outline of a bar on its axis does.
+    fn has_corner(&self) -> bool {
+        let goes_along = |axis: usize| self.cells.windows(2).any(|pair| pair[0][axis] == pair[1][axis]);
+        !self.closed && goes_along(0) && goes_along(1)
+    }
+
     /// Whether it is so for the most part, as walls with a door are.
     fn is_of_walls(&self) -> bool {
         let has_few_aslant = ASLANT_OF_WALLS * self.aslant() <= self.cells.len();
@@ -95,6 +101,9 @@ impl OccupiedDots {
             let of_walls: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_walls()).collect();
             let of_bars: Vec<usize> = of_walls.iter().copied().filter(|&of| is_of_bar(of)).collect();
             let together = about_as_strong(&of_walls, &rows, strength);
+            // the bars of a chart have strengths of their own, by their colours and by what is beside them
+            let on_an_axis: Vec<usize> = of_bars.iter().copied().filter(|&of| drawn[of].piece.has_corner()).collect();
+            alike(&on_an_axis, &mut rows, |_| 1.0);
             alike(&of_bars, &mut rows, strength);
             on_one_side(&of_bars, &mut rows, drawn, strength);
             as_others(&together, &mut rows, is_of_bar);
@@ -158,9 +167,9 @@ impl OccupiedDots {
 }
 
 /// Takes second rows away where of lines that are about as strong, as the bars of a chart, too few have one: the others
-/// would be taken for lines of another kind. The lines come by their strength.
-fn alike(by_strength: &[usize], rows: &mut [Option<Vec<GridDot>>], strength: impl Fn(usize) -> f32) {
-    for lines in about_as_strong(by_strength, rows, strength) {
+/// would be taken for lines of another kind.
+fn alike(numbers: &[usize], rows: &mut [Option<Vec<GridDot>>], strength: impl Fn(usize) -> f32) {
+    for lines in about_as_strong(numbers, rows, strength) {
         let has_row = |number: &&usize| rows[**number].as_ref().is_some_and(|row| !row.is_empty());
         if (lines.iter().filter(has_row).count() as f32) < MOST_OF_THEM * lines.len() as f32 {
             lines.iter().for_each(|&number| rows[number] = None);
@@ -171,12 +180,12 @@ fn alike(by_strength: &[usize], rows: &mut [Option<Vec<GridDot>>], strength: imp
 /// Takes second rows away where of lines that are about as strong some bars have theirs inside and others outside: the
 /// ends of these lie a row further on, beside the tick or the gridline at which they end in the drawing.
 fn on_one_side(
-    by_strength: &[usize],
+    numbers: &[usize],
     rows: &mut [Option<Vec<GridDot>>],
     drawn: &[DrawnPiece],
     strength: impl Fn(usize) -> f32,
 ) {
-    for lines in about_as_strong(by_strength, rows, strength) {
+    for lines in about_as_strong(numbers, rows, strength) {
         let has_outside = |&number: &usize| rows[number].as_ref().and_then(|row| drawn[number].piece.has_outside(row));
         let sides: BTreeSet<bool> = lines.iter().filter_map(has_outside).collect();
         if sides.len() > 1 {
@@ -197,13 +206,15 @@ fn as_others(together: &[Vec<usize>], rows: &mut [Option<Vec<GridDot>>], is_of_b
     }
 }
 
-/// The lines with second rows, those together that are about as strong.
+/// The lines with second rows, those together that are about as strong: by their strength, as the lines come by their
+/// weight, a long bar of one colour between two of another.
 fn about_as_strong(
-    by_strength: &[usize],
+    numbers: &[usize],
     rows: &[Option<Vec<GridDot>>],
     strength: impl Fn(usize) -> f32,
 ) -> Vec<Vec<usize>> {
-    let heavy: Vec<usize> = by_strength.iter().copied().filter(|&number| rows[number].is_some()).collect();
+    let mut heavy: Vec<usize> = numbers.iter().copied().filter(|&number| rows[number].is_some()).collect();
+    heavy.sort_by(|a, b| strength(*b).total_cmp(&strength(*a)));
     let is_near = |a: &usize, b: &usize| {
         let [a, b] = [a, b].map(|number| strength(*number));
         a.max(b) <= ABOUT_AS_STRONG * a.min(b)

@@ -81,6 +81,11 @@ fn lines_that_are_about_as_strong_have_second_rows_or_none_has() {
     assert_eq!(rows(&[0, 1, 2, 3, 4]), [0, 1, 2, 3, 4]);
     assert_eq!(rows(&[0, 1, 3, 4]), [3, 4], "one of three has no room");
     assert_eq!(rows(&[0, 1, 2, 3]), [0, 1, 2]);
+    // bars of two colours, by their heights
+    let mut mixed: Vec<Option<Vec<GridDot>>> = vec![Some(row(0, 0..9)); 5];
+    mixed[1] = Some(Vec::new());
+    alike(&[0, 3, 1, 4, 2], &mut mixed, strength);
+    assert_eq!(mixed.iter().map(Option::is_some).collect::<Vec<_>>(), [false, false, false, true, true]);
 }
 
 #[test]
