@@ -37,15 +37,15 @@ pub(super) struct Rasterised {
 pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Rasterised {
     let closed = line.closed;
     let points: Vec<GridPoint> = line.path().map(|&at| to_grid(at, grid)).collect();
-    let sharp = sharp_corners(line, grid);
+    let in_steps = in_steps(line, grid);
+    let sharp = sharp_corners(&in_steps);
     let mut cells = Vec::new();
     if !closed {
         cells.extend(points.first().map(|&at| nearest(at)));
     }
     for (i, pair) in points.windows(2).enumerate() {
         crossed(pair[0], pair[1], &mut cells);
-        let after = points.get(i + 2).or(if closed { points.get(1) } else { None });
-        let is_of_box = after.is_some_and(|&after| is_of_box(pair[0], pair[1], after));
+        let is_of_box = is_of_box(&in_steps, (i + 1) % in_steps.vertices.len());
         cells.extend(Some(nearest(pair[1])).filter(|corner| is_of_box || sharp.contains(corner)));
     }
     if !closed {
@@ -64,14 +64,33 @@ pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Rasteris
 const SIDE_OF_BOX: f32 = 2.0;
 const OFF_LEVEL: f32 = 0.1;
 
-/// Whether a corner is one between a level side and an upright one.
-fn is_of_box(before: GridPoint, corner: GridPoint, after: GridPoint) -> bool {
-    let way = |from: GridPoint, to: GridPoint| [to[0] - from[0], to[1] - from[1]];
-    let is_along = |way: [f32; 2], axis: usize| {
-        way[axis].abs() >= SIDE_OF_BOX && way[1 - axis].abs() <= OFF_LEVEL * way[axis].abs()
+/// It turns there at once, by 45 degrees at least (the cosine between its sides): a rounded corner is none.
+const AT_ONCE: f32 = -0.707;
+
+/// A line in steps of the grid.
+type LineInSteps = Polyline<Point2D<f32, UnknownUnit>>;
+
+fn in_steps(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> LineInSteps {
+    let vertices = line.vertices.iter().map(|&at| to_grid(at, grid).into()).collect();
+    Polyline { vertices, closed: line.closed }
+}
+
+/// Whether a vertex of a line is a corner between a level side and an upright one. A side may have been found in parts
+/// that lie a little aside of one another, and have a vertex there.
+fn is_of_box(line: &LineInSteps, corner: usize) -> bool {
+    let way = |forwards: bool, least: f32| {
+        let others = line.walk(corner, forwards).skip(1);
+        let mut ways = others.map(|(vertex, _)| line.vertices[vertex] - line.vertices[corner]);
+        ways.find(|way| way.length() > 0.0 && way.length() >= least)
     };
-    let (to, on) = (way(before, corner), way(corner, after));
-    (0..2).any(|axis| is_along(to, axis) && is_along(on, 1 - axis))
+    let is_along = |[along, across]: [f32; 2]| along.abs() >= SIDE_OF_BOX && across.abs() <= OFF_LEVEL * along.abs();
+    let turns = way(true, 0.0).zip(way(false, 0.0));
+    let turns = turns.is_some_and(|(on, back)| on.normalize().dot(back.normalize()) >= AT_ONCE);
+    let sides = || way(true, SIDE_OF_BOX).zip(way(false, SIDE_OF_BOX));
+    turns
+        && sides().is_some_and(|(on, back)| {
+            is_along([on.x, on.y]) && is_along([back.y, back.x]) || is_along([on.y, on.x]) && is_along([back.x, back.y])
+        })
 }
 
 /// The sides of a corner are taken over so many steps of the grid.
@@ -83,9 +102,7 @@ const STRAIGHT: f32 = 0.95;
 const SHARP: RangeInclusive<f32> = 0.17..=0.64;
 
 /// The dots at the sharp corners of a line.
-fn sharp_corners(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<GridDot> {
-    let vertices = line.vertices.iter().map(|&at| to_grid(at, grid).into()).collect();
-    let line: Polyline<Point2D<f32, UnknownUnit>> = Polyline { vertices, closed: line.closed };
+fn sharp_corners(line: &LineInSteps) -> Vec<GridDot> {
     let side = |i: usize, forwards: bool| {
         let at = line.vertices[i];
         let chord = |to: usize| line.vertices[to] - at;

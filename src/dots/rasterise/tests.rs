@@ -87,6 +87,20 @@ fn a_box_has_all_its_corners_wherever_it_lies() {
 }
 
 #[test]
+fn a_bar_whose_sides_were_found_in_parts_has_its_corners() {
+    for (dx, dy) in (0..10).flat_map(|i| (0..10).map(move |k| (0.1 * i as f32, 0.1 * k as f32))) {
+        let corners = [[10.0 + dx, 10.0 + dy], [16.3 + dx, 10.0 + dy]];
+        let [left, right] = corners.map(|[x, _]| x);
+        let sides = |x: f32| [at(x, 24.0), at(x, 11.2 + dy)];
+        let [top_left, top_right] = corners.map(|[x, y]| at(x, y));
+        let vertices = [sides(left).to_vec(), vec![top_left, top_right], sides(right).into_iter().rev().collect()];
+        let cells = rasterise(Polyline::open(vertices.concat()).view(), &grid()).cells;
+        let is_there = |[x, y]: [f32; 2]| cells.contains(&nearest(to_grid(at(x, y), &grid())));
+        assert!(corners.into_iter().all(is_there), "{dx}, {dy}: {cells:?}");
+    }
+}
+
+#[test]
 fn a_sharp_corner_keeps_its_dot() {
     // 65 degrees, as where a coast meets a border, in all directions and begun at any of its corners
     for degrees in (0..360).step_by(7) {
