@@ -1,8 +1,11 @@
 //! Dashed lines of drawings: an altitude of a triangle, a hidden edge, an axis of symmetry, a border. A dash is too
 //! short for a line on a page; dashes in a row become one line that runs along all of them.
 
+mod corners;
+
 use std::collections::HashSet;
 
+use self::corners::{ROUNDING, RowEnd};
 use super::contour::{Contour, ContourPoint, crossing};
 use super::stroke::Stroke;
 use super::tips::FoundContour;
@@ -26,14 +29,14 @@ const STRAIGHTNESS: f32 = 0.95;
 const WIDEST_GAP: f32 = 1.5;
 /// Cosine between the direction of a dash and the direction of the next one (18 degrees).
 const AHEAD_COSINE: f32 = 0.95;
+/// The same of what goes on beyond a dash that is missing (8 degrees).
+const STRAIGHT_ON: f32 = 0.99;
 /// Fewer than this are no row; with dashes that are too short to be strokes by themselves.
 const FEWEST: usize = 3;
 const FEWEST_SHORT: usize = 4;
 /// The longest gap is at most so many times as long as the shortest, and the longest dash as the shortest, but for the
 /// first and last one, which may be cut; beside [`ROUNDING`].
 const ALIKE: f32 = 1.6;
-/// What blur and the grid of pixels change in a length, px.
-const ROUNDING: f32 = 2.0;
 
 /// A short straight piece.
 struct Dash {
@@ -62,11 +65,22 @@ pub(super) fn merged_dashes(found: Vec<FoundContour>, sigma: f32, least: f32) ->
         return (found, 0);
     }
     let segments = Segments::of(&found, longest_gap(least));
-    let rows: Vec<DashRow> = rows(&dashes, least).into_iter().filter(|row| !row.is_hidden(&segments)).collect();
-    let taken: HashSet<usize> = rows.iter().flat_map(DashRow::numbers).collect();
+    let mut rows: Vec<DashRow> = rows(&dashes, least).into_iter().filter(|row| !row.is_hidden(&segments)).collect();
+    let mut taken: HashSet<usize> = rows.iter().flat_map(DashRow::numbers).collect();
+    rows.iter_mut().filter(|row| !row.closed).for_each(|row| row.go_on(&dashes, &segments, &mut taken));
     let mut lines: Vec<FoundContour> = rows.iter().map(|row| row.line(&found)).collect();
+    let dash = rows.iter().flat_map(|row| &row.dashes).map(|dash| dash.length).fold(0.0, f32::max);
+    let bent: Vec<bool> = found.iter().map(|found| is_bent_dash(found, dash)).collect();
+    let is_met =
+        |way: [PxPoint; 2]| segments.first_met(way, |number| !taken.contains(&number) && !bent[number]).is_some();
+    let ends: Vec<RowEnd> = (0..).zip(&rows).flat_map(|(number, row)| row.open_ends(number)).collect();
+    let tips = corners::join(&ends, &mut lines, &is_met);
+    let is_around = |found: &FoundContour, tip: &PxPoint| {
+        found.contour.vertices.iter().all(|vertex| (vertex.at - *tip).length() <= dash)
+    };
+    taken.extend((0..found.len()).filter(|&of| bent[of] && tips.iter().any(|tip| is_around(&found[of], tip))));
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
-        extend_ends(&mut line.contour, row.period(), &segments, &taken);
+        extend_ends(&mut line.contour, row.period(), &segments, &taken, &tips);
     }
     let count = lines.len();
     let others = (0..).zip(found).filter(|(number, _)| !taken.contains(number)).map(|(_, found)| found);
@@ -140,6 +154,13 @@ fn dash(number: usize, FoundContour { contour, stroke, .. }: &FoundContour, sigm
     };
     let length = (ends[1] - ends[0]).length();
     (length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
+}
+
+/// Whether a contour is no longer than a dash of this length, which may be bent around a corner: the stroke, or its two
+/// sides.
+fn is_bent_dash(FoundContour { contour, .. }: &FoundContour, dash: f32) -> bool {
+    let sides = if contour.closed { 2.0 } else { 1.0 };
+    contour.length() <= sides * (ALIKE * dash + ROUNDING)
 }
 
 /// A stroke as a dash, if it is one.
@@ -246,10 +267,71 @@ impl<'a> DashRow<'a> {
         2 * self.gaps.iter().filter(is_filled).count() > self.gaps.len()
     }
 
+    /// Goes on beyond a dash that has become a part of another line, as one that crosses a gridline, with dashes that
+    /// are in no row. Those that it takes are `taken`.
+    fn go_on(&mut self, dashes: &'a [Dash], segments: &Segments, taken: &mut HashSet<usize>) {
+        for _ in 0..2 {
+            self.reverse();
+            while let Some((dash, ends)) = self.next(dashes, segments, taken) {
+                taken.insert(dash.number);
+                self.gaps.extend(self.ends.last().map(|last| [last[1], ends[0]]));
+                self.dashes.push(dash);
+                self.ends.push(ends);
+            }
+        }
+    }
+
+    fn reverse(&mut self) {
+        self.dashes.reverse();
+        for pairs in [&mut self.ends, &mut self.gaps] {
+            pairs.reverse();
+            pairs.iter_mut().for_each(|pair| pair.reverse());
+        }
+    }
+
+    /// The dash that is straight ahead behind a gap, or behind one more dash that there is something else in place of.
+    fn next(
+        &self,
+        dashes: &'a [Dash],
+        segments: &Segments,
+        taken: &HashSet<usize>,
+    ) -> Option<(&'a Dash, [PxPoint; 2])> {
+        let [before, last] = *self.ends.last()?;
+        let direction = (last - before).try_normalize()?;
+        let gap = self.gap_lengths().fold(0.0, f32::max);
+        let longest = self.dashes.iter().map(|dash| dash.length).fold(0.0, f32::max);
+        let is_ahead = |way: PxVector| way.length() > 0.0 && direction.dot(way) >= STRAIGHT_ON * way.length();
+        let is_one_of_them = |dash: &Dash| {
+            let (width, other) = (dash.width, self.dashes[0].width);
+            dash.length <= ALIKE * longest + ROUNDING && width.max(other) <= ALIKE * width.min(other) + ROUNDING
+        };
+        let free = dashes.iter().filter(|dash| !taken.contains(&dash.number) && is_one_of_them(dash));
+        let both = free.flat_map(|dash| [dash.ends, [dash.ends[1], dash.ends[0]]].map(|ends| (dash, ends)));
+        let is_next = |(dash, [near, far]): &(&Dash, [PxPoint; 2])| {
+            let far_off = (*near - last).length();
+            let is_other = |number: usize| number != dash.number && !taken.contains(&number);
+            let is_passed = || segments.first_met([last, *near], is_other).is_some();
+            let is_near = far_off <= gap + ROUNDING || far_off <= 2.0 * gap + longest + ROUNDING && is_passed();
+            is_near && is_ahead(*near - last) && is_ahead(*far - *near)
+        };
+        both.filter(is_next).min_by(|a, b| (a.1[0] - last).length().total_cmp(&(b.1[0] - last).length()))
+    }
+
     /// The length of a dash and of a gap, together, px: the mean.
     fn period(&self) -> f32 {
         let dash: f32 = self.dashes.iter().map(|dash| dash.length).sum();
         dash / self.dashes.len() as f32 + self.gap_lengths().sum::<f32>() / self.gaps.len().max(1) as f32
+    }
+
+    /// Its ends; a ring has none.
+    fn open_ends(&self, row: usize) -> Vec<RowEnd> {
+        let (first, last) = (self.ends[0], self.ends[self.ends.len() - 1]);
+        let width = self.dashes.iter().map(|dash| dash.width).sum::<f32>() / self.dashes.len() as f32;
+        let end = |at_start: bool, [inner, at]: [PxPoint; 2]| {
+            let direction = (at - inner).try_normalize().unwrap_or_default();
+            RowEnd { row, at_start, at, direction, reach: self.period() + ROUNDING, width }
+        };
+        if self.closed { Vec::new() } else { vec![end(true, [first[1], first[0]]), end(false, last)] }
     }
 
     /// The line along the row; a point every pixel.
@@ -273,11 +355,15 @@ impl<'a> DashRow<'a> {
 }
 
 /// Extends the ends of a dashed line straight to what they point at within one more gap and dash: a dash that touches
-/// another line has become a part of that. What is `taken` is in rows.
-fn extend_ends(line: &mut Contour, period: f32, segments: &Segments, taken: &HashSet<usize>) {
+/// another line has become a part of that. What is `taken` is in rows. Those that end at a corner, one of the `tips`,
+/// stay.
+fn extend_ends(line: &mut Contour, period: f32, segments: &Segments, taken: &HashSet<usize>, tips: &[PxPoint]) {
     for _ in 0..2 {
         line.reverse();
         let Some(&end) = line.vertices.last() else { return };
+        if tips.iter().any(|tip| (*tip - end.at).length() < ON) {
+            continue;
+        }
         let before = line.vertices[line.vertices.len().saturating_sub(period.ceil() as usize)];
         let Some(direction) = (end.at - before.at).try_normalize() else { continue };
         let displacement = [end.at, end.at + direction * (period + ROUNDING)];

@@ -122,3 +122,41 @@ fn a_ring_of_dashes_has_as_many_gaps_as_dashes_and_an_open_row_one_less() {
     assert_eq!(gaps(24), (24, true));
     assert_eq!(gaps(20), (19, false));
 }
+
+/// Dashes of 9 px with gaps of 5, by their numbers, to the right from here.
+fn to_the_right(numbers: &[u32]) -> Vec<FoundContour> {
+    let at = |k: u32| 20.0 + 14.0 * k as f32;
+    numbers.iter().map(|&k| stroke((at(k), 100.0), (at(k) + 9.0, 100.0))).collect()
+}
+
+#[test]
+fn a_row_goes_on_beyond_a_dash_that_is_one_with_a_line_across() {
+    let with_line = |x: f32| {
+        let mut found = to_the_right(&[0, 1, 2, 3, 4, 6, 7]);
+        found.push(stroke((x, 50.0), (x, 150.0)));
+        let (merged, rows) = merged_dashes(found, SIGMA, LEAST);
+        (merged.len(), rows, merged.iter().map(|found| found.contour.length().round()).fold(0.0, f32::max))
+    };
+    assert_eq!(with_line(94.0), (2, 1, 107.0));
+    assert_eq!(with_line(200.0).0, 4, "nothing is in place of the one that is missing");
+}
+
+#[test]
+fn rows_that_make_a_corner_meet_there() {
+    let mut found = to_the_right(&[0, 1, 2, 3, 4]);
+    found.extend((0..5).map(|k| 108.0 + 14.0 * k as f32).map(|y| stroke((95.0, y), (95.0, y + 9.0))));
+    let corners = |found: Vec<FoundContour>| {
+        let (merged, rows) = merged_dashes(found, SIGMA, LEAST);
+        assert_eq!(rows, 2);
+        let is_corner = |point: Option<&ContourPoint>| {
+            point.is_some_and(|point| (point.at - PxPoint::new(95.0, 100.0)).length() < 0.1)
+        };
+        let vertices = merged.iter().map(|found| &found.contour.vertices);
+        vertices.filter(|vertices| is_corner(vertices.first()) || is_corner(vertices.last())).count()
+    };
+    assert_eq!(corners(found.clone()), 2);
+    // the dash that is bent there is theirs
+    let bent = polyline(&[(91.0, 100.0), (95.0, 100.0), (95.0, 104.0)]);
+    found.push(FoundContour { stroke: Some(2.0), ..FoundContour::edge(bent) });
+    assert_eq!(corners(found), 2);
+}
