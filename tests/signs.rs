@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use tactograph::marks::Line;
-use tactograph::{Drawing, Options, Profile};
+use tactograph::{Drawing, Fonts, Options, Profile};
 
 const PLACES: [(u32, u32); 8] =
     [(150, 300), (240, 370), (300, 210), (420, 290), (500, 180), (620, 260), (690, 110), (800, 230)];
@@ -15,7 +15,7 @@ fn page_of(drawn: &str) -> Drawing {
          <path d='M90 30V460H960' fill='none' stroke='#000' stroke-width='3'/>{drawn}</svg>"
     );
     let profile = Profile::named("swell-a4").expect("the default profile is there");
-    tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page")
+    tactograph::convert(svg.as_bytes(), &Options::new(profile).fonts(Fonts::system())).expect("a page")
 }
 
 /// How many discs and rings there are that stand for points.

@@ -300,21 +300,26 @@ impl<'t> LedTo<'t> {
         let mut alike: BTreeMap<Lane, usize> = BTreeMap::new();
         strokes.iter().flat_map(lanes).flatten().for_each(|lane| *alike.entry(lane).or_default() += 1);
         let is_of_grid = |lane: &Option<Lane>| lane.as_ref().is_some_and(|lane| alike[lane] >= OF_GRID);
-        for stroke in strokes.iter().filter(|stroke| !lanes(stroke).iter().all(is_of_grid)) {
-            found.follow(stroke.0, &stroke.1, widest_stroke, size);
+        for stroke in &strokes {
+            found.mark_ends(&stroke.1);
+            if !lanes(stroke).iter().all(is_of_grid) {
+                found.follow(stroke.0, &stroke.1, widest_stroke, size);
+            }
         }
         found
     }
 
-    /// Marks what a stroke leads to, which has these parts.
+    /// Marks that at which a stroke ends, which has these parts. Lines as alike as those of a grid may be shafts of
+    /// arrows, which end at their heads; of points few lie at the ends of a grid's lines.
+    fn mark_ends(&mut self, parts: &[Part]) {
+        let open = parts.iter().filter(|part| !part.closed);
+        let ends = open.filter_map(|part| Some([*part.corners.first()?, *part.corners.last()?]));
+        ends.flatten().for_each(|at| self.mark(at, AT_SIDE));
+    }
+
+    /// Marks that through whose middle a stroke leads, which has these parts.
     fn follow(&mut self, painted: &PaintedPath, parts: &[Part], widest_stroke: f32, size: Size) {
-        for part in parts {
-            let last = part.corners.len().saturating_sub(1);
-            for (number, at) in part.corners.iter().enumerate() {
-                let is_end = !part.closed && (number == 0 || number == last);
-                self.mark(*at, if is_end { AT_SIDE } else { AT_MIDDLE });
-            }
-        }
+        parts.iter().flat_map(|part| &part.corners).for_each(|at| self.mark(*at, AT_MIDDLE));
         for proposal in proposals([painted], widest_stroke, size) {
             for (from, to) in proposal.line.segments() {
                 self.mark(from.lerp(*to, 0.5), AT_MIDDLE);

@@ -121,6 +121,15 @@ fn stops_of_level_routes_are_no_signs_and_points_on_lines_of_a_grid_are() {
     assert_eq!([with(Some(40.0)), with(None)], [[0; 3], [8, 0, 8]]);
 }
 
+/// As the heads of arrows between the boxes of a food web, whose upright shafts are as alike as lines of a grid.
+#[test]
+fn heads_at_the_ends_of_equal_shafts_are_no_signs() {
+    let places = [(180.0, 32.0), (64.0, 96.0), (180.0, 96.0), (296.0, 96.0)];
+    let shafts: Vec<PaintedPath> = places.iter().map(|&(x, y)| stroke(&[(x, y + 50.0), (x, y + 5.0)])).collect();
+    assert_eq!(found(&squares(&places), &places), [4, 0, 4], "without shafts they are");
+    assert_eq!(found(&[shafts, squares(&places)].concat(), &places), [0; 3]);
+}
+
 /// As in a figure of geometry.
 #[test]
 fn points_on_a_circle_are_no_signs() {
