@@ -40,6 +40,8 @@ pub(super) enum Strictness {
     Label,
     /// One of several single letters of a drawing, in the style of text.
     Single,
+    /// One of several in a drawing that look like digits or like capitals.
+    Named,
 }
 
 /// What a row has at least and at most.
@@ -136,6 +138,8 @@ const FAINT: f32 = 30.0;
 const SPREAD_OF_FAINT: f32 = 0.1;
 /// Greatest width of a single letter, in its height: wider ones are other things.
 const WIDEST_LETTER: f32 = 0.85;
+/// One that looks like a capital may be an M or a W.
+pub(super) const WIDEST_CAPITAL: f32 = 1.3;
 
 /// A row of letters, measured: what [`RowLimits`] is about, in the same units.
 #[derive(Debug, Clone, Copy)]
@@ -163,6 +167,7 @@ impl RowLimits {
     fn of(strict: Strictness, row: &Row) -> Option<Self> {
         let is_long = row.letters > 2 || row.is_pair;
         let is_narrow = row.width <= WIDEST_LETTER * row.height;
+        let may_be_capital = row.width <= WIDEST_CAPITAL * row.height;
         match (strict, row.letters) {
             (Strictness::Drawing, 2) if row.is_pair => Some(PAIR_IN_DRAWING),
             (Strictness::Drawing, 3..) => Some(DRAWING),
@@ -171,6 +176,7 @@ impl RowLimits {
             (Strictness::Context | Strictness::Label, 1) if is_narrow => Some(ONE_IN_CONTEXT),
             (Strictness::Context | Strictness::Label, 2..) if is_long => Some(CONTEXT),
             (Strictness::Single, 1) if is_narrow => Some(ONE_OF_SEVERAL),
+            (Strictness::Named, 1) if may_be_capital => Some(ONE_OF_SEVERAL),
             _ => None,
         }
     }
@@ -209,7 +215,7 @@ impl Strictness {
     pub(super) fn allows(self, row: &Row) -> bool {
         let limits = RowLimits::of(self, row).map(|limits| match self {
             Self::Photograph | Self::Context => limits,
-            Self::Drawing | Self::Label | Self::Single => limits.of_drawing(row),
+            Self::Drawing | Self::Label | Self::Single | Self::Named => limits.of_drawing(row),
         });
         limits.is_some_and(|limits| limits.hold(row))
     }
@@ -219,7 +225,7 @@ impl Strictness {
         match self {
             Self::Drawing => 2,
             Self::Photograph => 3,
-            Self::Context | Self::Label | Self::Single => 1,
+            Self::Context | Self::Label | Self::Single | Self::Named => 1,
         }
     }
 

@@ -1,12 +1,14 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
 use super::chain::{RotatedLetter, axes, chains, groups, placed};
+use super::character::{Likeness, likenesses};
 use super::glyph::{LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
 use super::line::{SmallShapes, TextLine, each_cell, line};
 use super::shape::{Comparing, SMALL, are_unlike, rare};
 use super::steps::at_even_steps;
+use super::succession::successive;
 use crate::geom::order::middle;
 use crate::raster::contrast::distance;
 use crate::raster::plane::Plane;
@@ -46,6 +48,12 @@ const MOST_ALIKE: usize = 2;
 const HIGHEST_ALONE: f32 = 20.0;
 const CONTRAST_ALONE: f32 = 40.0;
 const CLUTTER_ALONE: f32 = 0.1;
+/// What a digit or a capital is can be seen from this height on, px; of more single shapes than this none is looked at.
+const LEAST_NAMED: f32 = 10.0;
+const MOST_NAMED: usize = 300;
+/// It stands by itself: nothing that is about as high, and no bar and no dot, is so near beside it, in its heights.
+const BESIDE: std::ops::RangeInclusive<f32> = -0.3..=0.8;
+const BESIDE_HEIGHT: std::ops::RangeInclusive<f32> = 0.5..=1.5;
 /// Least letters of a line that lies level, that stands upright, and that lies aslant: the less usual, the more.
 const LEVEL: usize = 1;
 const UPRIGHT: usize = 3;
@@ -194,6 +202,47 @@ impl Look {
             lines.extend(alone.into_iter().zip(is_rare).filter(|(_, is)| *is).map(|(one, _)| one));
         }
         lines.into_iter().map(|(line, _)| line).collect()
+    }
+
+    /// Single digits and capitals of a drawing that follow one another, as 1, 2 and 3, beside these lines.
+    pub(super) fn in_succession(&self, colours: &Colours<'_>, lines: &[TextLine]) -> Vec<TextLine> {
+        if self.strict != Strictness::Drawing {
+            return Vec::new();
+        }
+        let placed = placed(&self.glyphs, &self.letters, 0.0);
+        let may_be_one = |line: &TextLine| {
+            line.height >= LEAST_NAMED
+                && line.is_text(Strictness::Named, 0.0)
+                && !lines.iter().any(|other| line.is_within(other))
+                && !self.is_in_word(&line.letters[0], &placed)
+        };
+        let one = |letter: &RotatedLetter| self.line(&[*letter], 0.0).filter(may_be_one);
+        let singles: Vec<TextLine> = placed.iter().filter_map(one).collect();
+        if singles.len() > MOST_NAMED {
+            return Vec::new();
+        }
+        let named = |line: TextLine| {
+            let names = likenesses(&self.glyphs[line.letters[0].of], self.width());
+            let line = if names.is_empty() { Some(line) } else { self.text(line, Strictness::Named, colours) };
+            line.zip(Some(names))
+        };
+        let (singles, names): (Vec<TextLine>, Vec<Vec<Likeness>>) = singles.into_iter().filter_map(named).unzip();
+        let is_one = successive(&singles, &names);
+        singles.into_iter().zip(is_one).filter(|(_, is)| *is).map(|(line, _)| line).collect()
+    }
+
+    /// Whether one of some shapes stands beside a letter as one of the same word does, or as a unit beside a number.
+    fn is_in_word(&self, letter: &RotatedLetter, all: &[RotatedLetter]) -> bool {
+        let height = letter.height();
+        let is_beside = |other: &RotatedLetter| {
+            let overlap = other.across[1].min(letter.across[1]) - other.across[0].max(letter.across[0]);
+            let apart = (other.along[0] - letter.along[1]).max(letter.along[0] - other.along[1]);
+            BESIDE_HEIGHT.contains(&(other.height() / height))
+                && overlap >= 0.5 * height.min(other.height())
+                && BESIDE.contains(&(apart / height))
+                && !self.glyphs[other.of].is_solid()
+        };
+        all.iter().any(is_beside)
     }
 
     fn comparing(&self) -> Comparing<'_> {

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! Lab planes -> glyph (thin connected parts, darker or lighter) -> chain (alike, side by side, at an angle)
-//!            -> line (is it text?) -> short labels in the style of others, and steps of them -> Lettering -> erase
+//!            -> line (is it text?), or succession (1, 2, 3) of single ones that look like a character
+//!            -> short labels in the style of others, and steps of them -> Lettering -> erase
 //! ```
 //!
 //! A classical method: letters are connected components of a stroke's width, and text is a row of them that are alike
@@ -11,6 +12,7 @@
 //! Everything in it is a few pixels high, so text has to be large enough to be seen: from about 8 px on.
 
 mod chain;
+mod character;
 mod erase;
 mod glyph;
 mod levels;
@@ -20,6 +22,7 @@ mod look;
 mod shape;
 mod steps;
 mod straight;
+mod succession;
 
 use self::erase::with_margin;
 use self::levels::{Colours, Levels};
@@ -67,7 +70,8 @@ impl Lettering {
             let levels = Levels::of(plane);
             let look = |polarity| {
                 let look = Look::new((plane, &levels), polarity, &colours, strict)?;
-                let lines = look.lines(&colours);
+                let mut lines = look.lines(&colours);
+                lines.extend(look.in_succession(&colours, &lines));
                 Some((look, lines))
             };
             let (below, above) = rayon::join(|| look(Polarity::Below), || look(Polarity::Above));

@@ -1,5 +1,6 @@
 //! A line of text as a picture of its own: level, black on white, as programs that read text like it best.
 
+use super::limits::WIDEST_CAPITAL;
 use crate::geom::order;
 use crate::raster::contrast::distance;
 use crate::raster::plane::Plane;
@@ -26,6 +27,14 @@ pub struct FoundLine {
     pub angle: f32,
     /// Height of its letters, px: that of small letters or of capitals, whichever are more.
     pub height: f32,
+}
+
+impl FoundLine {
+    /// Whether it is no wider than a single letter.
+    pub fn may_be_one_letter(&self) -> bool {
+        let [corner, right, ..] = self.corners;
+        (right - corner).length() <= WIDEST_CAPITAL * self.height
+    }
 }
 
 /// A picture of one line of text, a grey a byte, row by row.

@@ -280,7 +280,7 @@ fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOption
 
 /// Whether a drawing has paths alone, and none of them can be letters.
 fn has_no_letters(drawing: &VectorDrawing) -> bool {
-    drawing.pixel_areas.is_empty() && !paints_letters(drawing, 1.0 / FINER as f32, |_| true, |_| true)
+    drawing.pixel_areas.is_empty() && !paints_letters(drawing, 1.0 / FINER as f32, SEVERAL, |_| true, |_| true)
 }
 
 /// Whether what was found in the pixels of a drawing may be letters that its paths paint, each by itself: a piece of a
@@ -292,15 +292,20 @@ fn holds_letters(drawing: &VectorDrawing, line: &FoundLine, scale: f32) -> bool 
     let meets = |area: &PixelArea| area.min.x < max.x && area.max.x > min.x && area.min.y < max.y && area.max.y > min.y;
     let is_inside =
         |area: &PixelArea| area.min.x >= min.x && area.max.x <= max.x && area.min.y >= min.y && area.max.y <= max.y;
-    drawing.pixel_areas.iter().any(meets) || paints_letters(drawing, scale, meets, is_inside)
+    let fewest = if line.may_be_one_letter() { 1 } else { SEVERAL };
+    drawing.pixel_areas.iter().any(meets) || paints_letters(drawing, scale, fewest, meets, is_inside)
 }
 
-/// Whether two parts of paths at least, of those that are at some place and whose paths are near it, are as small as
-/// letters, and not all of them straight strokes, such as the ticks of a clock, or bars and dots. The working picture
-/// is `scale` times as large as the one in which letters are looked for.
+/// A text of several letters is as many parts of paths at least.
+const SEVERAL: usize = 2;
+
+/// Whether so many parts of paths at least, of those that are at some place and whose paths are near it, are as small
+/// as letters, and not all of them straight strokes, such as the ticks of a clock, or bars and dots. The working
+/// picture is `scale` times as large as the one in which letters are looked for.
 fn paints_letters(
     drawing: &VectorDrawing,
     scale: f32,
+    fewest: usize,
     is_near: impl Fn(&PixelArea) -> bool,
     is_there: impl Fn(&PixelArea) -> bool,
 ) -> bool {
@@ -315,7 +320,7 @@ fn paints_letters(
         let count = painted.parts().iter().filter(|area| is_letter(area)).count();
         letters += count;
         has_bent |= count > 0 && painted.may_be_letters();
-        if letters > 1 && has_bent {
+        if letters >= fewest && has_bent {
             return true;
         }
     }

@@ -7,11 +7,12 @@ use crate::units::Size;
 const SIZE: Size = Size { width: 320, height: 120 };
 
 /// Letters of 5 x 7 pixels.
-const LETTERS: [(char, [&str; 7]); 7] = [
+const LETTERS: [(char, [&str; 7]); 8] = [
     ('A', [" ### ", "#   #", "#   #", "#####", "#   #", "#   #", "#   #"]),
     ('E', ["#####", "#    ", "#    ", "#### ", "#    ", "#    ", "#####"]),
     ('N', ["#   #", "##  #", "# # #", "#  ##", "#   #", "#   #", "#   #"]),
     ('P', ["#### ", "#   #", "#   #", "#### ", "#    ", "#    ", "#    "]),
+    ('Q', [" ### ", "#   #", "#   #", "#   #", "# # #", "#  # ", " ## #"]),
     ('R', ["#### ", "#   #", "#   #", "#### ", "# #  ", "#  # ", "#   #"]),
     ('S', [" ####", "#    ", "#    ", " ### ", "    #", "    #", "#### "]),
     ('5', ["#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "]),
@@ -132,6 +133,31 @@ fn small_letters_anywhere_are_text_if_they_are_several_and_unlike() {
     assert_eq!(count(&[a, n, five]), Some(3));
     assert_eq!(count(&[a, n]), Some(0), "two");
     assert_eq!(count(&[("E", a.1), ("E", n.1), ("E", five.1)]), Some(0), "alike");
+}
+
+#[test]
+fn letters_that_follow_one_another_are_text_without_any_other() {
+    let count = |texts: &[(&str, [usize; 2])], frame: usize| {
+        let mut sheet = Sheet::of(texts);
+        // a line around each, so many px from it
+        for [left, top] in texts.iter().map(|(_, at)| *at).filter(|_| frame > 0) {
+            let (width, height) = (15 + 2 * frame, 21 + 2 * frame);
+            sheet.bar([left - frame, top - frame], [width, 2]);
+            sheet.bar([left - frame, top + 19 + frame], [width, 2]);
+            sheet.bar([left - frame, top - frame], [2, height]);
+            sheet.bar([left + 13 + frame, top - frame], [2, height]);
+        }
+        let found = sheet.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, |look, colours| {
+            (look.lines(colours).len(), look.in_succession(colours, &[]).len())
+        });
+        found.expect("something thin")
+    };
+    let [p, q, r] = [("P", [30, 80]), ("Q", [140, 30]), ("R", [250, 70])];
+    assert_eq!(count(&[p, q, r], 0), (0, 3));
+    assert_eq!(count(&[p, q, r], 14), (0, 3), "in cells");
+    assert_eq!(count(&[p, q, r], 6), (0, 0), "in windows");
+    assert_eq!(count(&[p, q], 0), (0, 0), "two");
+    assert_eq!(count(&[p, ("N", q.1), ("5", r.1)], 0), (0, 0), "others");
 }
 
 #[test]
