@@ -275,9 +275,9 @@ impl Look {
 
     /// A line with its minus, if it is text.
     fn text(&self, line: TextLine, strict: Strictness, colours: &Colours<'_>) -> Option<TextLine> {
-        // the digits of a number such as 0.0 may be alike; what costs more comes last
-        let may_be_alike = strict == Strictness::Label && line.has_point;
-        let are_letters = line.is_text(strict, 0.0) && (may_be_alike || are_unlike(self.comparing(), &line.letters));
+        // the digits of a number such as 0.0 or 11 may be alike; what costs more comes last
+        let may_be_alike = || strict == Strictness::Label && (line.has_point || self.is_double_digit(&line));
+        let are_letters = line.is_text(strict, 0.0) && (are_unlike(self.comparing(), &line.letters) || may_be_alike());
         if !are_letters {
             return None;
         }
@@ -286,6 +286,16 @@ impl Look {
             None => line,
         };
         (line.is_text(strict, self.clutter(&line)) && self.stands_out(&line, colours)).then_some(line)
+    }
+
+    /// Whether a pair is one digit twice, as in 11: not 0, as two rings side by side are.
+    fn is_double_digit(&self, line: &TextLine) -> bool {
+        let digit = |letter: &RotatedLetter| {
+            let names = likenesses(&self.glyphs[letter.of], self.width());
+            names.into_iter().map(|name| name.character).find(char::is_ascii_digit).filter(|digit| *digit != '0')
+        };
+        let [first, second] = &line.letters[..] else { return false };
+        digit(first).is_some_and(|digit_of_first| digit(second) == Some(digit_of_first))
     }
 
     /// Thin things around a line that are none of its own, in shares of its own pixels.
