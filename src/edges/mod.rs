@@ -76,7 +76,7 @@ use ridge::RidgePoint;
 use side_statistics::SideStatistics;
 use signs::Signs;
 use strength::Evidence;
-use stroke::{FilledHead, Stroke, Tint};
+use stroke::{FilledHead, PixelNoise, Stroke, Tint};
 use tips::FoundContour;
 
 use crate::raster::Raster;
@@ -129,9 +129,10 @@ impl PictureKind {
         self.noise.lightness
     }
 
-    /// Standard deviation of a pixel.
-    fn noise_of_pixel(&self) -> f32 {
-        self.lossy.map_or(self.noise.pixel, |shrunk| self.noise.pixel.max(LOSSY * shrunk))
+    /// That of a pixel.
+    fn noise_of_pixel(&self) -> PixelNoise {
+        let deviation = self.lossy.map_or(self.noise.pixel, |shrunk| self.noise.pixel.max(LOSSY * shrunk));
+        PixelNoise { deviation, is_lossy: self.lossy.is_some() }
     }
 
     /// The weight of each colour plane in a drawing.

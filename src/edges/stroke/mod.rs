@@ -41,13 +41,13 @@ use crate::raster::plane::Plane;
 use crate::raster::residue::{Polarity, residue, square_max};
 use crate::units::{PxPoint, Size};
 
-/// In a picture without noise a stroke is kept from this share of the thresholds of edges on: where it is thinner
-/// than a pixel, its contrast is less in proportion.
+/// A stroke is kept from this share of the thresholds of edges on: where it is thinner than a pixel, its contrast is
+/// less in proportion.
 const FAINT: f32 = 0.5;
-/// A picture has no noise up to this standard deviation of a pixel, in units of strength: a third of a code value.
+/// With lossy compression and more noise than this standard deviation of a pixel, in units of strength (a third of a
+/// code value), it is kept from the thresholds themselves on: what rings beside contours is no noise.
 const QUIET: f32 = 0.13;
-/// With more noise, the thresholds are at least so many standard deviations of it: opening and closing find the
-/// extremes of noise.
+/// The thresholds are at least so many standard deviations of the noise: opening and closing find its extremes.
 const LOW_NOISE: f32 = 4.0;
 const HIGH_NOISE: f32 = 8.0;
 /// Half sides of the squares, px, the largest as wide as strokes may be.
@@ -60,15 +60,33 @@ const ROUNDED: f32 = 0.999;
 /// Strokes whose lengths differ by less than about this, px, are equally long.
 const ALIKE: f32 = 16.0;
 
-/// The strokes of a drawing, given as planes of Lab, and after them what may be dashes ([`Stroke::is_dash`]). `noise`
-/// is the standard deviation of a pixel.
-pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke> {
+/// The noise among which strokes are looked for.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct PixelNoise {
+    /// Standard deviation of a pixel, in units of strength.
+    pub(super) deviation: f32,
+    /// Whether the picture has lossy compression.
+    pub(super) is_lossy: bool,
+}
+
+impl PixelNoise {
+    /// The parameters with the thresholds of strokes. They grow with the noise and have no jump in a picture without
+    /// lossy compression, so that its pale lines do not depend on a code value of noise.
+    fn adapted(self, params: &Params) -> Params {
+        let Self { deviation, is_lossy } = self;
+        let share = if is_lossy && deviation > QUIET { 1.0 } else { FAINT };
+        Params {
+            low: (share * params.low).max(LOW_NOISE * deviation),
+            high: (share * params.high).max(HIGH_NOISE * deviation),
+            ..*params
+        }
+    }
+}
+
+/// The strokes of a drawing, given as planes of Lab, and after them what may be dashes ([`Stroke::is_dash`]).
+pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<Stroke> {
     let Some(size) = planes.first().map(|plane| plane.size) else { return Vec::new() };
-    let params = &Params {
-        low: if noise <= QUIET { FAINT * params.low } else { params.low.max(LOW_NOISE * noise) },
-        high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },
-        ..*params
-    };
+    let params = &noise.adapted(params);
     let polarities =
         if params.dark_lines.is_some() { &[Polarity::Below][..] } else { &[Polarity::Below, Polarity::Above] };
     let mut found = Vec::new();

@@ -59,7 +59,8 @@ fn a_short_stroke_counts_where_the_ground_is_the_same_on_both_sides() {
             _ => below,
         };
         let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
-        find(&planes, 0.0, &params).iter().map(|stroke| stroke.contour.length().round()).collect::<Vec<f32>>()
+        let found = find(&planes, PixelNoise::default(), &params);
+        found.iter().map(|stroke| stroke.contour.length().round()).collect::<Vec<f32>>()
     };
     assert!(matches!(of(100.0)[..], [one] if (one - 18.0).abs() <= 2.0), "{:?}", of(100.0));
     assert_eq!(of(70.0), [0.0; 0], "it is part of an edge");
@@ -75,7 +76,7 @@ fn short_pieces_that_join_nothing_may_be_dashes() {
         |x: usize, y: usize| (20..22).contains(&y) && ((10..70).contains(&x) && x % 10 < 7 || (90..92).contains(&x));
     let value = |cell: usize| if is_ink(cell % 120, cell / 120) { 40.0 } else { 100.0 };
     let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
-    let found = find(&planes, 0.0, &params);
+    let found = find(&planes, PixelNoise::default(), &params);
     assert!(found.len() == 6 && found.iter().all(|stroke| stroke.is_dash), "{} strokes", found.len());
     let lengths: Vec<f32> = found.iter().map(|stroke| stroke.contour.length()).collect();
     assert!(lengths.iter().all(|length| (length - 7.0).abs() <= 2.0), "{lengths:?}");
@@ -101,10 +102,10 @@ fn two_strokes_of_different_tints_are_two_where_one_begins_at_the_end_of_the_oth
             })
         };
         let planes = [0, 1, 2].map(|plane| Plane { size, values: (0..size.len()).map(|i| value(i, plane)).collect() });
-        let mut found: Vec<f32> =
-            find(&planes, 0.0, &params).iter().map(|stroke| stroke.contour.length().round()).collect();
-        found.sort_by(f32::total_cmp);
-        found
+        let found = find(&planes, PixelNoise::default(), &params);
+        let mut lengths: Vec<f32> = found.iter().map(|stroke| stroke.contour.length().round()).collect();
+        lengths.sort_by(f32::total_cmp);
+        lengths
     };
     let one = lengths([-50.0, 0.0, 0.0]);
     assert!(matches!(one[..], [all] if (all - 168.0).abs() < 8.0), "grey and black are one tint: {one:?}");
@@ -131,4 +132,19 @@ fn a_stroke_is_not_led_over_blank_ground_to_one_of_another_tint() {
     let way = [PxPoint::new(40.0, 20.5), PxPoint::new(50.5, 20.5)];
     let leads = |own: Tint, leads_on: bool| may_lead([(1.0, own), (1.0, grey)], way, 1.5, &planes(leads_on));
     assert_eq!([leads(blue, false), leads(blue, true), leads(grey, false)], [false, true, true]);
+}
+
+#[test]
+fn a_gridline_does_not_vanish_with_a_code_value_of_noise() {
+    let params =
+        Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 19.0, ..Params::default() };
+    // one of #eee on white, 2 px wide
+    let size = Size::new(120, 40);
+    let value = |cell: usize| if (20..22).contains(&(cell / 120)) { 94.1 } else { 100.0 };
+    let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+    let count = |deviation: f32, is_lossy: bool| find(&planes, PixelNoise { deviation, is_lossy }, &params).len();
+    // 1/255 of noise in every channel is 0.25
+    assert_eq!([0.0, 0.12, 0.14, 0.25, 0.4].map(|deviation| count(deviation, false)), [1; 5]);
+    assert_eq!(count(1.0, false), 0, "it may be noise");
+    assert_eq!(count(0.3, true), 0, "it may be what rings beside a contour");
 }
