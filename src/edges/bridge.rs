@@ -16,6 +16,10 @@ const ALIGNED: f32 = 0.8;
 const MAX_CORNER_GAP: f32 = 3.2;
 /// Neither of them may have the other end behind it: least cosine between the direction of an end and the gap.
 const NOT_BEHIND: f32 = -0.35;
+/// At the tip of a wedge one side is often found farther than the other, and the other end is nearly beside it or
+/// behind: this cosine (143 degrees), where both lead to one tip and make a corner of at most 45 degrees (cosine).
+const BEHIND_AT_TIP: f32 = -0.8;
+const SHARP: f32 = 0.707;
 /// This does not hold for ends that just overshoot a sharp corner: gaps of up to this many scales.
 const OVERSHOOT: f32 = 1.3;
 /// Ends nearer than this are joined whatever their directions, px.
@@ -28,9 +32,10 @@ const DIRECTION_LENGTH: f32 = 3.0;
 const GAP_SIGMA: f32 = 0.3;
 
 /// Joins open contours end to end, and closes those whose own ends meet. `sigma` is the scale of the derivative, px.
-pub(super) fn join(contours: Vec<Contour>, sigma: f32) -> Vec<Contour> {
+/// Those of a drawing are also joined at the tips of wedges.
+pub(super) fn join(contours: Vec<Contour>, sigma: f32, of_drawing: bool) -> Vec<Contour> {
     let lengths: Vec<f32> = contours.iter().map(Contour::length).collect();
-    let cost = |a: &End<Px>, b: &End<Px>| cost(a, b, &lengths, sigma);
+    let cost = |a: &End<Px>, b: &End<Px>| cost(a, b, &lengths, sigma, of_drawing);
     let threads = link(contours.len(), &ends(&contours, sigma), MAX_GAP * sigma, cost);
     let mut left: Vec<Option<Contour>> = contours.into_iter().map(Some).collect();
     threads.into_iter().filter_map(|thread| concatenate(&thread, &mut left)).collect()
@@ -59,7 +64,7 @@ fn ends(contours: &[Contour], sigma: f32) -> Vec<End<Px>> {
 }
 
 /// Cost of joining two ends; none if they may not be joined.
-fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32) -> Option<f32> {
+fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32, of_drawing: bool) -> Option<f32> {
     let gap = b.at - a.at;
     let distance = gap.length();
     if distance > MAX_GAP * sigma
@@ -78,8 +83,15 @@ fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32) -> Option<f32> {
     }
     // A contour that leaves through one end enters through the other, where right and left change places.
     let same_sides = dot(a.contrast, b.contrast) < 0.0;
-    let in_front = cosine_a.min(cosine_b) >= NOT_BEHIND || distance <= OVERSHOOT * sigma;
+    let least = if of_drawing && is_wedge(a, b) { BEHIND_AT_TIP } else { NOT_BEHIND };
+    let in_front = cosine_a.min(cosine_b) >= least || distance <= OVERSHOOT * sigma;
     (same_sides && distance <= MAX_CORNER_GAP * sigma && in_front).then_some(cost)
+}
+
+/// Whether two ends point at the tip of a wedge.
+fn is_wedge(a: &End<Px>, b: &End<Px>) -> bool {
+    let is_sharp = a.direction.dot(b.direction) >= SHARP;
+    is_sharp && (b.at - a.at).dot(a.direction - b.direction) > 0.0
 }
 
 /// The contours of a thread as one, with points in the gaps; each is taken from `left`.

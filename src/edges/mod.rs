@@ -284,7 +284,7 @@ impl<'a> Ridges<'a> {
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
         let selection = Selection { points: &points, raster, evidence, noise: kind.noise.pixel, params };
-        let mut contours = bridge::join(selection.contours(&chains), params.sigma);
+        let mut contours = bridge::join(selection.contours(&chains), params.sigma, of_drawing);
         contours.par_iter_mut().for_each(|contour| {
             refine::refine(contour, params.sigma);
             corner::sharpen(contour, size, of_drawing);

@@ -7,7 +7,7 @@ const SIGMA: f32 = 1.5;
 
 /// The joined contours: number of points, and whether they are closed.
 fn joined(contours: &[Contour]) -> Vec<(usize, bool)> {
-    join(contours.to_vec(), SIGMA).iter().map(|contour| (contour.vertices.len(), contour.closed)).collect()
+    join(contours.to_vec(), SIGMA, false).iter().map(|contour| (contour.vertices.len(), contour.closed)).collect()
 }
 
 #[test]
@@ -15,7 +15,7 @@ fn aligned_ends_are_joined_over_a_gap_with_points_of_large_position_error() {
     let (left, right) = (polyline(&[(0.0, 0.0), (20.0, 0.0)]), polyline(&[(26.0, 0.0), (46.0, 0.0)]));
     // whatever the directions in which the contours run
     for contours in [[left.clone(), right.clone()], [right.clone().reversed(), left.clone()]] {
-        let whole = join(contours.to_vec(), SIGMA);
+        let whole = join(contours.to_vec(), SIGMA, false);
         assert_eq!(whole.len(), 1);
         assert_eq!((whole[0].vertices.len(), whole[0].closed), (47, false));
         assert!((whole[0].length() - 46.0).abs() < 1e-3, "{}", whole[0].length());
@@ -49,7 +49,7 @@ fn a_contour_whose_ends_meet_is_closed_and_a_short_one_is_not() {
 fn halves_of_a_ring_become_one_closed_contour() {
     let upper = polyline(&[(0.0, 9.0), (0.0, 0.0), (30.0, 0.0), (30.0, 9.0)]);
     let lower = polyline(&[(30.0, 12.0), (30.0, 20.0), (0.0, 20.0), (0.0, 12.0)]);
-    let whole = join(vec![upper, lower.reversed()], SIGMA);
+    let whole = join(vec![upper, lower.reversed()], SIGMA, false);
     assert_eq!(whole.len(), 1);
     assert!(whole[0].closed && (whole[0].length() - 100.0).abs() < 1e-3, "{}", whole[0].length());
 }
@@ -64,4 +64,13 @@ fn a_ring_stays_as_it_is_beside_an_end_that_points_at_where_it_begins() {
     let mut all = joined(&[ring, beside]);
     all.sort_unstable();
     assert_eq!(all, [(counts[1], false), (counts[0], true)]);
+}
+
+#[test]
+fn a_wedge_of_a_drawing_is_closed_where_one_side_ends_farther_from_its_tip() {
+    // 28 degrees, with its tip at 0, 0
+    let wedge = polyline(&[(2.0, -0.5), (40.0, -10.0), (40.0, 10.0), (5.0, 1.25)]);
+    let is_closed = |of_drawing: bool| join(vec![wedge.clone()], SIGMA, of_drawing)[0].closed;
+    assert!(is_closed(true));
+    assert!(!is_closed(false), "the contours of photographs stay as they are");
 }
