@@ -80,6 +80,8 @@ struct CrossSection {
     shift: f32,
     /// Its sum over its largest value, px.
     width: f32,
+    /// Whether it goes on beyond what was read.
+    is_cut: bool,
 }
 
 /// The strokes along a line of pixels.
@@ -101,15 +103,14 @@ pub(super) fn strokes(
     }
     let widest = params.widest_of_bitmap().min(2.0 * radius as f32 - 1.0);
     let mut width = 2.0 * radius as f32 + 1.0;
+    let farthest = 0.5 * width + BEYOND;
     for (round, sigma) in (1..).zip(SMOOTHING) {
         line = if is_dash { line } else { smoothed(&line, sigma) };
         let profiles: Vec<CrossSection> =
             (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
-        let widths = sorted(profiles.iter().map(|profile| profile.width));
-        width = quantile(&widths, 0.5).max(1.0);
-        let is_even = quantile(&widths, 0.25) >= EVEN * quantile(&widths, 0.75);
+        width = quantile(&sorted(profiles.iter().map(|profile| profile.width)), 0.5).max(1.0);
         // most are none: what the last round tells of them is enough
-        if round == SMOOTHING.len() && (!is_even || width > widest) {
+        if round == SMOOTHING.len() && (width > widest || !is_even(&line, &profiles, residue, farthest)) {
             return Vec::new();
         }
         line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
@@ -135,6 +136,16 @@ pub(super) fn strokes(
     });
     let found = strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, residue.size, params));
     found.map(|found| Stroke { is_dash, ..found }).collect()
+}
+
+/// Whether a line is about as wide here as there. Where cross sections were cut off, they are read anew as far as
+/// `farthest`: cut off at the width of its middle, the tip of a filled triangle seems even.
+fn is_even(line: &Polyline<PxPoint>, profiles: &[CrossSection], residue: &Plane, farthest: f32) -> bool {
+    let whole = |(i, cross): (usize, &CrossSection)| {
+        if cross.is_cut { profile(line, i, residue, farthest).width } else { cross.width }
+    };
+    let widths = sorted(profiles.iter().enumerate().map(whole));
+    quantile(&widths, 0.25) >= EVEN * quantile(&widths, 0.75)
 }
 
 fn stroke(
@@ -331,11 +342,13 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> C
         return CrossSection::default();
     }
     let (mut sum, mut weights, mut moment) = (peak, (1.0 - END) * peak, (1.0 - END) * peak * top as f32 * STEP);
+    let mut ended = 0;
     for direction in [1, -1] {
         for k in 1..=steps {
             let step = top + direction * k;
             let here = steps_across.value(step);
             if here < END * peak {
+                ended += 1;
                 break;
             }
             sum += here;
@@ -344,7 +357,7 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> C
             moment += (here - END * peak) * (step as f32 * STEP);
         }
     }
-    CrossSection { shift: moment / weights, width: sum * STEP / peak }
+    CrossSection { shift: moment / weights, width: sum * STEP / peak, is_cut: ended < 2 }
 }
 
 /// So many values of a profile are read at once: a processor works out their places side by side.

@@ -63,3 +63,22 @@ fn a_line_goes_straight_through_a_junction_unless_it_turns_before_or_behind_it()
     let ends = Polyline::open(line(false, false).vertices[..23].to_vec());
     assert_eq!(through(&ends).vertices, ends.vertices);
 }
+
+#[test]
+fn the_tip_of_an_area_is_not_even_where_its_widths_were_cut_off() {
+    // from 3.75 px to 21 px wide
+    let (size, width) = (Size::new(70, 60), |x: f32| 3.75 + 17.25 * (x - 5.0) / 59.0);
+    let value = |cell: usize| {
+        let (x, y) = ((cell % 70) as f32 + 0.5, (cell / 70) as f32 + 0.5);
+        100.0 * (0.5 * width(x) - (y - 30.0).abs() + 0.5).clamp(0.0, 1.0)
+    };
+    let plane = Plane { size, values: (0..size.len()).map(value).collect() };
+    let line = Polyline::open((5..65).map(|x| PxPoint::new(x as f32, 30.0)).collect());
+    let read = |reach: f32| -> Vec<CrossSection> {
+        (0..line.vertices.len()).map(|i| profile(&line, i, &plane, reach)).collect()
+    };
+    let (whole, cut) = (read(12.0), read(7.7));
+    assert!(whole.iter().all(|cross| !cross.is_cut) && cut.iter().any(|cross| cross.is_cut));
+    assert!(is_even(&line, &cut, &plane, 7.7), "as far as they were read they seem even");
+    assert!(!is_even(&line, &cut, &plane, 12.0) && !is_even(&line, &whole, &plane, 12.0));
+}
