@@ -1,6 +1,5 @@
 //! Tests of `succession`.
 
-use super::super::chain::RotatedLetter;
 use super::*;
 
 /// Names of shapes: each looks like these characters, the first of them most.
