@@ -292,7 +292,8 @@ impl Look {
     fn is_double_digit(&self, line: &TextLine) -> bool {
         let digit = |letter: &RotatedLetter| {
             let names = likenesses(&self.glyphs[letter.of], self.width());
-            names.into_iter().map(|name| name.character).find(char::is_ascii_digit).filter(|digit| *digit != '0')
+            let most = names.into_iter().min_by(|a, b| a.off.total_cmp(&b.off))?.character;
+            (most.is_ascii_digit() && most != '0').then_some(most)
         };
         let [first, second] = &line.letters[..] else { return false };
         digit(first).is_some_and(|digit_of_first| digit(second) == Some(digit_of_first))

@@ -136,6 +136,19 @@ fn small_letters_anywhere_are_text_if_they_are_several_and_unlike() {
 }
 
 #[test]
+fn a_digit_twice_is_a_number_beside_text() {
+    let pairs = |pair: &str| {
+        let sheet = Sheet::of(&[("SPARE", [40, 40]), (pair, [200, 40])]);
+        let found = sheet.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, |look, colours| {
+            let words: Vec<TextLine> = look.lines(colours).into_iter().filter(|line| line.letters.len() == 5).collect();
+            look.in_style(colours, &words).iter().filter(|line| line.letters.len() == 2).count()
+        });
+        found.expect("something thin")
+    };
+    assert_eq!(["55", "5E", "EE"].map(pairs), [1, 1, 0]);
+}
+
+#[test]
 fn letters_that_follow_one_another_are_text_without_any_other() {
     let count = |texts: &[(&str, [usize; 2])], frame: usize| {
         let mut sheet = Sheet::of(texts);
