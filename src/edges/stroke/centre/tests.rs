@@ -77,8 +77,8 @@ fn the_tip_of_an_area_is_not_even_where_its_widths_were_cut_off() {
     let read = |reach: f32| -> Vec<CrossSection> {
         (0..line.vertices.len()).map(|i| profile(&line, i, &plane, reach)).collect()
     };
-    let (whole, cut) = (read(12.0), read(7.7));
+    let (whole, cut) = (read(13.0), read(7.7));
     assert!(whole.iter().all(|cross| !cross.is_cut) && cut.iter().any(|cross| cross.is_cut));
     assert!(is_even(&line, &cut, &plane, 7.7), "as far as they were read they seem even");
-    assert!(!is_even(&line, &cut, &plane, 12.0) && !is_even(&line, &whole, &plane, 12.0));
+    assert!(!is_even(&line, &cut, &plane, 13.0) && !is_even(&line, &whole, &plane, 13.0));
 }
