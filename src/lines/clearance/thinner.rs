@@ -11,14 +11,15 @@ use crate::lines::weight;
 const ROUNDING: f32 = 1e-3;
 
 /// The line, which has this passage, as thin as it must be to have room. None if it would be thinner than the lines of
-/// a crowded drawing are, and none where lines become dots, which are of one width.
+/// a crowded drawing are, none where lines become dots, which are of one width, and none in overviews: what is not
+/// whole there is tried in a larger one.
 pub(super) fn thinner(
     polyline: &Polyline<Vertex>,
     passage: &Passage,
     drawn: &DrawnLines<'_>,
 ) -> Option<Polyline<Vertex>> {
     let params = drawn.params;
-    if !params.of_drawing || params.on_dots() {
+    if !params.of_drawing || params.on_dots() || params.in_overview_of_drawing() {
         return None;
     }
     let (least, mut widest) = (params.thin().width_max, f32::INFINITY);
