@@ -17,7 +17,8 @@
 //! ```text
 //! [bitmaps: signs that mark places (taken out of the picture first; in the end rings among the contours)]
 //! [bitmaps: filled heads of arrows (taken out, and the strokes found once more)]
-//! strokes, edges -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
+//! strokes, edges -> windows (in the walls of a plan: one stroke each)
+//!                -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
 //!                -> tips (ends that make a corner or go on in one another meet)
 //!                -> straight (what goes straight on through a corner gets the side behind it, with its final ends)
 //!                -> rings (those that touch are parted) -> discs (small ones, and the lines that end at them)
@@ -60,6 +61,7 @@ mod straight;
 mod strength;
 mod stroke;
 mod tips;
+mod windows;
 
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
@@ -294,6 +296,7 @@ impl<'a> Ridges<'a> {
         let mut found: Vec<FoundContour> = edges.chain(strokes).collect();
         let mut dashed = 0;
         if of_drawing {
+            found = windows::merged(found);
             (found, dashed) = dashes::merged_dashes(found, params.sigma, params.min_length);
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
                 stroke::is_seen([from, to], width, least.max(LED_ON * params.low), &planes)

@@ -163,7 +163,8 @@ fn onward(
     sigma: f32,
 ) -> Option<Onward> {
     let (stroke, contour) = (&pieces[number].found.contour, &pieces[owner].found.contour);
-    if pieces[number].found.differs_in_tint(&pieces[owner].found) {
+    let [piece, other] = [number, owner].map(|of| &pieces[of].found);
+    if piece.differs_in_tint(other) || piece.differs_in_breadth(other) {
         return None;
     }
     let [width, other_width] = [number, owner].map(|of| pieces[of].found.stroke.unwrap_or(0.0));

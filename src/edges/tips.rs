@@ -6,7 +6,7 @@
 
 use super::contour::{Contour, ContourPoint, crossing};
 use super::junction::{PointIndex, index_of};
-use super::stroke::{Stroke, Tint};
+use super::stroke::{Stroke, Tint, are_two_breadths};
 use crate::geom::link::{End, Part, link};
 use crate::geom::order::median;
 use crate::geom::walk::runs;
@@ -188,6 +188,11 @@ impl FoundContour {
         median(self.contour.vertices.iter().map(|vertex| vertex.strength))
     }
 
+    /// Whether the two are strokes of different breadth: a wall, and the leaf of the door at its end.
+    pub(super) fn differs_in_breadth(&self, other: &Self) -> bool {
+        self.stroke.zip(other.stroke).is_some_and(|(width, other)| are_two_breadths(width, other))
+    }
+
     /// Whether the two are long strokes of which one is far wider or bolder than the other.
     fn differs_in_weight(&self, other: &Self) -> bool {
         if self.whole.min(other.whole) < WEIGHED {
@@ -330,6 +335,9 @@ fn tip_of(a: &End<Px>, b: &End<Px>) -> PxPoint {
 
 fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {
     let [first, second] = [a, b].map(|end| &found[end.polyline]);
+    if first.differs_in_breadth(second) {
+        return None;
+    }
     let is_one = !first.differs_in_tint(second);
     // what has its own tint comes first
     let more = if is_one { 0.0 } else { first.reach(sigma).max(second.reach(sigma)) };

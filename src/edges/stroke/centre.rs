@@ -84,6 +84,12 @@ struct CrossSection {
     is_cut: bool,
 }
 
+/// The width of what is thin across a line of pixels at one of its vertices, px. Its residue is that of a square of
+/// this half side, px.
+pub(super) fn width_at(line: &Polyline<PxPoint>, i: usize, residue: &Plane, radius: usize) -> f32 {
+    profile(line, i, residue, radius as f32 + 0.5 + BEYOND).width
+}
+
 /// The strokes along a line of pixels.
 pub(super) fn strokes(
     strand: Strand,

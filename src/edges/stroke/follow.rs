@@ -8,6 +8,7 @@
 use std::collections::HashSet;
 
 use super::Stroke;
+use super::breadth::are_two;
 use super::centre::contrast_across;
 use super::tint::Tint;
 use crate::edges::contour::{Contour, ContourPoint};
@@ -88,7 +89,7 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
             continue;
         };
         let goes_on = |other: &StrokeEnd| {
-            *other != end && turn(direction, *other, &strokes) <= SHARPEST && is_of_one_tint(end.0, other.0, &strokes)
+            *other != end && turn(direction, *other, &strokes) <= SHARPEST && may_be_one(end.0, other.0, &strokes)
         };
         match end_at(&strokes, to).filter(goes_on) {
             Some(other) => met.push([end, other]),
@@ -134,9 +135,10 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
     leaving(&strokes[other].contour, at_start).map_or(1.0, |(_, leaving)| direction.dot(leaving))
 }
 
-/// Whether two strokes may be one: their tints do not differ, as far as they are known.
-fn is_of_one_tint(one: usize, other: usize, strokes: &[Stroke]) -> bool {
-    !Tint::are_two(strokes[one].tint, strokes[other].tint)
+/// Whether two strokes may be one: their breadths do not differ, nor their tints, as far as they are known.
+fn may_be_one(one: usize, other: usize, strokes: &[Stroke]) -> bool {
+    let [one, other] = [one, other].map(|number| &strokes[number]);
+    !Tint::are_two(one.tint, other.tint) && !are_two(one.width, other.width)
 }
 
 /// The continuation from an end of a stroke, if it leads to another one or to another part of the same.
@@ -155,7 +157,7 @@ fn continuation(
     let least = params.low.max(SEEN * strength);
     if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke.max(params.widest_of_bitmap())) {
         let goes_on = end_at(strokes, met).is_some_and(|other| {
-            turn(direction, other, strokes) <= -AHEAD_COSINE && is_of_one_tint(number, other.0, strokes)
+            turn(direction, other, strokes) <= -AHEAD_COSINE && may_be_one(number, other.0, strokes)
         });
         return goes_on.then_some(Continuation { points: Vec::new(), met, direction });
     }

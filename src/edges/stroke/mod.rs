@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! Lab -> residue (what a square of a size does not fit into) -> skeleton (thinned to a pixel)
-//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast, of one tint) -> those of their own
+//!     -> arms (joined through junctions) -> parts of one breadth -> centred (sub-pixel, width, contrast, of one tint)
+//!     -> those of their own
 //!     -> followed (where pixels show no stroke) -> Strokes
 //! ```
 //!
@@ -14,6 +15,7 @@
 //! it that is thin has soft sides.
 
 mod arms;
+mod breadth;
 mod centre;
 mod cut_out;
 mod ends;
@@ -25,6 +27,7 @@ mod tint;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
+pub(super) use self::breadth::are_two as are_two_breadths;
 use self::centre::LONG;
 pub(super) use self::centre::Stroke;
 pub(super) use self::cut_out::is_cut_out;
@@ -109,7 +112,7 @@ pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<
     let mut strokes = Vec::new();
     for (_, stroke) in found {
         let new = match taken.most_of(&stroke, params.sigma) {
-            Most::Between => taken.rest_of(&stroke),
+            Most::Between => taken.rest_of(&stroke, params.sigma),
             Most::On => taken.beside(stroke, true),
             Most::Own => taken.beside(stroke, false),
         };
@@ -183,7 +186,12 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
     let strokes = |cells: &[usize]| -> Vec<Stroke> {
         let (paths, nodes) = thinned(cells, &residue);
         let arms = arms::joined(paths, &nodes);
-        arms.into_iter().flat_map(|strand| centre::strokes(strand, &residue, planes, radius, params)).collect()
+        // the gaps between dark things are no walls
+        let parts = match polarity {
+            Polarity::Below => breadth::parted(arms, &residue, radius),
+            Polarity::Above => arms,
+        };
+        parts.into_iter().flat_map(|strand| centre::strokes(strand, &residue, planes, radius, params)).collect()
     };
     things.par_iter().flat_map_iter(|cells| strokes(cells)).collect()
 }
@@ -374,27 +382,30 @@ impl StrokeCover {
         parts.filter(is_new).collect()
     }
 
-    /// What of a stroke is no other's, if that is long enough to be one: as eaves go on beyond a wall.
-    fn rest_of(&self, stroke: &Stroke) -> Vec<Stroke> {
+    /// What of a stroke is no other's and does not lie between others, if that is long enough to be one: as eaves go on
+    /// beyond a wall.
+    fn rest_of(&self, stroke: &Stroke, sigma: f32) -> Vec<Stroke> {
         let vertices = &stroke.contour.vertices;
-        let is_taken: Vec<bool> = vertices.iter().map(|vertex| self.has(vertex.at)).collect();
+        let is_taken = |i: usize| self.has(vertices[i].at) || self.is_between(stroke, i, sigma);
+        let is_taken: Vec<bool> = (0..vertices.len()).map(is_taken).collect();
         let runs = runs(vertices.len(), stroke.contour.closed, |a, b| is_taken[a] == is_taken[b]).into_iter();
         let rest = runs.filter(|run| !is_taken[run[0]]).map(|run| part(stroke, &run));
         rest.filter(|rest| rest.contour.length() >= LONG * rest.width).collect()
     }
 
+    /// Whether both sides of a stroke are those of others at one of its vertices: what is seen there is their gap.
+    fn is_between(&self, stroke: &Stroke, i: usize, sigma: f32) -> bool {
+        let across = right_of(stroke.contour.tangent(i)) * (0.5 * stroke.width + 0.5 * sigma);
+        let at = stroke.contour.vertices[i].at;
+        self.has(at + across) && self.has(at - across)
+    }
+
     /// What most of a stroke is.
     fn most_of(&self, stroke: &Stroke, sigma: f32) -> Most {
         let n = stroke.contour.vertices.len();
-        let half = 0.5 * stroke.width + 0.5 * sigma;
         let count = |of: &dyn Fn(usize) -> bool| (0..n).filter(|&i| of(i)).count();
         let on = count(&|i| self.has(stroke.contour.vertices[i].at));
-        let between = count(&|i| {
-            let along = stroke.contour.tangent(i);
-            let across = right_of(along) * half;
-            let at = stroke.contour.vertices[i].at;
-            self.has(at + across) && self.has(at - across)
-        });
+        let between = count(&|i| self.is_between(stroke, i, sigma));
         match (2 * on > n, 2 * between > n) {
             (true, _) => Most::On,
             (false, true) => Most::Between,

@@ -34,13 +34,13 @@ fn what_is_left_of_a_ring_does_not_depend_on_where_it_begins() {
         parts.sort_by(|a, b| a.contour.length().total_cmp(&b.contour.length()));
         parts.iter().map(|part| part.contour.length().round()).collect::<Vec<f32>>()
     };
-    let (beside, rest) = (lengths(taken.beside(bar.clone(), false)), lengths(taken.rest_of(&bar)));
+    let (beside, rest) = (lengths(taken.beside(bar.clone(), false)), lengths(taken.rest_of(&bar, SIGMA)));
     assert!(beside == [156.0] && rest == [21.0, 21.0, 90.0], "{beside:?} {rest:?}");
     for turn in 0..bar.contour.vertices.len() {
         let mut turned = bar.clone();
         turned.contour.vertices.rotate_left(turn);
         assert_eq!(
-            (lengths(taken.beside(turned.clone(), false)), lengths(taken.rest_of(&turned))),
+            (lengths(taken.beside(turned.clone(), false)), lengths(taken.rest_of(&turned, SIGMA))),
             (beside.clone(), rest.clone()),
             "from vertex {turn}"
         );

@@ -1,6 +1,6 @@
 //! On dots the walls of a plan go before what stands beside them: a bed 4 mm from a wall gives way to it. As a closed
 //! outline it is more salient than a short piece of a wall, of which it would take what lies beside it. On paper both
-//! have room, moved apart. Of what was found in pixels the breadths are too uneven to tell walls.
+//! have room, moved apart. Of an edge in pixels no breadth is known.
 //!
 //! Walls are level and upright, and much broader than whatever is not:
 //!
@@ -15,7 +15,7 @@
 use crate::geom::polyline::Polyline;
 use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
-use crate::lines::vertex::Vertex;
+use crate::lines::vertex::{FoundIn, Vertex};
 use crate::units::MmRect;
 
 /// A wall is at least this broad, mm: thinner than what most people draw curves and outlines with, on any paper.
@@ -67,13 +67,14 @@ impl Stroke {
     }
 }
 
-/// The numbers of those lines of a vector drawing that are the walls of a plan; none on paper.
+/// The numbers of those lines of a drawing that are the walls of a plan; none on paper.
 pub(super) fn walls(lines: &[(Polyline<Vertex>, Rank)], params: &Params) -> Vec<usize> {
     if !params.on_dots() {
         return Vec::new();
     }
-    let is_exact = |line: &Polyline<Vertex>| line.vertices.iter().all(|vertex| vertex.source.is_exact());
-    let drawn = lines.iter().enumerate().filter(|(_, (line, rank))| *rank != Rank::Faint && is_exact(line));
+    let has_breadth = |vertex: &Vertex| vertex.source.is_exact() || vertex.source == FoundIn::Stroke;
+    let is_stroke = |line: &Polyline<Vertex>| line.vertices.iter().all(has_breadth);
+    let drawn = lines.iter().enumerate().filter(|(_, (line, rank))| *rank != Rank::Faint && is_stroke(line));
     let strokes: Vec<Stroke> = drawn.filter_map(|(number, (line, _))| Stroke::of(number, line, params)).collect();
     let is_straight = |stroke: &&Stroke| stroke.straight() >= MOSTLY;
     let is_slanted = |stroke: &&Stroke| stroke.straight() < HARDLY && stroke.length >= params.min_length;

@@ -63,9 +63,13 @@ fn walls_are_much_broader_than_what_is_slanted_and_lie_both_ways() {
     let axis = stroke(&[(10.0, 90.0), (90.0, 90.0)], false, 0.5);
     assert!(walls(&bars.into_iter().chain([axis]).collect::<Vec<_>>(), &PARAMS).is_empty());
     assert!(walls(&plan(2.0), &Params { medium: LineMedium::Print, ..PARAMS }).is_empty(), "on paper");
-    let mut in_pixels = plan(2.0);
-    in_pixels.iter_mut().flat_map(|(line, _)| &mut line.vertices).for_each(|vertex| vertex.source = FoundIn::Stroke);
-    assert!(walls(&in_pixels, &PARAMS).is_empty(), "in a bitmap");
+    let found_in = |source: FoundIn| {
+        let mut lines = plan(2.0);
+        lines.iter_mut().flat_map(|(line, _)| &mut line.vertices).for_each(|vertex| vertex.source = source);
+        walls(&lines, &PARAMS)
+    };
+    assert_eq!(found_in(FoundIn::Stroke), walls(&plan(2.0), &PARAMS), "strokes of a bitmap");
+    assert!(found_in(FoundIn::Pixels).is_empty(), "edges in a bitmap");
     // faint lines are none of them
     let faint = plan(2.0).into_iter().map(|(line, _)| (line, Rank::Faint)).collect::<Vec<_>>();
     assert!(walls(&faint, &PARAMS).is_empty());
