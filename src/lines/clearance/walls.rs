@@ -31,6 +31,9 @@ const MOSTLY: f32 = 0.75;
 const HARDLY: f32 = 0.5;
 /// What is level or upright is off that by no more than this sine: 11 degrees, as strokes in pixels sway.
 const OFF: f32 = 0.2;
+/// A wall of a bitmap that is shorter than so many least lengths has no rank of its own: on a grid of dots it loses the
+/// dot that it shares with another wall, and is long enough only where the leaf of a door, which comes later, ends on it.
+const SHORT: f32 = 1.5;
 /// The level ones together are at least this share of the drawing's width long, and the upright ones of its height: the
 /// bars of a chart lie one way. Chosen by us, as the numbers above.
 const ALONG: f32 = 0.5;
@@ -87,7 +90,12 @@ pub(super) fn walls(lines: &[(Polyline<Vertex>, Rank)], params: &Params) -> Vec<
     let level: f32 = walls.iter().map(|wall| wall.level).sum();
     let upright: f32 = walls.iter().map(|wall| wall.upright).sum();
     let are_around = level >= ALONG * extent.width() && upright >= ALONG * extent.height();
-    if are_around && strokes.iter().any(is_thin) { walls.iter().map(|wall| wall.number).collect() } else { Vec::new() }
+    if !are_around || !strokes.iter().any(is_thin) {
+        return Vec::new();
+    }
+    let is_exact = |wall: &Stroke| lines[wall.number].0.vertices.iter().all(|vertex| vertex.source.is_exact());
+    let is_long = |wall: &&&Stroke| wall.length >= SHORT * params.min_length || is_exact(wall);
+    walls.iter().filter(is_long).map(|wall| wall.number).collect()
 }
 
 fn broadest<'s>(strokes: impl Iterator<Item = &'s Stroke>) -> f32 {

@@ -70,6 +70,14 @@ fn walls_are_much_broader_than_what_is_slanted_and_lie_both_ways() {
     };
     assert_eq!(found_in(FoundIn::Stroke), walls(&plan(2.0), &PARAMS), "strokes of a bitmap");
     assert!(found_in(FoundIn::Pixels).is_empty(), "edges in a bitmap");
+    // one of 11 mm beside a door
+    let with_stub = |source: FoundIn| {
+        let mut lines = plan(2.0);
+        lines.push(stroke(&[(70.0, 20.0), (70.0, 31.0)], false, 2.0));
+        lines.iter_mut().flat_map(|(line, _)| &mut line.vertices).for_each(|vertex| vertex.source = source);
+        walls(&lines, &PARAMS)
+    };
+    assert_eq!([with_stub(FoundIn::Vector).len(), with_stub(FoundIn::Stroke).len()], [3, 2]);
     // faint lines are none of them
     let faint = plan(2.0).into_iter().map(|(line, _)| (line, Rank::Faint)).collect::<Vec<_>>();
     assert!(walls(&faint, &PARAMS).is_empty());
