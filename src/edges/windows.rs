@@ -42,7 +42,7 @@ pub(super) fn merged(mut found: Vec<FoundContour>) -> Vec<FoundContour> {
         return found;
     }
     let pairs = (0..ends.len()).flat_map(|a| (a + 1..ends.len()).map(move |b| (a, b)));
-    let pairs = pairs.map(|(a, b)| [&ends[a], &ends[b]]).filter(|pair| are_in_line(pair));
+    let pairs = pairs.map(|(a, b)| [&ends[a], &ends[b]]).filter(are_in_line);
     for pair in pairs.collect::<Vec<_>>() {
         let is_pane: Vec<bool> = found.iter().map(|contour| is_pane(contour, pair)).collect();
         let Some(first) = is_pane.iter().position(|is_pane| *is_pane) else { continue };
