@@ -2,7 +2,7 @@
 
 use super::faint::is_faint;
 use super::standing::StandingEnds;
-use super::vertex::{FoundIn, Tip, Vertex, is_no_step};
+use super::vertex::{Vertex, is_no_step};
 use crate::geom::link::{End, LinkedChain, Part, link};
 use crate::geom::polyline::Polyline;
 use crate::raster::contrast::dot;
@@ -31,11 +31,6 @@ const MEETING: f32 = 0.05;
 /// Two strokes that lead to one side of a line are no fan if they make less than 20 degrees (the cosine), as two lines
 /// that meet must.
 const BLADE: f32 = 0.94;
-
-/// Of two strokes of a bitmap one is broad if it is so many times as broad as the other, and at least so broad, mm: see
-/// `edges::stroke::breadth`, which parts them.
-const BROADER: f32 = 2.0;
-const BROAD: f32 = 0.8;
 
 /// Ends that do not meet exactly bend towards one another over this length, mm.
 const BEND: f32 = 4.0;
@@ -71,7 +66,7 @@ pub(super) fn join_but_ticks(
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| {
         let of_hooks = || cost_of_hooks(a, b, &polylines, &lengths, gap).filter(|_| of_drawing);
         let cost = cost(a, b, &lengths, gap).or_else(of_hooks).filter(|_| faint[a.polyline] == faint[b.polyline])?;
-        (!is_parted(a, b) && !are_two_breadths(a, b, &polylines)).then_some(cost)
+        (!is_parted(a, b)).then_some(cost)
     });
     let parted = |thread: LinkedChain| without_fans(thread, &polylines, &lengths, standing);
     let threads: Vec<LinkedChain> = threads.into_iter().flat_map(parted).collect();
@@ -105,17 +100,6 @@ fn without_fans(
     };
     let pieces = thread.parts.chunk_by(|before, next| !is_fan(before, next));
     pieces.map(|parts| LinkedChain { parts: parts.to_vec(), closed: false }).collect()
-}
-
-/// Whether two ends are those of strokes of different breadth in a bitmap: of a wall, and of the leaf of a door. What
-/// was one path in a vector drawing stays one.
-fn are_two_breadths(a: &End<Mm>, b: &End<Mm>, polylines: &[Polyline<Vertex>]) -> bool {
-    let [width, other] = [a, b].map(|end| {
-        let tip = if end.at_start { Tip::First } else { Tip::Last };
-        tip.of(&polylines[end.polyline]).filter(|tip| tip.source == FoundIn::Stroke).map_or(0.0, |tip| tip.stroke)
-    });
-    let (narrow, broad) = (width.min(other), width.max(other));
-    narrow > 0.0 && broad >= BROAD && broad >= BROADER * narrow
 }
 
 /// Both ends of every open polyline.

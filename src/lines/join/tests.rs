@@ -107,19 +107,3 @@ fn strokes_that_lead_from_one_place_of_a_line_to_several_stay_lines_by_themselve
     let triangle = [[(50., 20.), (30., 40.)], [(30., 40.), (70., 40.)], [(70., 40.), (50., 20.)]];
     assert_eq!(lines_at_a_line(&triangle), [1, 1], "a triangle below the line");
 }
-
-#[test]
-fn a_wall_and_the_leaf_of_a_door_in_a_bitmap_are_two_lines() {
-    let count = |breadth: f32, source: FoundIn| {
-        let stroke = |from: (f32, f32), to: (f32, f32), breadth: f32| {
-            let mut line = straight(from, to, 0.0);
-            line.vertices.iter_mut().for_each(|vertex| (vertex.stroke, vertex.source) = (breadth, source));
-            line
-        };
-        let lines = vec![stroke((0., 0.), (20., 0.), 2.0), stroke((20., 0.), (20., 12.), breadth)];
-        join(lines, 3.0, &StandingEnds::default(), true).len()
-    };
-    assert_eq!(count(0.5, FoundIn::Stroke), 2);
-    assert_eq!(count(1.5, FoundIn::Stroke), 1);
-    assert_eq!(count(0.5, FoundIn::Vector), 1, "one path of a vector drawing");
-}
