@@ -308,4 +308,12 @@ fn stacked_bars_stay_apart_in_the_overview() {
     assert!(!told.contains("in the overview the bars of the chart"), "{told}");
     let overview = drawing.page.overview.as_ref().expect("it has one");
     assert!(loose_ends(&overview.lines) <= 3, "the ends of the axes: {}", loose_ends(&overview.lines));
+    let place = overview.place;
+    let at =
+        |x: f32, y: f32| place.min + MmPoint::new(x / WIDTH * place.width(), y / 640.0 * place.height()).to_vector();
+    for (k, parts) in parts.iter().enumerate() {
+        let (middle, top) = (195.0 + 160.0 * k as f32, 540.0 - parts.iter().sum::<f32>());
+        assert!(far(at(middle, top), &overview.lines, None) < NEAR, "the top of bar {k}");
+        assert!(k == 3 || far(at(middle + 80.0, 500.0), &overview.lines, None) > 1.0, "the gap behind bar {k}");
+    }
 }

@@ -84,8 +84,8 @@ fn is_of_box(line: &LineInSteps, corner: usize) -> bool {
         ways.find(|way| way.length() > 0.0 && way.length() >= least)
     };
     let is_along = |[along, across]: [f32; 2]| along.abs() >= SIDE_OF_BOX && across.abs() <= OFF_LEVEL * along.abs();
-    let turns = way(true, 0.0).zip(way(false, 0.0));
-    let turns = turns.is_some_and(|(on, back)| on.normalize().dot(back.normalize()) >= AT_ONCE);
+    let beside = way(true, 0.0).zip(way(false, 0.0));
+    let turns = beside.is_some_and(|(on, back)| on.normalize().dot(back.normalize()) >= AT_ONCE);
     let sides = || way(true, SIDE_OF_BOX).zip(way(false, SIDE_OF_BOX));
     turns
         && sides().is_some_and(|(on, back)| {

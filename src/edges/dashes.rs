@@ -157,10 +157,10 @@ fn dash(number: usize, FoundContour { contour, stroke, .. }: &FoundContour, sigm
 }
 
 /// Whether a contour is no longer than a dash of this length, which may be bent around a corner: the stroke, or its two
-/// sides.
-fn is_bent_dash(FoundContour { contour, .. }: &FoundContour, dash: f32) -> bool {
+/// sides. A stroke that is a ring is a mark.
+fn is_bent_dash(FoundContour { contour, stroke, .. }: &FoundContour, dash: f32) -> bool {
     let sides = if contour.closed { 2.0 } else { 1.0 };
-    contour.length() <= sides * (ALIKE * dash + ROUNDING)
+    !(contour.closed && stroke.is_some()) && contour.length() <= sides * (ALIKE * dash + ROUNDING)
 }
 
 /// A stroke as a dash, if it is one.

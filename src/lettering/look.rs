@@ -51,6 +51,8 @@ const CLUTTER_ALONE: f32 = 0.1;
 /// What a digit or a capital is can be seen from this height on, px; of more single shapes than this none is looked at.
 const LEAST_NAMED: f32 = 10.0;
 const MOST_NAMED: usize = 300;
+/// Of more shapes than this it is not asked whether each stands by itself, which is asked of all others.
+const MOST_SINGLE: usize = 3000;
 /// It stands by itself: nothing that is about as high, and no bar and no dot, is so near beside it, in its heights.
 const BESIDE: std::ops::RangeInclusive<f32> = -0.3..=0.8;
 const BESIDE_HEIGHT: std::ops::RangeInclusive<f32> = 0.5..=1.5;
@@ -214,10 +216,13 @@ impl Look {
             line.height >= LEAST_NAMED
                 && line.is_text(Strictness::Named, 0.0)
                 && !lines.iter().any(|other| line.is_within(other))
-                && !self.is_in_word(&line.letters[0], &placed)
         };
         let one = |letter: &RotatedLetter| self.line(&[*letter], 0.0).filter(may_be_one);
-        let singles: Vec<TextLine> = placed.iter().filter_map(one).collect();
+        let mut singles: Vec<TextLine> = placed.iter().filter_map(one).collect();
+        if singles.len() > MOST_SINGLE {
+            return Vec::new();
+        }
+        singles.retain(|single| !self.is_in_word(&single.letters[0], &placed));
         if singles.len() > MOST_NAMED {
             return Vec::new();
         }

@@ -73,7 +73,8 @@ impl Told {
         self.or_help(Help::Larger(None))
     }
 
-    /// The same, with a part of the picture alone as the next that helps, unless a larger figure is told already.
+    /// The same, with a part of the picture alone as the next that helps; it is left out with a larger figure where
+    /// another remark says that.
     #[must_use]
     pub(crate) fn or_crop(self) -> Self {
         self.or_help(Help::Crop)

@@ -30,12 +30,12 @@ const fn variant(bars: Bars, has_gridlines: bool, lacks: f32) -> Variant {
 }
 
 /// What else is tried, in this order: what says most comes first. Where none has all bars whole, what lacks least is
-/// taken. The penalties are chosen by us, in the order of what a reader loses: gridlines least, then the blank between
+/// taken. The penalties are chosen by us, in the order of what a reader loses: width least, then gridlines, the blank between
 /// bars, then the sides by which bars are counted.
 const VARIANTS: [Variant; 7] = [
     variant(Bars::Apart, true, 0.0),
-    variant(Bars::Apart, false, 0.02),
     NARROWER,
+    variant(Bars::Apart, false, 0.02),
     variant(Bars::Touching, true, 0.03),
     variant(Bars::Touching, false, 0.05),
     variant(Bars::Outline, true, 0.15),
@@ -65,7 +65,7 @@ pub(super) struct BarTolerances {
     reach: f32,
     /// A bar of which as much is missing is torn; less is missing where lines meet.
     torn: f32,
-    /// The sides of stacked bars may be moved by so much across.
+    /// Stacked bars may be narrower by so much on each side, and moved aside by as much, mm.
     moved: f32,
 }
 
@@ -176,9 +176,11 @@ impl<T> Redraw<'_, T> {
         let transform = PageTransform::new(self.edges.size, place);
         let Redrawn { edges, wanted, instead } = chart.drawn(self.edges, NARROWER, self.tolerances, &transform)?;
         let drawn = (self.draw)(&edges, place, ALL);
-        let is_whole = self.lacking(&wanted, &drawn, &transform) <= 0.0;
+        if self.lacking(&wanted, &drawn, &transform) > 0.0 {
+            return None;
+        }
         let drawn = if self.detail < ALL { (self.draw)(&edges, place, self.detail) } else { drawn };
-        is_whole.then_some((drawn, instead))
+        Some((drawn, instead))
     }
 
     /// Which share of the paths that are wanted is not drawn.

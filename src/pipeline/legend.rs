@@ -150,7 +150,7 @@ pub(super) fn moved_to_key(
     if entries.is_empty() || own.iter().filter(|own| **own).count() < entries.len() {
         return None;
     }
-    texts.iter_mut().zip(own).for_each(|(text, own)| text.in_key = own);
+    texts.iter_mut().zip(own).for_each(|(text, own)| text.in_key |= own);
     let transform = PageTransform::new(edges.size, layout.figure);
     let patches: Vec<MmRect> =
         entries.iter().filter_map(|entry| entry.place).map(|of| of.inflate(OF_PATCH, OF_PATCH)).collect();

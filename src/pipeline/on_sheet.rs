@@ -1,4 +1,4 @@
-//! Contours where they lie on the sheet: the one place in which their pixels become millimetres here.
+//! Contours where they lie on the sheet.
 
 use crate::edges::{ChainRange, Edges};
 use crate::units::{MmPoint, PageTransform};

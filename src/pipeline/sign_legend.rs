@@ -3,6 +3,7 @@
 //! words and their frame, which say nothing alone.
 
 use super::legend::{OF_PATCH, frames, gap};
+use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::{ChainRange, Edges};
@@ -101,7 +102,7 @@ fn word_of(sign: MmRect, texts: &[Text]) -> Option<usize> {
 }
 
 fn place_of(edges: &Edges, chain: &ChainRange, transform: &PageTransform) -> MmRect {
-    MmRect::from_points(edges.chain(chain).vertices.iter().map(|edgel| transform.to_mm(edgel.at)))
+    MmRect::from_points(on_sheet(edges, chain, transform))
 }
 
 /// Closed contours that run along the sides of a box.
@@ -109,7 +110,7 @@ fn boxes(edges: &Edges, transform: &PageTransform) -> Vec<MmRect> {
     let as_box = |chain: &ChainRange| {
         let place = place_of(edges, chain, transform);
         let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
-        let mut points = edges.chain(chain).vertices.iter().map(|edgel| transform.to_mm(edgel.at));
+        let mut points = on_sheet(edges, chain, transform);
         (!inside.is_empty() && points.all(|at| !inside.contains(at))).then_some(place)
     };
     let closed = edges.chains.iter().filter(|chain| chain.closed && chain.kind.sign.is_none());

@@ -62,9 +62,10 @@ pub(super) struct Row {
     pub(super) is_weak: bool,
 }
 
-/// The dots of a level or upright row lie less than this apart across it, in steps: rounding to the grid may move some
-/// by one.
+/// The dots of a level or upright row lie less than this apart across it, in steps: rounding may move some by one.
 const LEVEL: f32 = 1.5;
+/// What is no farther ahead of the foot of a tick than this share of a pitch is on its row, or behind that.
+const ON_ROW: f32 = 0.25;
 
 impl Row {
     /// Whether it is level or upright, with dots so many mm apart.
@@ -454,9 +455,8 @@ impl Places<'_> {
         // the row beside its own place is as near as the tick is long
         let beside = 2 * (count + self.params.line_gap as usize) + 4;
         let row = &self.rows[foot.row];
-        let at = lattice.to_mm(foot.at);
-        let ahead = |other: GridPoint| way.map(|way| (lattice.to_mm(other) - at).dot(way));
-        let is_beyond = |other: GridPoint| ahead(other).is_some_and(|mm| mm < 0.25 * self.params.pitch);
+        let ahead = |other: GridPoint, way| (lattice.to_mm(other) - lattice.to_mm(foot.at)).dot(way);
+        let is_behind = |other: GridPoint| way.is_some_and(|way| ahead(other, way) < ON_ROW * self.params.pitch);
         let mut near = self.field.around(dot, gap + 1.0).filter(|(_, other, _)| lattice.are_near(dot, *other, gap));
         near.all(|(_, other, owner)| match owner {
             Owner::Row(of, number) if of == foot.row => {
@@ -465,7 +465,7 @@ impl Places<'_> {
             }
             // what leads to the point behind which it is
             Owner::Row(..) => {
-                is_beyond(other) || own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius + gap)
+                is_behind(other) || own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius + gap)
             }
             Owner::Tick(..) => !self.are_close(dot, other),
         })

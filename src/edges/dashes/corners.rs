@@ -26,8 +26,8 @@ pub(super) struct RowEnd {
     pub(super) width: f32,
 }
 
-/// Leads ends of two dashed lines to the corner that they make, the nearest first, where nothing else is met on the
-/// way. Returns these corners.
+/// Leads ends of two dashed lines to the corner that they make, the nearest first, where nothing is met on the way but
+/// what may be a dash. Returns these corners.
 pub(super) fn join(ends: &[RowEnd], lines: &mut [FoundContour], is_met: &dyn Fn([PxPoint; 2]) -> bool) -> Vec<PxPoint> {
     let pairs = (0..ends.len()).flat_map(|a| (a + 1..ends.len()).map(move |b| (a, b)));
     let corner = |(a, b): (usize, usize)| {

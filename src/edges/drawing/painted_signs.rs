@@ -1,6 +1,6 @@
 //! Signs of a vector drawing that mark places, such as the points of a scatter plot: small paths that are alike and
 //! scattered. As contours they are too small for lines; so each becomes a ring, as a sign of a bitmap does
-//! (`edges/signs`), by the same rules:
+//! (`edges/signs`), by nearly the same rules: they may be a little larger, and nearer to one another:
 //!
 //! ```text
 //! paths -> small things (a path, or several around one middle) -> kinds (one outline in the same colours)
