@@ -116,6 +116,15 @@ fn only_what_makes_this_figure_larger_is_named() {
 }
 
 #[test]
+fn letters_that_are_pixels_can_be_read_by_tesseract() {
+    let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
+    let letters = Note::LetteringLeftOut { texts: 3, place: "middle", are_shapes: false };
+    let told = |notes: &[Note]| of_notes(notes, making).pop().expect("a remark");
+    assert!(told(&[letters, Note::NoTexts]).ends_with("(--ocr, --labels FILE)"));
+    assert!(told(&[Note::NoTexts]).ends_with("(--labels FILE)") && !told(&[Note::NoTexts]).contains("--ocr"));
+}
+
+#[test]
 fn what_makes_the_figure_larger_is_told_once() {
     let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
     let lost = |about: About| Note::NotOnPage(about, Reason::NoRoomForLine, Told::from("1 line").or_larger());
