@@ -4,7 +4,8 @@
 use super::character::Likeness;
 use super::line::TextLine;
 
-/// How many follow one another at least: in steps of one, and in steps of two, as 0, 2, 4 and 6 at an axis.
+/// How many follow one another at least: in steps of one, and in steps of two, as 0, 2, 4 and 6 at an axis. They are one
+/// more where one of them looks more like another character: of three leaves one may be a 7, one a 6 or an 8, one a 9.
 const FEWEST: [(u8, usize); 2] = [(1, 3), (2, 4)];
 /// These may be missing among others: the first two are looked for nowhere, and the tail of the last hangs below, or is
 /// small.
@@ -30,6 +31,11 @@ pub(super) fn successive(singles: &[TextLine], names: &[Vec<Likeness>]) -> Vec<b
     is_one
 }
 
+/// The digit that a shape looks like most, or the capital.
+fn name(names: &[Likeness], is_digit: bool) -> Option<char> {
+    names.iter().map(|name| name.character).find(|name| name.is_ascii_digit() == is_digit)
+}
+
 /// Those of some letters that are in the longest run of characters, if that is long enough and there are no more of
 /// each character than it has characters, and one: more are signs of a plot.
 fn run(letters: &[usize], names: &[Vec<Likeness>]) -> Vec<usize> {
@@ -37,6 +43,9 @@ fn run(letters: &[usize], names: &[Vec<Likeness>]) -> Vec<usize> {
     for (step, fewest) in FEWEST {
         for first in (b'0'..=b'9').chain(b'A'..=b'Z') {
             let run = run_from(first, step, letters, names);
+            let is_sure =
+                run.iter().all(|&(character, of)| name(&names[of], character.is_ascii_digit()) == Some(character));
+            let fewest = if is_sure { fewest } else { fewest + 1 };
             if run.len() >= fewest && run.len() > longest.len() {
                 longest = run;
             }
@@ -44,13 +53,11 @@ fn run(letters: &[usize], names: &[Vec<Likeness>]) -> Vec<usize> {
     }
     let (characters, longest): (Vec<char>, Vec<usize>) = longest.into_iter().unzip();
     let is_digit = characters.first().is_some_and(char::is_ascii_digit);
-    // the one that a letter looks like most
-    let name = |of: usize| names[of].iter().map(|name| name.character).find(|name| name.is_ascii_digit() == is_digit);
-    let count = |of: char| letters.iter().filter(|&&letter| name(letter) == Some(of)).count();
+    let count = |of: char| letters.iter().filter(|&&letter| name(&names[letter], is_digit) == Some(of)).count();
     if characters.iter().any(|&character| count(character) > characters.len() + 1) {
         return Vec::new();
     }
-    let is_named = |letter: usize| name(letter).is_some_and(|name| characters.contains(&name));
+    let is_named = |letter: usize| name(&names[letter], is_digit).is_some_and(|name| characters.contains(&name));
     letters.iter().copied().filter(|&letter| is_named(letter) || longest.contains(&letter)).collect()
 }
 

@@ -40,6 +40,8 @@ fn letters_that_are_hard_to_know_may_be_missing() {
 fn a_shape_stands_for_one_character() {
     // the second may be either, but not both
     assert_eq!(in_run(&["5", "67", "8"]), [0_usize; 0]);
+    assert_eq!(in_run(&["7", "68", "9"]), [0_usize; 0], "three of which one looks more like another");
+    assert_eq!(in_run(&["7", "86", "9"]), [0, 1, 2]);
     assert_eq!(in_run(&["5", "67", "7", "8"]), [0, 1, 2, 3]);
     assert_eq!(in_run(&["5", "76", "7", "8"]), [0, 1, 2, 3], "the seventh is the one that looks like nothing else");
 }
