@@ -4,8 +4,8 @@
 use super::character::Likeness;
 use super::line::TextLine;
 
-/// How many follow one another at least: in steps of one, and in steps of two, as 0, 2, 4 and 6 at an axis. They are one
-/// more where one of them looks more like another character: of three leaves one may be a 7, one a 6 or an 8, one a 9.
+/// How many follow one another at least: in steps of one, and in steps of two, as 0, 2, 4 and 6 at an axis. They are
+/// one more where one of them looks more like another character: of three leaves one may be a 7, one a 6 or 8, one a 9.
 const FEWEST: [(u8, usize); 2] = [(1, 3), (2, 4)];
 /// These may be missing among others: the first two are looked for nowhere, and the tail of the last hangs below, or is
 /// small.

@@ -30,8 +30,8 @@ const fn variant(bars: Bars, has_gridlines: bool, lacks: f32) -> Variant {
 }
 
 /// What else is tried, in this order: what says most comes first. Where none has all bars whole, what lacks least is
-/// taken. The penalties are chosen by us, in the order of what a reader loses: width least, then gridlines, the blank between
-/// bars, then the sides by which bars are counted.
+/// taken. The penalties are chosen by us, in the order of what a reader loses: width least, then gridlines, the blank
+/// between bars, then the sides by which bars are counted.
 const VARIANTS: [Variant; 7] = [
     variant(Bars::Apart, true, 0.0),
     NARROWER,

@@ -35,8 +35,8 @@ const EVEN: f32 = 0.7;
 /// A broad part ends this share of its width before the change, where thinning leads it into the narrow one. From there
 /// it is led straight on, as free ends are.
 const LEADS_AWAY: f32 = 0.5;
-/// Walls that have thin parts at their ends are level along this share of the picture's width, and upright along as much
-/// of its height, within an angle of this tangent (11 degrees) over so many pixels. Chosen by us.
+/// Walls that have thin parts at their ends are level along this share of the picture's width, and upright along as
+/// much of its height, within an angle of this tangent (11 degrees) over so many pixels. Chosen by us.
 const ALONG: f32 = 0.3;
 const OFF: f32 = 0.2;
 const AHEAD: usize = 8;
@@ -49,8 +49,8 @@ pub(in crate::edges) fn are_two(width: f32, other: f32) -> bool {
     broader >= BROAD && broader >= BROADER * width.min(other)
 }
 
-/// The lines of a connected part of a picture, of which those of two breadths are parted where the broad ones are walls:
-/// level and upright along much of the picture, both together. The stem of a plant and its roots stay one.
+/// The lines of a connected part of a picture, of which those of two breadths are parted where the broad ones are
+/// walls: level and upright along much of the picture, both together. The stem of a plant and its roots stay one.
 pub(super) fn parted(strands: Vec<Strand>, residue: &Plane, radius: usize) -> Vec<Strand> {
     let (mut level, mut upright, mut parts) = (0.0, 0.0, Vec::new());
     for strand in &strands {

@@ -1,5 +1,5 @@
 //! A line of a drawing that has a little too little room beside others, as one that leads down between two boxes, is
-//! drawn thinner, by a quarter at most: what is missing of a line is felt before its width is. It is thinner as a whole.
+//! drawn thinner, by a quarter at most: what is missing of a line is felt before its width is. It is so as a whole.
 
 use super::drawn::{DrawnLines, LineState};
 use super::passage::Passage;

@@ -32,7 +32,7 @@ const HARDLY: f32 = 0.5;
 /// What is level or upright is off that by no more than this sine: 11 degrees, as strokes in pixels sway.
 const OFF: f32 = 0.2;
 /// A wall of a bitmap that is shorter than so many least lengths has no rank of its own: on a grid of dots it loses the
-/// dot that it shares with another wall, and is long enough only where the leaf of a door, which comes later, ends on it.
+/// dot that it shares with another wall, and is long enough only where the leaf of a door, drawn later, ends on it.
 const SHORT: f32 = 1.5;
 /// The level ones together are at least this share of the drawing's width long, and the upright ones of its height: the
 /// bars of a chart lie one way. Chosen by us, as the numbers above.
