@@ -34,8 +34,8 @@ const STRAIGHT_ON: f32 = 0.99;
 /// Fewer than this are no row; with dashes that are too short to be strokes by themselves.
 const FEWEST: usize = 3;
 const FEWEST_SHORT: usize = 4;
-/// The longest gap is at most so many times as long as the shortest, and the longest dash as the shortest, but for the
-/// first and last one, which may be cut; beside [`ROUNDING`].
+/// Lengths and widths of a row are alike if the greatest is at most so many times the least, beside [`ROUNDING`]: of
+/// its dashes, but for the first and last one, which may be cut, and of its gaps.
 const ALIKE: f32 = 1.6;
 
 /// A short straight piece.
@@ -156,6 +156,11 @@ fn dash(number: usize, FoundContour { contour, stroke, .. }: &FoundContour, sigm
     (length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
 }
 
+/// Whether two lengths or widths, px, are alike, as those of one row are.
+fn are_alike(a: f32, b: f32) -> bool {
+    a.max(b) <= ALIKE * a.min(b) + ROUNDING
+}
+
 /// Whether a contour is no longer than a dash of this length, which may be bent around a corner: the stroke, or its two
 /// sides. A stroke that is a ring is a mark.
 fn is_bent_dash(FoundContour { contour, stroke, .. }: &FoundContour, dash: f32) -> bool {
@@ -247,7 +252,7 @@ impl<'a> DashRow<'a> {
     fn is_even(&self) -> bool {
         let alike = |lengths: &mut dyn Iterator<Item = f32>| {
             let (least, most) = lengths.fold((f32::MAX, 0.0_f32), |(low, high), v| (low.min(v), high.max(v)));
-            most <= ALIKE * least + ROUNDING
+            are_alike(least, most)
         };
         let lengths = || self.dashes.iter().map(|dash| dash.length);
         let cut = usize::from(!self.closed);
@@ -303,7 +308,7 @@ impl<'a> DashRow<'a> {
         let is_ahead = |way: PxVector| way.length() > 0.0 && direction.dot(way) >= STRAIGHT_ON * way.length();
         let is_one_of_them = |dash: &Dash| {
             let (width, other) = (dash.width, self.dashes[0].width);
-            dash.length <= ALIKE * longest + ROUNDING && width.max(other) <= ALIKE * width.min(other) + ROUNDING
+            dash.length <= ALIKE * longest + ROUNDING && are_alike(width, other)
         };
         let free = dashes.iter().filter(|dash| !taken.contains(&dash.number) && is_one_of_them(dash));
         let both = free.flat_map(|dash| [dash.ends, [dash.ends[1], dash.ends[0]]].map(|ends| (dash, ends)));

@@ -10,7 +10,7 @@
 //!
 //! No signs are letters (they stand beside others), the dots and dashes of a line, windows, bricks and patterns (they
 //! are in rows, or near one another), and the points of a curve in its colour (the curve touches them). Those of a
-//! vector drawing are found among its paths (`drawing/painted_signs`), by the same rules.
+//! vector drawing are found among its paths (`drawing/painted_signs`), by nearly the same rules.
 
 mod blobs;
 mod template;

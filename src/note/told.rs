@@ -1,5 +1,5 @@
 //! What a remark says, in parts: what helps is kept apart until it is told, as of several remarks that want a larger
-//! figure only the first says so.
+//! figure only the first says so. From where a place is counted stands in the words, and is found by them.
 
 use std::fmt;
 

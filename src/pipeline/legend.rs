@@ -150,7 +150,7 @@ pub(super) fn moved_to_key(
     if entries.is_empty() || own.iter().filter(|own| **own).count() < entries.len() {
         return None;
     }
-    texts.iter_mut().zip(own).for_each(|(text, own)| text.in_key |= own);
+    texts.iter_mut().zip(own).for_each(|(text, own)| text.of_legend |= own);
     let transform = PageTransform::new(edges.size, layout.figure);
     let patches: Vec<MmRect> =
         entries.iter().filter_map(|entry| entry.place).map(|of| of.inflate(OF_PATCH, OF_PATCH)).collect();
@@ -172,7 +172,7 @@ pub(super) fn moved_to_key(
 }
 
 /// Which of the contours are frames of a legend: closed, along the sides of a box that holds all `patches`, and in that
-/// nothing of the drawing but what is `of_patches` and words that the key has. What is filled stays, as its texture
+/// nothing of the drawing but what is `of_patches` and words of the legend. What is filled stays, as its texture
 /// does.
 pub(super) fn frames(
     edges: &Edges,
@@ -183,11 +183,7 @@ pub(super) fn frames(
     transform: &PageTransform,
 ) -> Vec<bool> {
     let is_frame = |(number, chain): (usize, &ChainRange)| {
-        if !chain.closed || of_patches[number] {
-            return false;
-        }
-        let own: Vec<MmPoint> = on_sheet(edges, chain, transform).collect();
-        let place = MmRect::from_points(&own);
+        let Some(place) = along_box(edges, chain, transform).filter(|_| !of_patches[number]) else { return false };
         let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
         let holds = |chain: &ChainRange| on_sheet(edges, chain, transform).any(|at| inside.contains(at));
         let has_others = || {
@@ -196,13 +192,19 @@ pub(super) fn frames(
             let mut others = others.filter(|(other, (of, of_patch))| *other != number && !**of_patch && !of.kind.faint);
             others.any(|(_, (other, _))| holds(other))
         };
-        own.iter().all(|at| !inside.contains(*at))
-            && patches.iter().all(|patch| holds_box(place, patch.inflate(-OF_PATCH, -OF_PATCH)))
-            && texts.iter().all(|text| text.in_key || !place.contains(text.place.center()))
+        patches.iter().all(|patch| holds_box(place, patch.inflate(-OF_PATCH, -OF_PATCH)))
+            && texts.iter().all(|text| text.of_legend || !place.contains(text.place.center()))
             && is_hollow(chain, place, raster, transform)
             && !has_others()
     };
     edges.chains.iter().enumerate().map(is_frame).collect()
+}
+
+/// The box around a contour, if that is closed and runs along the sides of it, as a frame does.
+pub(super) fn along_box(edges: &Edges, chain: &ChainRange, transform: &PageTransform) -> Option<MmRect> {
+    let place = MmRect::from_points(on_sheet(edges, chain, transform));
+    let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
+    (chain.closed && on_sheet(edges, chain, transform).all(|at| !inside.contains(at))).then_some(place)
 }
 
 /// Whether a frame has one colour on both of its sides, above and below.
@@ -217,11 +219,11 @@ fn is_hollow(chain: &ChainRange, place: MmRect, raster: &Raster, transform: &Pag
 }
 
 /// A frame of a legend lies no farther from the sides of the box around it, mm: its corners may be round.
-const BESIDE_FRAME: f32 = 1.5;
+pub(super) const BESIDE_FRAME: f32 = 1.5;
 
 /// The patches that were taken out of a drawing.
 pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmRect> {
-    let is_in_key = |entry: &&LegendEntry| texts.iter().any(|text| text.in_key && entry.is_of(text));
+    let is_in_key = |entry: &&LegendEntry| texts.iter().any(|text| text.of_legend && entry.is_of(text));
     entries.iter().filter(is_in_key).filter_map(|entry| entry.place).collect()
 }
 

@@ -263,7 +263,7 @@ fn text_at(label: &BrailleText, page: &Page, layout: &Layout) -> Text {
         hidden: false,
         lost_leader: None,
         kept_leader: None,
-        in_key: false,
+        of_legend: false,
         of_sign: None,
     }
 }

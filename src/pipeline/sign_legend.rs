@@ -2,7 +2,7 @@
 //! points stand for. On a page a sample would be felt as one more point. So samples are left out, and with them their
 //! words and their frame, which say nothing alone.
 
-use super::legend::{OF_PATCH, frames, gap};
+use super::legend::{BESIDE_FRAME, OF_PATCH, along_box, frames, gap};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
@@ -19,8 +19,6 @@ const FARTHEST_IN_FONTS: f32 = 2.0;
 /// A frame lies so far around samples and words at most, in sizes of their font: what is wider may hold a point that
 /// has a name.
 const AROUND: f32 = 2.5;
-/// The side of a frame lies no farther from the box around it, mm: its corners may be round.
-const BESIDE_FRAME: f32 = 1.5;
 /// Without a frame, samples stand in a column or a row, and the words of a column begin in line, mm.
 const IN_LINE: f32 = 0.5;
 const WORDS_IN_LINE: f32 = 1.0;
@@ -53,7 +51,7 @@ pub(super) fn taken_out(edges: &mut Edges, texts: &mut [Text], raster: &Raster, 
     }
     for sample in &samples {
         if let Some(word) = sample.word {
-            (texts[word].in_key, texts[word].of_sign) = (true, Some(sample.is_filled));
+            (texts[word].of_legend, texts[word].of_sign) = (true, Some(sample.is_filled));
         }
     }
     let patches: Vec<MmRect> = samples.iter().map(|of| of.place.inflate(OF_PATCH, OF_PATCH)).collect();
@@ -105,16 +103,11 @@ fn place_of(edges: &Edges, chain: &ChainRange, transform: &PageTransform) -> MmR
     MmRect::from_points(on_sheet(edges, chain, transform))
 }
 
-/// Closed contours that run along the sides of a box.
+/// Closed contours that run along the sides of a box, and have something inside of it.
 fn boxes(edges: &Edges, transform: &PageTransform) -> Vec<MmRect> {
-    let as_box = |chain: &ChainRange| {
-        let place = place_of(edges, chain, transform);
-        let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
-        let mut points = on_sheet(edges, chain, transform);
-        (!inside.is_empty() && points.all(|at| !inside.contains(at))).then_some(place)
-    };
-    let closed = edges.chains.iter().filter(|chain| chain.closed && chain.kind.sign.is_none());
-    closed.filter_map(as_box).collect()
+    let others = edges.chains.iter().filter(|chain| chain.kind.sign.is_none());
+    let boxes = others.filter_map(|chain| along_box(edges, chain, transform));
+    boxes.filter(|place| !place.inflate(-BESIDE_FRAME, -BESIDE_FRAME).is_empty()).collect()
 }
 
 /// The samples in the frame of a legend: all signs that it holds, each with its word, and not much more.

@@ -28,7 +28,7 @@ pub struct Text {
     /// Of a text whose leader line in the drawing is on the page, where that begins and its tip.
     pub(super) kept_leader: Option<(MmPoint, MmPoint)>,
     /// Whether it is a word of a legend that is taken out of the drawing.
-    pub(super) in_key: bool,
+    pub(super) of_legend: bool,
     /// Of a word of a legend of signs, whether it stands for filled ones.
     pub(super) of_sign: Option<bool>,
 }
@@ -126,7 +126,7 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
         hidden: text.hidden,
         lost_leader: None,
         kept_leader: None,
-        in_key: false,
+        of_legend: false,
         of_sign: None,
     };
     texts.iter().map(placed).collect()

@@ -159,7 +159,7 @@ fn in_place(text: &TypedText, cells: &CellGrid<'_>) -> Text {
         hidden: false,
         lost_leader: None,
         kept_leader: None,
-        in_key: false,
+        of_legend: false,
         of_sign: None,
     }
 }

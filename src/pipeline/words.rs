@@ -456,7 +456,7 @@ pub(super) fn become_labels(words: &Words<'_>) -> impl Fn(&Text) -> bool + use<>
     let title = words.title.filter(|_| words.before.is_none());
     let (are_wanted, title) = (words.own_texts, title.map(|title| title.trim().to_owned()));
     let is_title = move |text: &Text| title.as_deref().is_some_and(|title| title == text.string.trim());
-    move |text| are_wanted && text.is_read() && !text.in_key && !is_title(text)
+    move |text| are_wanted && text.is_read() && !text.of_legend && !is_title(text)
 }
 
 /// A leader line: as thin as lines can be, and of dots with wider steps.

@@ -101,9 +101,9 @@ impl OccupiedDots {
             let of_walls: Vec<usize> = numbers.iter().copied().filter(|&of| drawn[of].piece.is_of_walls()).collect();
             let of_bars: Vec<usize> = of_walls.iter().copied().filter(|&of| is_of_bar(of)).collect();
             let together = about_as_strong(&of_walls, &rows, strength);
-            // the bars of a chart have strengths of their own, by their colours and by what is beside them
-            let on_an_axis: Vec<usize> = of_bars.iter().copied().filter(|&of| drawn[of].piece.has_corner()).collect();
-            alike(&on_an_axis, &mut rows, |_| 1.0);
+            // open outlines of bars have strengths of their own, by their colours and by what is beside them
+            let with_corners: Vec<usize> = of_bars.iter().copied().filter(|&of| drawn[of].piece.has_corner()).collect();
+            alike(&with_corners, &mut rows, |_| 1.0);
             alike(&of_bars, &mut rows, strength);
             on_one_side(&of_bars, &mut rows, drawn, strength);
             as_others(&together, &mut rows, is_of_bar);

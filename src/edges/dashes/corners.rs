@@ -1,6 +1,7 @@
 //! Corners of dashed lines: where a curve turns at a point, its dash there is bent or cut, and two rows of dashes end
 //! before it. Both lead to the corner.
 
+use super::are_alike;
 use crate::edges::contour::crossing;
 use crate::edges::tips::FoundContour;
 use crate::units::{PxPoint, PxVector};
@@ -8,8 +9,6 @@ use crate::units::{PxPoint, PxVector};
 /// Greatest cosine between the directions of two ends that make a corner: at least 10 degrees between its sides. Rows
 /// that go on in one another are one row.
 const NARROWEST: f32 = 0.985;
-/// The dashes of one line are as wide as one another but for this factor, and for rounding.
-const ALIKE: f32 = 1.6;
 /// What blur and the grid of pixels change in a length, px.
 pub(super) const ROUNDING: f32 = 2.0;
 
@@ -54,8 +53,7 @@ pub(super) fn join(ends: &[RowEnd], lines: &mut [FoundContour], is_met: &dyn Fn(
 
 /// The corner of two ends, if they make one.
 fn tip(a: &RowEnd, b: &RowEnd) -> Option<PxPoint> {
-    let is_alike = a.width.max(b.width) <= ALIKE * a.width.min(b.width) + ROUNDING;
-    if a.row == b.row || !is_alike || a.direction.dot(b.direction).abs() > NARROWEST {
+    if a.row == b.row || !are_alike(a.width, b.width) || a.direction.dot(b.direction).abs() > NARROWEST {
         return None;
     }
     let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;

@@ -39,7 +39,7 @@ fn those_left_out_are_told_by_their_texts() {
         hidden: false,
         lost_leader: lost_leader.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
         kept_leader: None,
-        in_key: false,
+        of_legend: false,
         of_sign: None,
     };
     let note = told_lost(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();

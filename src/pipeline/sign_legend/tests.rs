@@ -22,7 +22,7 @@ fn text((x, y): (f32, f32)) -> Text {
         hidden: false,
         lost_leader: None,
         kept_leader: None,
-        in_key: false,
+        of_legend: false,
         of_sign: None,
     }
 }

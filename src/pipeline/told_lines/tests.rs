@@ -147,7 +147,7 @@ fn a_line_that_is_gone_is_told_with_the_text_that_is_nearest_to_it() {
         hidden: false,
         lost_leader: None,
         kept_leader: None,
-        in_key: false,
+        of_legend: false,
         of_sign: None,
     };
     let door = LostLine {
