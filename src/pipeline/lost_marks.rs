@@ -122,8 +122,10 @@ pub(super) fn find(
         let crossed = line_at(points[points.len() / 2], DRAWN);
         let other = || (is_of_cross || is_other(&points, chain.kind, (ends, crossed))).then_some(MarkKind::Stroke);
         let Some(kind) = kind(&points, length, (ends, crossed)).or_else(other) else { continue };
+        let is_behind = kind == MarkKind::Tick && cover.has_ring_on([first, last]);
         match kind {
             MarkKind::Tick if chain.kind.faint && is_piece([first, last], &gridlines, least) => continue,
+            MarkKind::Tick if is_behind => {}
             MarkKind::Tick => ticks.push([first, last]),
             MarkKind::Arc | MarkKind::Corner | MarkKind::Bend if has_rest(&points, &pieces) => marks.pieces += 1,
             MarkKind::Arc => marks.arcs += 1,
@@ -131,7 +133,7 @@ pub(super) fn find(
             MarkKind::Bend | MarkKind::Stroke => marks.strokes += 1,
         }
         marks.length += length;
-        marks.first.get_or_insert(middle);
+        marks.first = marks.first.or((!is_behind).then_some(middle));
         boxes.push(MmRect::from_points(&points));
     }
     (with_ticks(marks, &ticks, || short_strokes(edges, transform, LONGEST_TICK * least)), boxes)
@@ -232,6 +234,14 @@ impl PointCover {
         let is_behind = |bead: &MmRect| !(of.exact && is_past(bead.center()) && is_straight());
         self.rings.iter().any(|ring| ring.contains(middle))
             || self.beads.iter().any(|bead| bead.inflate(DRAWN, DRAWN).contains(middle) && is_behind(bead))
+    }
+
+    /// Whether a ring is on a straight stroke that goes on through its middle: what is seen of a tick beside the hollow
+    /// point before it.
+    fn has_ring_on(&self, [from, to]: [MmPoint; 2]) -> bool {
+        let (along, middle) = (to - from, from.lerp(to, 0.5));
+        let is_through = |at: MmPoint| along.cross(at - from).abs() <= DRAWN * along.length();
+        self.rings.iter().any(|ring| ring.inflate(DRAWN, DRAWN).contains(middle) && is_through(ring.center()))
     }
 }
 

@@ -168,6 +168,17 @@ fn a_point_hides_the_tick_behind_it_and_not_the_one_beside_it() {
     assert!(cover.hides(&arc, exact), "no stroke but a piece of an outline");
 }
 
+/// As of a number line with a hollow point, of whose tick two short ends are seen.
+#[test]
+fn a_hollow_point_is_on_the_ends_of_its_tick_and_on_no_other() {
+    let ring = MmRect::new(MmPoint::new(47.5, 37.5), MmPoint::new(52.5, 42.5));
+    let cover = PointCover { rings: vec![ring], beads: Vec::new() };
+    let is_on = |x: f32, from: f32, to: f32| cover.has_ring_on([MmPoint::new(x, from), MmPoint::new(x, to)]);
+    assert!(is_on(50.0, 36.0, 37.3) && is_on(50.5, 44.0, 42.7), "above and below it");
+    assert!(!is_on(52.5, 36.0, 37.3), "beside its middle");
+    assert!(!is_on(50.0, 31.0, 34.0), "apart from it");
+}
+
 /// As in the sign of a lamp.
 #[test]
 fn two_short_strokes_in_a_small_ring_are_a_cross_and_one_is_a_tick_behind_a_point() {
