@@ -18,8 +18,9 @@ pub use told::Told;
 pub(crate) use told::from_edges;
 
 use phrases::{
-    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, or_if_none,
-    outline_of_subject, rather_as_text, shade, share_of, short, sides, simplified, turned, what_if_not_meant,
+    MOST_TEXTS, character_at, hexadecimal, it_or_them, listed, mixed_areas, most_in, mostly, no_subject, no_texts,
+    or_if_none, outline_of_subject, rather_as_text, shade, share_of, short, sides, simplified, turned,
+    what_if_not_meant,
 };
 
 /// One remark about a page that was made all the same. It says itself in one line, and is an error only in that it can
@@ -207,11 +208,11 @@ pub enum Note {
     #[error("there is no key, as {1}")]
     NoKey(Reason, &'static str),
     /// The texts of the picture were to be labels, and it has none.
-    #[error(
-        "there are no texts for labels: none was found in this picture, there is no font for them, or its letters \
-         are pixels or shapes that nobody has read; write a list of labels"
-    )]
-    NoTexts,
+    #[error("there are no texts for labels{}", no_texts(*.are_unread))]
+    NoTexts {
+        /// Whether there is text in its pixels or shapes, and what it says is not known.
+        are_unread: bool,
+    },
     /// Labels that are not on the page.
     #[error("{} left out, as {why}: {}", counted(.texts.len(), "label"), listed(.texts))]
     LabelsLeftOut {
@@ -380,7 +381,7 @@ impl Note {
         Self::BackgroundCalmed(..) => "background-calmed",
         Self::Abbreviated(..) => "abbreviated",
         Self::NoKey(..) => "no-key",
-        Self::NoTexts => "no-texts",
+        Self::NoTexts { .. } => "no-texts",
         Self::LabelsLeftOut { .. } => "labels-left-out",
         Self::NoLines => "no-lines",
         Self::NoContours => "no-contours",

@@ -155,20 +155,12 @@ pub(super) fn of_error(error: &Error) -> String {
     }
 }
 
-/// [`Note::NoTexts`] where the picture has letters that are pixels or shapes.
-const UNREAD_LETTERS: &str = "there are no texts for labels, as the letters of this picture are pixels or shapes that \
-    nobody has read; have Tesseract read them, or write a list of labels (--ocr, --labels FILE)";
-
 /// What is remarked of a page, with the options that help where this is made. Those that make the figure larger are
 /// told once.
 pub(super) fn of_notes(notes: &[Note], making: Making) -> Vec<String> {
     let mut making = making;
-    let has_letters = notes.iter().any(|note| matches!(note, Note::LetteringLeftOut { .. }));
     let of_next = |note: &Note| {
-        let told = match note {
-            Note::NoTexts if has_letters => UNREAD_LETTERS.to_owned(),
-            _ => of_note(note, making),
-        };
+        let told = of_note(note, making);
         let has_options = |options: &String| told.contains(options.as_str());
         // a drawing that is too dense and on one sheet has options of its own for it
         let is_dense = matches!(note, Note::TooDense { .. }) && making.has_sheets();
@@ -229,7 +221,8 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }
-        Note::NoTexts => format!("{note} (--labels FILE)"),
+        Note::NoTexts { are_unread: true } => format!("{note} (--ocr, --labels FILE)"),
+        Note::NoTexts { are_unread: false } => format!("{note} (--labels FILE)"),
         Note::NotOnPage(_, Reason::HeadingNotInFull, _) => format!("{note} (--title TEXT)"),
         Note::TakenAs(_, Reason::NoMetadata, _) => format!("{note} (--profile NAME)"),
         Note::NotInBraille { .. } | Note::InOtherCells(..) => format!("{note} (--braille-table TABLE)"),

@@ -32,7 +32,7 @@ impl Note {
             Self::LetteringLeftOut { .. }
             | Self::TextsLeftOut(_)
             | Self::TextsNotRead(_)
-            | Self::NoTexts
+            | Self::NoTexts { .. }
             | Self::NotTranslated { .. }
             | Self::NoRoomForTitle { .. }
             | Self::NothingCalmed

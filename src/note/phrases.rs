@@ -66,6 +66,16 @@ pub(super) fn or_if_none(texts: usize) -> &'static str {
     }
 }
 
+/// Why there are no texts for labels, and what to do, as the rest of a sentence.
+pub(super) fn no_texts(are_unread: bool) -> &'static str {
+    if are_unread {
+        ", as the letters of this picture are pixels or shapes that nobody has read; have Tesseract read them, or \
+         write a list of labels"
+    } else {
+        ": none was found in this picture, or there is no font for them; write a list of labels"
+    }
+}
+
 /// What is better than letters that are drawn, where they are shapes of a drawing, as the beginning of a sentence: a
 /// program that draws charts can write them as text, which becomes braille.
 pub(super) fn rather_as_text(are_shapes: bool) -> &'static str {

@@ -39,6 +39,11 @@ impl Text {
         !self.hidden && !self.string.is_empty()
     }
 
+    /// Whether it is seen in the picture, and not known what it says.
+    pub(super) fn is_unread(&self) -> bool {
+        !self.hidden && self.string.is_empty()
+    }
+
     /// The tip of its leader line in the drawing, whether that is on the page or not.
     pub(super) fn tip(&self) -> Option<MmPoint> {
         self.lost_leader.or(self.kept_leader).map(|(_, tip)| tip)
@@ -144,10 +149,9 @@ pub(super) fn left_out(
     figure: MmRect,
     drawing: Option<&VectorDrawing>,
 ) -> (u32, Vec<Note>) {
-    let seen = || texts.iter().filter(|text| !text.hidden);
-    let known = seen().filter(|text| !are_labels && !text.string.is_empty());
+    let known = texts.iter().filter(|text| !are_labels && text.is_read());
     let known: Vec<String> = known.map(|text| text.string.clone()).collect();
-    let unknown: Vec<&Text> = seen().filter(|text| text.string.is_empty()).collect();
+    let unknown: Vec<&Text> = texts.iter().filter(|text| text.is_unread()).collect();
     let count = known.len() + if unknown.len() > MAY_BE_NONE { unknown.len() } else { 0 };
     let largest = unknown.iter().max_by(|a, b| a.size.total_cmp(&b.size));
     let told = largest.map(|largest| Note::LetteringLeftOut {

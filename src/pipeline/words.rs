@@ -226,7 +226,7 @@ impl<'a> WrittenWords<'a> {
         let mut notes = Vec::new();
         let cell = plan.profile().braille.cell;
         let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
-        notes.extend(no_texts.then_some(Note::NoTexts));
+        notes.extend(no_texts.then(|| Note::NoTexts { are_unread: texts.iter().any(Text::is_unread) }));
         let (wanted, outside) = wanted(texts, words, figure);
         let beyond = outside.len();
         notes.extend(left_out(outside, OUTSIDE));

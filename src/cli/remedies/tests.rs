@@ -118,10 +118,9 @@ fn only_what_makes_this_figure_larger_is_named() {
 #[test]
 fn letters_that_are_pixels_can_be_read_by_tesseract() {
     let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
-    let letters = Note::LetteringLeftOut { texts: 3, place: "middle", are_shapes: false };
-    let told = |notes: &[Note]| of_notes(notes, making).pop().expect("a remark");
-    assert!(told(&[letters, Note::NoTexts]).ends_with("(--ocr, --labels FILE)"));
-    assert!(told(&[Note::NoTexts]).ends_with("(--labels FILE)") && !told(&[Note::NoTexts]).contains("--ocr"));
+    let told = |are_unread: bool| of_note(&Note::NoTexts { are_unread }, making);
+    assert!(told(true).ends_with("have Tesseract read them, or write a list of labels (--ocr, --labels FILE)"));
+    assert!(told(false).ends_with("write a list of labels (--labels FILE)") && !told(false).contains("Tesseract"));
 }
 
 #[test]
@@ -129,7 +128,10 @@ fn what_makes_the_figure_larger_is_told_once() {
     let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
     let lost = |about: About| Note::NotOnPage(about, Reason::NoRoomForLine, Told::from("1 line").or_larger());
     let labels = Note::LabelsLeftOut { texts: vec!["rain".to_owned()], reason: Reason::NoRoomForLabel, why: "no room" };
-    let told = of_notes(&[Note::NoTexts, lost(About::Areas), lost(About::Lines), labels.clone()], making);
+    let told = of_notes(
+        &[Note::NoTexts { are_unread: false }, lost(About::Areas), lost(About::Lines), labels.clone()],
+        making,
+    );
     assert!(told[1].ends_with("make the figure larger (--sheets 2x2, --profile swell-a3)"), "{told:?}");
     assert_eq!(told[2..], [lost(About::Lines).to_string(), labels.to_string()]);
     let or_else = Note::NotOnPage(About::Lines, Reason::NoRoomForLine, Told::from("1").or_larger().or("crop"));

@@ -26,11 +26,12 @@ fn of_a_title_without_room_it_is_told_whether_the_key_has_it() {
         let mut remarks = Remarks::default();
         let above = NoRoomAbove { title: Some(90), number: false }.or(NoRoomAbove { title: None, number: true });
         let key = Key { told, ..Key::default() };
-        remarks.add_words(&[Note::NotContracted], above, vec![Note::NoTexts], &key);
+        remarks.add_words(&[Note::NotContracted], above, vec![Note::NoTexts { are_unread: false }], &key);
         remarks.0
     };
     let in_order = |in_key: bool| {
-        [Note::NotContracted, Note::NoRoomForTitle { cells: 90, in_key }, Note::NoRoomForNumber, Note::NoTexts]
+        let no_texts = Note::NoTexts { are_unread: false };
+        [Note::NotContracted, Note::NoRoomForTitle { cells: 90, in_key }, Note::NoRoomForNumber, no_texts]
     };
     assert_eq!(told(None), in_order(false));
     assert_eq!(told(Some("Rain")), in_order(true));
