@@ -121,7 +121,7 @@ pub(super) fn find(
     if given.lines.is_some() {
         skip_edges(GIVEN, watch);
     }
-    let Contours { mut edges, mut decisions, told, all_erased } =
+    let Contours { mut edges, mut decisions, told, all_erased, .. } =
         contours_of(given, picture.raster.size(), &layout, erased, request, || {
             find_edges(&picture, &content, &layout, plan, watch)
         })?;
@@ -259,6 +259,8 @@ pub(super) struct Contours {
     pub(super) told: Vec<Note>,
     /// Whether there were some, and all were erased.
     pub(super) all_erased: bool,
+    /// Whether a person gave lines in place of them, and there are none in that file, which is told of it.
+    pub(super) none_given: bool,
 }
 
 /// The contours of a picture of this size: what a person gave, or what `find` finds, with the lines that were added,
@@ -285,6 +287,7 @@ pub(super) fn contours_of(
         }
         None => find(),
     };
+    let none_given = given.lines.is_some() && edges.is_empty();
     let room_of_added = request.plan.lines().max_spacing() * px_per_mm;
     let gave_way = match &given.added {
         Some(added) => added.add_to(&mut edges, room_of_added)?,
@@ -294,7 +297,7 @@ pub(super) fn contours_of(
     erase(&mut edges, &erased);
     let all_erased = is_any && edges.is_empty();
     let decisions = Decisions { erased, room_of_added, gave_way, ..Decisions::default() };
-    Ok(Contours { edges, decisions, told, all_erased })
+    Ok(Contours { edges, decisions, told, all_erased, none_given })
 }
 
 /// Whose lines are drawn of contours: those that a person gave stay as they are.

@@ -12,15 +12,6 @@ pub fn told_no_lines(why: &str) -> Note {
     Note::TakenAs(About::Lines, Reason::NoLinesGiven, format!("it has no lines: {why}").into())
 }
 
-/// Whether it is said that a file of lines has none.
-pub(super) fn says_no_lines(note: &Note) -> bool {
-    match note {
-        Note::OfFile(_, note) => says_no_lines(note),
-        Note::TakenAs(_, reason, _) => *reason == Reason::NoLinesGiven,
-        _ => false,
-    }
-}
-
 /// What the maker is told of a photograph that is given as a picture of lines.
 pub(super) fn told_no_drawing() -> Note {
     let told = "it looks like no picture of lines, black on white: what is drawn are the edges of what it shows";

@@ -12,7 +12,6 @@ use super::read::{Read, read};
 use super::request::{Fit, OverviewSize, Request, enough_pixels, working_size};
 use super::subject;
 use super::told_bars;
-use super::told_given::says_no_lines;
 use super::told_lines::LinesLeftOut;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
@@ -128,7 +127,7 @@ pub fn trace<'p>(
     if given.lines.is_some() {
         skip_edges(GIVEN, watch);
     }
-    let Contours { mut edges, mut decisions, told, .. } =
+    let Contours { mut edges, mut decisions, told, none_given, .. } =
         contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
             find_edges(&read, tracing, &layout, plan, watch)
         })?;
@@ -149,7 +148,7 @@ pub fn trace<'p>(
     };
     if tracing.target == Target::Lines && !plan.profile().figure.lines {
         notes.push(Note::LinesOff);
-    } else if trace.polylines.is_empty() && !notes.iter().any(says_no_lines) {
+    } else if trace.polylines.is_empty() && !none_given {
         notes.push(Note::NoContours);
     }
     Ok(Traced { trace, notes })
