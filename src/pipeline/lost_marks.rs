@@ -393,7 +393,7 @@ fn told_of_gone_scales(scales: &[&LostScale], sheets: Option<&SheetWindows>) -> 
     let (first, count) = (scales.first()?.first, scales.len());
     let ticks: usize = scales.iter().map(|scale| scale.ticks).sum();
     let told = format!(
-        "all {ticks} ticks of {count} scales, or other marks across a line (the first at {}): there is no room for \
+        "all {ticks} short lines on {count} lines, such as the ticks of scales (the first at {}): there is no room for \
          fingers between them",
         place_in_words(first, sheets)
     );
@@ -404,15 +404,16 @@ fn told_of_gone_scales(scales: &[&LostScale], sheets: Option<&SheetWindows>) -> 
 /// What the maker is told of a scale of which some ticks are not drawn.
 fn told_of_scale(scale: &LostScale, sheets: Option<&SheetWindows>) -> Note {
     let LostScale { ticks, lost, every, first } = *scale;
-    let at = format!("the first at {}", place_in_words(first, sheets));
+    let at = first_at(lost, first, sheets);
     let told = match (every, ticks - lost) {
         (1, 0) => format!(
-            "all {ticks} ticks of a scale, or other marks across one line ({at}): there is no room for fingers between \
-             them"
+            "all {ticks} short lines on one line, such as the ticks of a scale ({at}): there is no room for fingers \
+             between them"
         ),
-        (1, _) => {
-            format!("{lost} of the {ticks} ticks of a scale ({at}): there is no room for them beside other lines")
-        }
+        (1, _) => format!(
+            "{lost} of the {ticks} short lines on one line, such as the ticks of a scale ({at}): there is no room \
+             beside other lines"
+        ),
         _ => format!(
             "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every \
              {} one that has room is drawn",
@@ -470,9 +471,16 @@ fn listed(marks: &LostMarks) -> Option<String> {
     (!all.is_empty()).then(|| list(&all, "and"))
 }
 
+/// Where the only one of marks is, or the first of several.
+fn first_at(count: usize, first: MmPoint, sheets: Option<&SheetWindows>) -> String {
+    let place = place_in_words(first, sheets);
+    if count == 1 { format!("at {place}") } else { format!("the first at {place}") }
+}
+
 fn told_of_marks(marks: &LostMarks, sheets: Option<&SheetWindows>, plan: &Plan) -> Option<Note> {
     let (first, all) = (marks.first?, listed(marks)?);
-    let (at, least) = (format!("the first at {}", place_in_words(first, sheets)), plan.lines().min_length);
+    let count = marks.ticks + marks.arcs + marks.corners + marks.pieces + marks.strokes;
+    let (at, least) = (first_at(count, first, sheets), plan.lines().min_length);
     let told = format!("{all} ({at}): marks shorter than {least:.0} mm are too short for fingers");
     let helped = Told::from(told).or_larger().or("draw them longer").or("say in a label what they mean");
     Some(Note::NotOnPage(About::Lines, Reason::MarksTooShort, helped))

@@ -356,12 +356,12 @@ fn told_of_shapes(
     each_once(&mut of);
     each_once(&mut beside);
     let (shapes, them, which, at) = match lost.len() {
-        1 => ("1 small closed shape".to_owned(), "it", "that", "at"),
+        1 => ("1 small shape".to_owned(), "it", "that", "at"),
         // some may lie on others
         count if kind == SignKind::Series => {
-            (format!("all small closed shapes of a series, {count} or more"), "them", "those", "the first at")
+            (format!("all small shapes of a series, {count} or more"), "them", "those", "the first at")
         }
-        count => (format!("{count} small closed shapes"), "them", "those", "the first at"),
+        count => (format!("{count} small shapes"), "them", "those", "the first at"),
     };
     let by = |how: &str, names: &[&str]| (!names.is_empty()).then(|| format!("{which} {how} {}; ", named(names)));
     let names: String = [by("of", &of), by("beside", &beside)].into_iter().flatten().collect();

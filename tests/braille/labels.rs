@@ -174,7 +174,7 @@ fn a_small_shape_that_dots_do_not_show_is_told() {
         let told = drawing
             .notes
             .iter()
-            .any(|note| note.to_string().contains("1 small closed shape (that beside \"Capital\"; at "));
+            .any(|note| note.to_string().contains("1 small shape (that beside \"Capital\"; at "));
         assert_eq!(told, is_told, "{profile}: {:?}", drawing.notes);
     }
 }

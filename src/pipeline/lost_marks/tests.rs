@@ -83,10 +83,15 @@ fn what_is_lost_is_counted() {
     let of_two = Lost { scales: vec![scale(60, 1), scale(60, 1), scale(2, 1)], ..Lost::default() };
     let of_two: Vec<String> = super::told(&of_two, None, &plan).iter().map(Note::to_string).collect();
     assert!(
-        of_two.len() == 2 && of_two[0].contains("all 120 ticks of 2 scales") && of_two[1].contains("2 of the 60"),
+        of_two.len() == 2 && of_two[0].contains("all 120 short lines on 2 lines") && of_two[1].contains("2 of the 60"),
         "{of_two:?}"
     );
-    assert!(told(60, 1).contains("all 60 ticks") && told(2, 1).contains("beside other lines"));
+    let all = "all 60 short lines on one line, such as the ticks of a scale (the first at 20, 30 mm)";
+    assert!(told(60, 1).contains(all) && told(2, 1).contains("beside other lines"));
+    assert!(told(1, 1).contains("such as the ticks of a scale (at 20, 30 mm)"), "{}", told(1, 1));
+    let one = LostMarks { corners: 1, ticks: 0, ..marks };
+    let one = told_of_marks(&one, None, &plan).expect("a note").to_string();
+    assert!(one.starts_with("left out: 1 mark of a right angle (at 20, 30 mm): "), "{one}");
 }
 
 #[test]

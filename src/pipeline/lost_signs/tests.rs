@@ -20,7 +20,7 @@ fn arrowheads_and_points_are_told_by_themselves() {
     let told: Vec<String> =
         told(&lost, &[], &Words::default(), &figure, None).iter().map(ToString::to_string).collect();
     assert_eq!(told.len(), 3);
-    assert!(told[0].contains("1 small closed shape (at 20, 0 mm)"), "{}", told[0]);
+    assert!(told[0].contains("1 small shape (at 20, 0 mm)"), "{}", told[0]);
     assert!(told[1].contains("2 points (at 60, 0; 62, 0 mm): they are too near to other points"), "{}", told[1]);
     assert!(told[2].contains("2 arrowheads at ends of lines (at 50, 0; 80, 0 mm)"), "{}", told[2]);
 }
@@ -36,15 +36,15 @@ fn a_lost_shape_is_told_by_the_text_whose_leader_line_ends_there() {
     let tip = [("anther", MmPoint::new(53.0, 48.0))];
     // "petal" stands nearer, and the line of "anther" ends there
     let one = told(&[sign(50.0)], &tip);
-    assert!(one.contains("1 small closed shape (that of \"anther\"; at 50, 50 mm)"), "{one}");
+    assert!(one.contains("1 small shape (that of \"anther\"; at 50, 50 mm)"), "{one}");
     assert!(one.contains("so a label may name what is not felt"), "{one}");
     let beside = told(&[sign(50.0)], &[("anther", MmPoint::new(57.0, 48.0))]);
     assert!(beside.contains("(that beside \"petal\"; at 50, 50 mm)"), "{beside}");
     let both = told(&[sign(50.0), sign(98.0), sign(150.0)], &tip);
-    let names = "3 small closed shapes (those of \"anther\"; those beside \"anther\"; the first at 50, 50 mm)";
+    let names = "3 small shapes (those of \"anther\"; those beside \"anther\"; the first at 50, 50 mm)";
     assert!(both.contains(names), "{both}");
     let none = told(&[sign(150.0)], &tip);
-    assert!(none.contains("1 small closed shape (at 150, 50 mm)") && !none.contains("not felt"), "{none}");
+    assert!(none.contains("1 small shape (at 150, 50 mm)") && !none.contains("not felt"), "{none}");
 }
 
 #[test]
@@ -64,14 +64,14 @@ fn the_points_of_a_curve_are_told_as_such() {
     let curve = [at(10.0, 10.0), at(50.0, 49.0), at(90.0, 20.0)];
     let all = told(&[&curve[..], &[at(80.0, 80.0)]].concat());
     assert_eq!(all.len(), 2, "{all:?}");
-    assert!(all[0].contains("1 small closed shape (at 80, 80 mm)"), "{all:?}");
+    assert!(all[0].contains("1 small shape (at 80, 80 mm)"), "{all:?}");
     assert!(all[1].contains("3 points of lines (the first at 10, 10 mm)"), "{all:?}");
     // of triangles, too
     let sign = |at: MmPoint| LostSign { at, kind: SignKind::Series };
     let (of_lines, others) = points_of_lines(curve.iter().copied().map(sign).collect(), &figure.lines);
     assert_eq!((of_lines.len(), others.len()), (3, 0));
     let towns = told(&curve[..2]);
-    assert!(towns.len() == 1 && towns[0].contains("2 small closed shapes"), "{towns:?}");
+    assert!(towns.len() == 1 && towns[0].contains("2 small shapes"), "{towns:?}");
 }
 
 #[test]
@@ -124,6 +124,6 @@ fn a_series_is_told_as_such() {
     let lost: Vec<LostSign> =
         (1..=5).map(|k| LostSign { at: MmPoint::new(10.0 * k as f32, 50.0), kind: SignKind::Series }).collect();
     let told = told_of_shapes(&lost, (&[], &[]), true, None).map(|note| note.to_string()).unwrap_or_default();
-    assert!(told.contains("all small closed shapes of a series, 5 or more (the first at 10, 50 mm): "), "{told}");
+    assert!(told.contains("all small shapes of a series, 5 or more (the first at 10, 50 mm): "), "{told}");
     assert!(told.contains("or draw them as round points"), "{told}");
 }
