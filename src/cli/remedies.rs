@@ -212,12 +212,12 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             (None, Making::PageAnew) if *is_larger_turned => format!("{note} ({TURNED})"),
             (None, _) => note.to_string(),
         },
-        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => making
-            .larger()
-            .map_or_else(|| note.to_string(), |options| format!("{note}; a larger figure has more {options}")),
-        Note::TakenAs(_, Reason::OverviewForWords, _) => {
-            making.larger().map_or_else(|| note.to_string(), |options| format!("{note} {options}"))
+        Note::LabelsLeftOut { reason: Reason::NoRoomForLabel, .. } => with_larger(note, HAS_MORE, making),
+        // the sheet has room for them as it is, without larger paper
+        Note::Abbreviated(_) if making.larger().is_some() && making.is_larger_without_overview() => {
+            format!("{note}; without the overview there is more room for them (--no-overview)")
         }
+        Note::TakenAs(_, Reason::OverviewForWords, _) => with_larger(note, "", making),
         Note::NoKey(Reason::KeyInOtherFile, _) => {
             format!("{note}: render that file too, or have the key written here again (--key always)")
         }
@@ -231,6 +231,13 @@ pub(super) fn of_note(note: &Note, making: Making) -> String {
             None => note.to_string(),
         },
     }
+}
+
+const HAS_MORE: &str = "; a larger figure has more";
+
+/// What is remarked, with what a larger figure is good for and the options for it where there are some.
+fn with_larger(note: &Note, what: &str, making: Making) -> String {
+    making.larger().map_or_else(|| note.to_string(), |options| format!("{note}{what} {options}"))
 }
 
 /// What is remarked of a page as a whole that is hard to read.

@@ -124,6 +124,20 @@ fn letters_that_are_pixels_can_be_read_by_tesseract() {
 }
 
 #[test]
+fn words_are_written_in_full_without_the_overview() {
+    let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
+    let brief = Note::Abbreviated(vec![("ca".to_owned(), "Capital".to_owned())]);
+    let lines = Note::NotOnPage(About::Lines, Reason::NoRoomForLine, Told::from("1 line").or_larger());
+    let told = |making: Making| of_notes(std::slice::from_ref(&brief), making).concat();
+    assert!(told(making.beside_overview(true)).ends_with("there is more room for them (--no-overview)"));
+    for other in [making, making.beside_overview(true).of_width(true), Making::PageAnew] {
+        assert_eq!(told(other), brief.to_string(), "it would be as large: {other:?}");
+    }
+    let both = of_notes(&[lines, brief.clone()], making.beside_overview(true));
+    assert!(both[0].contains("(--no-overview, ") && both[1] == brief.to_string(), "once: {both:?}");
+}
+
+#[test]
 fn what_makes_the_figure_larger_is_told_once() {
     let making = Making::of_picture(&Profile::named("swell-a4").expect("it is built in"), false);
     let lost = |about: About| Note::NotOnPage(about, Reason::NoRoomForLine, Told::from("1 line").or_larger());
