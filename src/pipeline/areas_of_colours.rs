@@ -136,7 +136,7 @@ fn without_remnants(classes: &mut Classes, boxes: &[[f32; 4]], layout: &Layout, 
     Some(Note::NotOnPage(
         About::Areas,
         Reason::AreaCut,
-        format!("{areas}, as {why}, in which fingers tell a texture").into(),
+        format!("{areas}, as {why}, the least in which fingers tell a texture").into(),
     ))
 }
 

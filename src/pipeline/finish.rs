@@ -120,9 +120,9 @@ fn told_of_dots<'a>(
     let worst = pages.filter_map(|page| rows_beside_lines(page, &limits)).max_by(f32::total_cmp);
     let among_rows = worst.map(|share| {
         let what = format!(
-            "on both sides of {:.0} percent of the length of the lines rows of textures lie so close that these lines \
-             can hardly be followed, as both are rows of the same dots; draw the lines alone, or leave out the \
-             textures around what the picture is about",
+            "{:.0} percent of the length of the lines can hardly be followed, as rows of textures lie close on both \
+             sides, and both are rows of the same dots; draw the lines alone, or leave out the textures around what \
+             the picture is about",
             100.0 * share
         );
         Note::Faulty(About::Lines, Reason::AmongRows, what)

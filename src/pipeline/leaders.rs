@@ -15,6 +15,7 @@ use crate::legibility::{
     LEADER_END, LEADER_FREE, LEADER_FROM_BRAILLE, LEADER_STRAIGHT, LONGEST_LEADER, SHORTEST_LEADER, is_shut_in,
 };
 use crate::lines::{self, Line, Pen};
+use crate::listing::counted;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Page};
@@ -265,12 +266,8 @@ pub(super) fn without_leaders(edges: &Edges, texts: &[Text], layout: &Layout) ->
 
 /// What is told of them.
 pub(super) fn told_without(overview: Option<&Edges>, figure: &Edges) -> Option<Note> {
-    let (lines, they_lead) = match figure.chains.len() - overview?.chains.len() {
-        1 => ("1 leader line".to_owned(), "it leads"),
-        count => (format!("{count} leader lines"), "they lead"),
-    };
-    let told =
-        format!("{lines} of words in the figure only, as {they_lead} to no word in the overview, which has none");
+    let lines = counted(figure.chains.len() - overview?.chains.len(), "leader line");
+    let told = format!("{lines} of words in the figure only, as the overview has no words");
     Some(Note::TakenAs(About::Overview, Reason::LeadersNotInOverview, told.into()))
 }
 

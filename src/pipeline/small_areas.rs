@@ -61,7 +61,8 @@ pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Pl
         1 => (format!("the texture of 1 area ({}, {at})", fine.regions[first].class.name()), "it is"),
         count => (format!("the textures of {count} areas ({}; the first {at})", colours.join(", ")), "they are"),
     };
-    let why = format!("{they_are} smaller than {least} square mm (colours.min_area), in which fingers tell a texture");
+    let least = format!("{least} square mm (colours.min_area)");
+    let why = format!("{they_are} smaller than {least}, the least in which fingers tell a texture");
     let say = "say in labels what matters of the colours, as a key names only those that have a texture on the page";
     let helped = Told::from(format!("{areas}, as {why}")).or_larger().or(say);
     Some((Note::NotOnPage(About::Areas, Reason::AreaTooSmall, helped), lost.len()))

@@ -329,10 +329,10 @@ fn told_bare_on_dots(
     };
     let or_unlearned = match unlearned.is_empty() {
         true => String::new(),
-        false => format!(", or are of colours of which {}", why_unlearned(unlearned, plan)),
+        false => format!(", or they are of colours of which {}", why_unlearned(unlearned, plan)),
     };
     let told = format!(
-        "the textures of {what}, as these areas have no room for {rows} rows of dots clear of lines \
+        "the textures of {what}, as there is no room for {rows} rows of dots clear of lines \
          (dots.texture_rows){or_unlearned}"
     );
     let helped = Told::from(told).or_larger().or_crop();

@@ -135,8 +135,8 @@ fn told_of_others(others: &[Lacking], layout: &Layout) -> Option<Note> {
     };
     let at = place_from_edges(others.first()?.lacks, layout.sheets.as_ref(), layout.medium.name_of_sheet());
     let what = format!(
-        "in the overview, much of the {outlines} of the figure, such as what this has around {at}: other shapes come \
-         first there; if the picture is about {about}, name a place on it as the subject, or ask for few shapes \
+        "in the overview, much of the {outlines} of the figure, such as the piece around {at}: other shapes come first \
+         there; if the picture is about {about}, name a place on it as the subject, or ask for few shapes \
          (lines.shapes = 5), which are the same in both"
     );
     Some(Note::NotOnPage(About::Overview, Reason::ThingNotInOverview, what.into()))

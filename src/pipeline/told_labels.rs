@@ -224,14 +224,17 @@ const SAY_COLOURS: &str = "say in the labels what the colours mean";
 /// Says of areas under which labels they are; these may be names of something else, as of a town or a river.
 fn under(areas: &[Vec<&str>]) -> String {
     let quoted = |labels: &Vec<&str>| {
-        let all: Vec<String> = labels.iter().map(|label| format!("\"{label}\"")).collect();
+        let mut all: Vec<String> = labels.iter().take(MOST_LABELS).map(|label| format!("\"{label}\"")).collect();
+        let more = labels.len() - all.len();
+        all.extend((more > 0).then(|| format!("{more} more")));
         format!("under {}", list(&all, "and"))
     };
     first_few(areas, MOST_AREAS, quoted)
 }
 
-/// Most areas that a note names by their labels.
+/// Most areas that a note names by their labels, and most labels of each.
 const MOST_AREAS: usize = 5;
+const MOST_LABELS: usize = 5;
 
 /// Tells of leader lines that cross others.
 pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {

@@ -171,10 +171,8 @@ fn a_small_shape_that_dots_do_not_show_is_told() {
     ];
     for (svg, profile, is_told) in cases {
         let drawing = convert(svg.as_bytes(), &options(profile)).expect("a page");
-        let told = drawing
-            .notes
-            .iter()
-            .any(|note| note.to_string().contains("1 small shape (that beside \"Capital\"; at "));
+        let told =
+            drawing.notes.iter().any(|note| note.to_string().contains("1 small shape (that beside \"Capital\"; at "));
         assert_eq!(told, is_told, "{profile}: {:?}", drawing.notes);
     }
 }

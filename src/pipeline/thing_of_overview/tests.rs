@@ -48,7 +48,7 @@ fn other_large_things_are_told_with_where_the_figure_has_what_is_missing() {
     let thing = |x: f32| Lacking { at: [50.0, 50.0], lacks: MmPoint::new(x, 40.0), share: 0.2 };
     let told = |things: &[Lacking]| told_of_others(things, &layout).map(|note| note.to_string());
     assert_eq!(told(&[]), None);
-    let place = "such as what this has around 24, 40 mm from the left and the top of the sheet: other";
+    let place = "such as the piece around 24, 40 mm from the left and the top of the sheet: other";
     let one = told(&[thing(24.0)]).expect("one is lacking");
     assert!(one.contains(&format!("much of the outline of a large thing of the figure, {place}")), "{one}");
     assert!(one.contains("if the picture is about it, name a place on it as the subject"), "{one}");

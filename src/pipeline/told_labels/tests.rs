@@ -30,6 +30,8 @@ fn textures_that_labels_cut_by_a_third_are_told() {
     let told = with_less_texture(&[vec!["North"], vec!["South", "Town"]]).expect("a note").to_string();
     assert!(told.contains("more than a third of each of the textures of 2 areas"), "{told}");
     assert!(told.contains("(under \"North\", under \"South\" and \"Town\")"), "{told}");
+    let told = with_less_texture(&[vec!["1", "2", "3", "4", "5", "6", "7"]]).expect("a note").to_string();
+    assert!(told.contains("(under \"1\", \"2\", \"3\", \"4\", \"5\" and 2 more)"), "{told}");
 }
 
 #[test]
