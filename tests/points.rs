@@ -416,28 +416,6 @@ fn a_cloud_of_points_in_a_bitmap_is_discs_too() {
     assert_eq!(checked.errors(), 0, "{:#?}", checked.findings);
 }
 
-/// As markers of Matplotlib: they were left out as too small, all of them or those without room for an outline.
-#[test]
-fn triangles_squares_and_crosses_of_a_scatter_plot_are_discs_each_at_its_place() {
-    let places = [(150, 300), (240, 370), (300, 210), (420, 290), (500, 180), (620, 260), (690, 110), (800, 230)];
-    let shapes = [
-        ("a triangle", "<path id='m' d='M0 -8L-8 8H8Z' fill='#17b' stroke='#17b'/>"),
-        ("a square", "<rect id='m' x='-7' y='-7' width='14' height='14' fill='#17b'/>"),
-        ("a cross", "<path id='m' d='M-7 -7L7 7M-7 7L7 -7' fill='none' stroke='#17b' stroke-width='3'/>"),
-    ];
-    for (name, shape) in shapes {
-        let mut drawn =
-            format!("<defs>{shape}</defs><path d='M90 30V460H960' fill='none' stroke='#000' stroke-width='3'/>");
-        for (x, y) in places {
-            write!(drawn, "<use href='#m' x='{x}' y='{y}'/>").expect("it is a string");
-        }
-        let page = page_of(&drawn);
-        let is_disc = |line: &&Line| matches!(&line.runs[..], [run] if run.closed && line.length() < 6.0);
-        let count = page.page.figure.lines.iter().filter(is_disc).count();
-        assert_eq!(count, places.len(), "{name}: {:#?}", told(&page));
-    }
-}
-
 /// As the wheels of a car, which were open below, or not in the overview.
 #[test]
 fn a_wheel_on_the_road_is_closed_in_the_figure_and_in_the_overview() {

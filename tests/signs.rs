@@ -30,6 +30,21 @@ fn told(page: &Drawing) -> String {
     page.notes.iter().map(|note| format!("{note}\n")).collect()
 }
 
+/// As markers of Matplotlib: they were left out as too small, all of them or those without room for an outline.
+#[test]
+fn triangles_squares_and_crosses_of_a_scatter_plot_are_discs_each_at_its_place() {
+    let shapes = [
+        ("a triangle", "<path id='m' d='M0 -8L-8 8H8Z' fill='#17b' stroke='#17b'/>"),
+        ("a square", "<rect id='m' x='-7' y='-7' width='14' height='14' fill='#17b'/>"),
+        ("a cross", "<path id='m' d='M-7 -7L7 7M-7 7L7 -7' fill='none' stroke='#17b' stroke-width='3'/>"),
+    ];
+    for (name, shape) in shapes {
+        let all: String = PLACES.into_iter().map(|(x, y)| format!("<use href='#m' x='{x}' y='{y}'/>")).collect();
+        let page = page_of(&format!("<defs>{shape}</defs>{all}"));
+        assert_eq!(points(&page), [8, 0], "{name}: {}", told(&page));
+    }
+}
+
 /// As of Matplotlib: both series may have one colour.
 #[test]
 fn the_samples_of_a_legend_are_no_points() {
