@@ -15,7 +15,7 @@ use crate::raster::residue::Polarity;
 const RADIUS: usize = 6;
 /// A pixel belongs to a stroke if its contrast is at least half of the largest within so many px: there is the edge
 /// of a smoothed letter.
-const LOCAL: usize = 3;
+pub(super) const LOCAL: usize = 3;
 /// A point or a direction, px from the top left corner.
 pub(super) type PixelPoint = [f32; 2];
 
@@ -90,6 +90,15 @@ impl LetterShape {
     /// The larger side of its box.
     pub(super) fn side(&self) -> f32 {
         [0, 1].map(|axis| (self.max[axis] + 1 - self.min[axis]) as f32).into_iter().fold(0.0, f32::max)
+    }
+
+    /// Whether a pixel of it is within so many columns and rows of one of another shape.
+    pub(super) fn is_within(&self, other: &Self, reach: usize) -> bool {
+        let are_near =
+            (0..2).all(|axis| self.min[axis] <= other.max[axis] + reach && other.min[axis] <= self.max[axis] + reach);
+        let place = |cell: usize| [cell % self.width, cell / self.width];
+        let is_near = |a: usize, b: usize| (0..2).all(|axis| place(a)[axis].abs_diff(place(b)[axis]) <= reach);
+        are_near && self.cells.iter().any(|&a| other.cells.iter().any(|&b| is_near(a, b)))
     }
 
     /// Whether it has the shape of a bar or a dot, or is a piece of a line a pixel wide.

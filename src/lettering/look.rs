@@ -2,7 +2,7 @@
 
 use super::chain::{RotatedLetter, axes, chains, groups, placed};
 use super::character::{Likeness, likenesses};
-use super::glyph::{LetterShape, Thin, contrast, glyphs};
+use super::glyph::{LOCAL, LetterShape, Thin, contrast, glyphs};
 use super::levels::{Colours, Levels};
 use super::limits::{LetterLength, Strictness};
 use super::line::{SmallShapes, TextLine, each_cell, line};
@@ -226,6 +226,7 @@ impl Look {
         if singles.len() > MOST_NAMED {
             return Vec::new();
         }
+        singles.retain(|single| !self.is_piece(single.letters[0].of));
         let named = |line: TextLine| {
             let names = likenesses(&self.glyphs[line.letters[0].of], self.width());
             let line = if names.is_empty() { Some(line) } else { self.text(line, Strictness::Named, colours) };
@@ -248,6 +249,14 @@ impl Look {
                 && !self.glyphs[other.of].is_solid()
         };
         all.iter().any(is_beside)
+    }
+
+    /// Whether a shape is a piece of a larger one, as the tip of a leaf is, whose pixels come apart from the rest of
+    /// its outline: within [`LOCAL`] px of a pixel that stands out more, those between are none of a stroke.
+    fn is_piece(&self, of: usize) -> bool {
+        let shape = &self.glyphs[of];
+        let is_larger = |other: &LetterShape| other.side() > shape.side() && shape.is_within(other, LOCAL);
+        self.glyphs.iter().enumerate().any(|(i, other)| i != of && is_larger(other))
     }
 
     fn comparing(&self) -> Comparing<'_> {

@@ -174,6 +174,21 @@ fn letters_that_follow_one_another_are_text_without_any_other() {
 }
 
 #[test]
+fn pieces_of_larger_shapes_are_no_letters_that_follow_one_another() {
+    let texts = [("P", [30, 20]), ("Q", [140, 10]), ("R", [250, 30])];
+    // a bar leads on below each, so many px from it
+    let count = |gap: usize, long: usize| {
+        let mut sheet = Sheet::of(&texts);
+        texts.iter().for_each(|(_, [left, top])| sheet.bar([*left, top + 21 + gap], [3, long]));
+        let found = |look: &Look, colours: &Colours<'_>| look.in_succession(colours, &[]).len();
+        sheet.look([0.0, 1.0], Polarity::Below, Strictness::Drawing, found).expect("something thin")
+    };
+    assert_eq!(count(2, 40), 0);
+    assert_eq!(count(5, 40), 3, "apart");
+    assert_eq!(count(2, 12), 3, "a tick");
+}
+
+#[test]
 fn a_number_with_a_decimal_point_is_one_line() {
     // its digits are 15 px apart there, and 21 px high
     let number = |rest: &str, point: Option<[usize; 2]>| {
