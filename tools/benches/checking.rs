@@ -2,7 +2,7 @@
 //! for a mark stays as it is.
 //!
 //! ```text
-//! cargo bench -p tactograph-tools --bench checking
+//! cargo bench -p tactograph-benches --bench checking
 //! ```
 
 use std::hint::black_box;

@@ -1,9 +1,9 @@
 //! How long each stage takes, alone and in memory, on two samples and a made-up photograph of 3 megapixels.
 //!
 //! ```text
-//! cargo bench -p tactograph-tools                               all of it (four minutes); tells what changed since the last time
-//! cargo bench -p tactograph-tools --bench stages -- edges       one stage
-//! cargo bench -p tactograph-tools --bench stages -- coffee      one picture
+//! cargo bench -p tactograph-benches                               all of it (four minutes); tells what changed since the last time
+//! cargo bench -p tactograph-benches --bench stages -- edges       one stage
+//! cargo bench -p tactograph-benches --bench stages -- coffee      one picture
 //! ```
 //!
 //! Stages have the parameters of swell-a4, and each has what those before it made. Other than in `src/pipeline/`, text in
