@@ -26,7 +26,7 @@ pub(super) fn told_of_figure(
     let of_colours = lost_colours::told(drawn, edges, raster, layout, plan);
     let left_out = told_of_lost(drawn, edges, texts, layout).chain(of_colours);
     let has_lines = plan.profile().figure.lines;
-    let signs = told_signs::told(&drawn.lines, edges, texts, layout);
+    let signs = told_signs::told(drawn, edges, texts, layout);
     let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
     left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).chain(signs).collect()
 }

@@ -5,7 +5,7 @@ use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::{ChainRange, Edges};
-use crate::lines::{Line, SignKind};
+use crate::lines::{Line, Lines, SignKind};
 use crate::page::layout::Layout;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason};
@@ -32,9 +32,11 @@ pub(super) fn kind_of(at: MmPoint, signs: &[(MmPoint, bool)]) -> SignKind {
 }
 
 /// What the maker is told of signs of several kinds: how they are told apart on the page, if they are, with the words
-/// of their legend.
-pub(super) fn told(lines: &[Line], edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Note> {
-    let signs = places(edges, layout.figure);
+/// of their legend. Those that are not on the page are told as lost, and do not count.
+pub(super) fn told(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Note> {
+    let mut signs = places(edges, layout.figure);
+    signs.retain(|(at, _)| drawn.lost.signs.iter().all(|sign| (sign.at - *at).length() >= AT_PLACE));
+    let lines = &drawn.lines;
     let filled = signs.iter().filter(|(_, is_filled)| *is_filled).count();
     let hollow = signs.len() - filled;
     if hollow == 0 {
