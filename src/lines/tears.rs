@@ -26,11 +26,13 @@ pub(crate) struct TearParams {
 }
 
 /// What is missing of an open line along `path`: of which of its pieces each point of the path is, `piece_at` says, and
-/// whether any line is within reach, `is_near`. Of a line of which no piece is drawn nothing is told.
+/// whether any line is within reach, `is_near`. An end that `meets` another line is missed as soon as a piece between
+/// two others. Of a line of which no piece is drawn nothing is told.
 pub(crate) fn tears(
     path: &[MmPoint],
     piece_at: &[Option<usize>],
     is_near: impl Fn(MmPoint) -> bool,
+    meets: [bool; 2],
     params: TearParams,
 ) -> Vec<LostLine> {
     let drawn: Vec<(usize, usize)> =
@@ -50,7 +52,10 @@ pub(crate) fn tears(
         (open > 0.0 && length > least).then_some(lost)
     };
     let ends = [(0, first), (last, path.len().saturating_sub(1))];
-    let at_ends = ends.into_iter().filter_map(|(from, to)| missing(from, to, 1.0, AT_END * params.least));
+    let at_ends = ends.into_iter().zip(meets).filter_map(|((from, to), meets)| match meets {
+        true => missing(from, to, 2.0, params.least),
+        false => missing(from, to, 1.0, AT_END * params.least),
+    });
     let tips = drawn.windows(2).filter(|pair| pair[0].1 != pair[1].1);
     let between = tips.filter_map(|pair| missing(pair[0].0, pair[1].0, 2.0, params.least));
     between.chain(at_ends).collect()
@@ -90,7 +95,7 @@ pub(super) fn torn<'a>(
             return Vec::new();
         }
         let path: Vec<MmPoint> = line.vertices.iter().map(|vertex| vertex.at).collect();
-        tears(&path, &pieces, is_near, TearParams { reach, least: TORN })
+        tears(&path, &pieces, is_near, [false; 2], TearParams { reach, least: TORN })
     };
     lines.iter().zip(piece_at).zip(kept).flat_map(torn).collect()
 }

@@ -326,7 +326,7 @@ fn torn(places: &[Place], is_out: &[bool], number: usize, others: &Others, rules
         others.index.nearest(at, reach, is_other).is_some() || kept.iter().any(|own| (*own - at).length() <= reach)
     };
     let path: Vec<MmPoint> = places.iter().map(|place| place.at).collect();
-    tears(&path, &piece_at, is_near, rules.tears)
+    tears(&path, &piece_at, is_near, [false; 2], rules.tears)
 }
 
 /// Adds to the pieces of a row of dots, with the places of each, what stands beside it: with the nearest of its dots.

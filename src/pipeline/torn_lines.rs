@@ -2,6 +2,7 @@
 //! one are left out.
 
 use super::kept_lines;
+use crate::geom::nearby::Segment;
 use crate::lines::{GONE, Line, LostLine, TORN, TearParams, tears, which_are_weak};
 use crate::units::{MmPoint, MmRect};
 
@@ -13,6 +14,9 @@ const FARTHEST: f32 = 1.5;
 /// The shortest missing piece that is told has so many steps: where two dots are missing there are three, or more in a
 /// slanting row.
 const LEAST_STEPS: f32 = 3.1;
+
+/// A line meets another if it ends so near to it, mm, before both become dots.
+const MEETS: f32 = 0.3;
 
 /// How open lines are looked at where dots lie `pitch` mm apart.
 pub(super) fn params_of_dots(pitch: f32) -> TearParams {
@@ -33,6 +37,11 @@ pub(super) fn torn(
     let near = kept_lines::index_of(pressed, area, pitch);
     let is_near = |at: MmPoint| near.nearest(at, pitch, |_| true).is_some();
     let params = params_of_dots(pitch);
+    let others = kept_lines::index_of(lines, area, pitch);
+    let is_met = |at: Option<&MmPoint>, number: usize| {
+        let is_other = |segment: &Segment| segment.line as usize != number && !weak[segment.line as usize];
+        at.is_some_and(|at| others.nearest(*at, MEETS, is_other).is_some())
+    };
     let of_line = |number: usize| -> Vec<LostLine> {
         let line = &lines[number];
         if weak[number] || shares[number] < GONE || line.ends_meet() {
@@ -48,7 +57,8 @@ pub(super) fn torn(
                 }
             }
         }
-        tears(&path, &piece_at, is_near, params)
+        let meets = [path.first(), path.last()].map(|end| is_met(end, number));
+        tears(&path, &piece_at, is_near, meets, params)
     };
     (0..lines.len()).flat_map(of_line).collect()
 }

@@ -4,8 +4,8 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use super::on_grid::{OccupiedDots, longest_approach, met};
-use crate::dots::grid_dot::GridDot;
+use super::on_grid::{OccupiedDots, RowPiece, longest_approach, met};
+use crate::dots::grid_dot::{GridDot, distance};
 
 /// Where a line touches another that it ends on still with its dot of this number, counted from 0, it runs along it and
 /// does not end there.
@@ -22,6 +22,28 @@ impl OccupiedDots {
         cells.drain(..skipped);
         distances.drain(..skipped);
         true
+    }
+
+    /// The pieces of a line that crosses another and soon ends at a third, as from the bar of a family tree to a box:
+    /// what lies beyond the other line is a link, and may be too short to have a dot that is far enough from both. None
+    /// if it is none, or if the line does not come up to the other.
+    pub(super) fn linked_end(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Option<Vec<RowPiece>> {
+        let on_last = distances.iter().rev().take_while(|steps| **steps == Some(0)).count();
+        let crossed = distances[..distances.len() - on_last].iter().rposition(|steps| *steps == Some(0))?;
+        let (own, crossed_piece) = (&cells[crossed..], *self.piece_of.get(&cells[crossed])?);
+        let link = self.short_link(own, &distances[crossed..])?;
+        let end = *link.cells.last()?;
+        let ends_at =
+            self.around(end).filter(|near| distance(*near, end) <= 1).filter_map(|near| self.piece_of.get(&near));
+        let mut ends_at = ends_at.peekable();
+        let leads_on = ends_at.peek().is_some() && ends_at.all(|piece| *piece != crossed_piece);
+        let mut pieces = if leads_on { self.pieces(&cells[..=crossed], false) } else { Vec::new() };
+        let comes_up =
+            pieces.last().and_then(|piece| piece.cells.last()).is_some_and(|dot| distance(*dot, own[0]) <= 1);
+        comes_up.then(|| {
+            pieces.push(link);
+            pieces
+        })
     }
 
     /// The junction of the first end of a line, if its first dots touch another line: how many of its dots are too near

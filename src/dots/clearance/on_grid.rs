@@ -299,7 +299,7 @@ impl OccupiedDots {
     /// The pieces of a line that keep the gap, but where they join others: at each end some dots may be nearer
     /// ([`OccupiedDots::allow_junction`]), and of a line so short that those of both ends are all that it has, all of
     /// them ([`OccupiedDots::short_link`]). Either way a whole line that joins others at both ends is a link.
-    fn pieces(&self, of_line: &[GridDot], closed: bool) -> Vec<RowPiece> {
+    pub(super) fn pieces(&self, of_line: &[GridDot], closed: bool) -> Vec<RowPiece> {
         let (mut cells, mut distances) = (of_line.to_vec(), self.distances(of_line, closed));
         if distances.iter().all(Option::is_none) {
             return vec![RowPiece { through: cells.len(), cells, closed, is_link: false }];
@@ -309,6 +309,18 @@ impl OccupiedDots {
         }
         if let Some(link) = self.short_link(of_line, &distances).filter(|_| !closed) {
             return vec![link];
+        }
+        if !closed {
+            let linked = |cells: &[GridDot], distances: &[Option<i32>]| self.linked_end(cells, distances);
+            let back = || {
+                let (mut cells, mut distances) = (cells.clone(), distances.clone());
+                cells.reverse();
+                distances.reverse();
+                linked(&cells, &distances)
+            };
+            if let Some(pieces) = linked(&cells, &distances).or_else(back) {
+                return pieces;
+            }
         }
         if closed {
             // starting where it touches another line, or is too near to one, it is an open line
@@ -412,7 +424,7 @@ impl OccupiedDots {
     /// A line from one to another that is so short that all its dots are near to one of them, without the dots on
     /// these; none if it runs beside one, or is near to a third. Its junctions are not looked at one by one: the dots
     /// near to the line at its first end are also those near to the line at its last.
-    fn short_link(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Option<RowPiece> {
+    pub(super) fn short_link(&self, cells: &[GridDot], distances: &[Option<i32>]) -> Option<RowPiece> {
         let on_other = |distance: &&Option<i32>| **distance == Some(0);
         let (first, last) =
             (distances.iter().take_while(on_other).count(), distances.iter().rev().take_while(on_other).count());

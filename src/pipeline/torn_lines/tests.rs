@@ -43,3 +43,17 @@ fn a_curve_of_which_dots_are_left_out_is_torn() {
     let torn = torn((&both, &[0.8, 0.8]), (&pressed, &[Some(0), Some(0)]), area, 2.0, 5.0);
     assert!(torn.is_empty(), "gridlines give way");
 }
+
+#[test]
+fn the_end_of_a_line_that_meets_another_is_missed_sooner() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(120.0, 120.0));
+    let both = [stroke((10.0, 50.0), (90.0, 50.0), 50.0), stroke((90.0, 20.0), (90.0, 80.0), 50.0)];
+    let of = |lines: &[Line], end: f32| {
+        let pressed = [row((10.0, 50.0), (end, 50.0)), row((90.0, 20.0), (90.0, 80.0))];
+        let stand_for = [Some(0), Some(1).filter(|_| lines.len() > 1)];
+        torn((lines, &[0.9, 1.0][..lines.len()]), (&pressed, &stand_for), area, 2.0, 5.0).len()
+    };
+    assert_eq!(of(&both, 82.0), 1, "as the connector of a family tree before its box");
+    assert_eq!(of(&both, 88.0), 0);
+    assert_eq!(of(&both[..1], 82.0), 0, "an end that leads nowhere");
+}

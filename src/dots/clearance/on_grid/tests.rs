@@ -274,3 +274,19 @@ fn short_arms_of_one_line_on_both_sides_of_a_crossing_hold_one_another() {
     assert_eq!(left(reach, [0, 1], false), 0, "they are of two lines");
     assert_eq!(left(reach + 1, [0, 0], true), 2, "points are on them");
 }
+
+#[test]
+fn what_leads_from_a_crossing_soon_to_another_line_is_a_link() {
+    let links = |apart: i32, reversed: bool| {
+        let mut line: Vec<GridDot> = (-10..=apart).map(|y| [10, y]).collect();
+        if reversed {
+            line.reverse();
+        }
+        let pieces = taken(&[row(0, 0..20), row(apart, 5..15)], 2).pieces(&line, false);
+        pieces.into_iter().map(|piece| (piece.cells.len(), piece.is_link)).collect::<Vec<_>>()
+    };
+    for reversed in [false, true] {
+        assert_eq!(links(4, reversed), [(10, false), (3, true)], "as from the bar of a family tree to a box");
+        assert_eq!(links(3, reversed), [(10, false)], "two dots are no line");
+    }
+}
