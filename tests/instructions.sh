@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Holds the speed: counts the instructions that the optimised program executes for a few pages, and for a check of
+# Holds the speed: counts the instructions that the program as it is shipped executes for a few pages, and for a check of
 # one (valgrind's callgrind), and compares with tests/instructions.txt. Other than times, counts are the same however busy
 # the machine is: two runs differ by 0.1 % at most. What takes MOST per cent more fails.
 #
@@ -52,8 +52,7 @@ fi
 . tests/programs.sh
 need "${COUNTING_TOOLS[@]}" -- "${COUNTING_PACKAGES[@]}"
 
-# not optimised across crates as what is shipped: that takes twice as long to build, and what takes more here does there too
-CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo build --quiet --release --bin tactograph
+cargo build --quiet --release --bin tactograph
 out=${KEEP:-$(mktemp -d)}
 mkdir -p "$out"
 [ -n "${KEEP:-}" ] || trap 'rm -rf "$out"' EXIT
