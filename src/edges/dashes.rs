@@ -1,11 +1,13 @@
 //! Dashed lines of drawings: an altitude of a triangle, a hidden edge, an axis of symmetry, a border. A dash is too
 //! short for a line on a page; dashes in a row become one line that runs along all of them.
 
+mod alike;
 mod corners;
 
 use std::collections::HashSet;
 
-use self::corners::{ROUNDING, RowEnd};
+use self::alike::{ALIKE, ROUNDING, are_alike};
+use self::corners::RowEnd;
 use super::contour::{Contour, ContourPoint, crossing};
 use super::stroke::Stroke;
 use super::tips::FoundContour;
@@ -34,9 +36,6 @@ const STRAIGHT_ON: f32 = 0.99;
 /// Fewer than this are no row; with dashes that are too short to be strokes by themselves.
 const FEWEST: usize = 3;
 const FEWEST_SHORT: usize = 4;
-/// Lengths and widths of a row are alike if the greatest is at most so many times the least, beside [`ROUNDING`]: of
-/// its dashes, but for the first and last one, which may be cut, and of its gaps.
-const ALIKE: f32 = 1.6;
 
 /// A short straight piece.
 struct Dash {
@@ -154,11 +153,6 @@ fn dash(number: usize, FoundContour { contour, stroke, .. }: &FoundContour, sigm
     };
     let length = (ends[1] - ends[0]).length();
     (length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
-}
-
-/// Whether two lengths or widths, px, are alike, as those of one row are.
-fn are_alike(a: f32, b: f32) -> bool {
-    a.max(b) <= ALIKE * a.min(b) + ROUNDING
 }
 
 /// Whether a contour is no longer than a dash of this length, which may be bent around a corner: the stroke, or its two

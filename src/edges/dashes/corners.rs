@@ -1,7 +1,7 @@
 //! Corners of dashed lines: where a curve turns at a point, its dash there is bent or cut, and two rows of dashes end
 //! before it. Both lead to the corner.
 
-use super::are_alike;
+use super::alike::{ROUNDING, are_alike};
 use crate::edges::contour::crossing;
 use crate::edges::tips::FoundContour;
 use crate::units::{PxPoint, PxVector};
@@ -9,8 +9,6 @@ use crate::units::{PxPoint, PxVector};
 /// Greatest cosine between the directions of two ends that make a corner: at least 10 degrees between its sides. Rows
 /// that go on in one another are one row.
 const NARROWEST: f32 = 0.985;
-/// What blur and the grid of pixels change in a length, px.
-pub(super) const ROUNDING: f32 = 2.0;
 
 /// The end of a dashed line.
 pub(super) struct RowEnd {
