@@ -58,6 +58,7 @@ fn the_samples_of_a_legend_are_no_points() {
     let page = page_of(&drawn);
     assert_eq!(points(&page), [8, 0], "{}", told(&page));
     assert!(told(&page).contains("left out: the legend in the figure (\"Boys\", \"Girls\")"), "{}", told(&page));
+    assert!(told(&page).contains("; say in the title or a label what the points stand for"), "{}", told(&page));
 }
 
 /// Without a frame, one sign of each kind is in line with the other.
@@ -78,4 +79,5 @@ fn the_words_of_a_legend_are_told_with_what_their_signs_are_on_the_page() {
     assert_eq!(points(&page), [8, 5], "{}", told(&page));
     let wanted = "8 (\"Boys\") are filled points on the page, and 5 (\"Girls\") are rings";
     assert!(told(&page).contains(wanted), "{}", told(&page));
+    assert_eq!(told(&page).matches("say in the title or a label what").count(), 1, "{}", told(&page));
 }

@@ -5,6 +5,7 @@
 use super::legend::{BESIDE_FRAME, OF_PATCH, along_box, frames, gap};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
+use super::told_signs;
 use super::unwritten::named;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polygon::holds_box;
@@ -63,8 +64,14 @@ pub(super) fn taken_out(edges: &mut Edges, texts: &mut [Text], raster: &Raster, 
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let told =
         format!("the legend in the figure ({}): its samples would be felt as points of the drawing", named(&names));
-    let helped = Told::from(told).or("say in the title or a label what the points stand for");
-    Some(Note::NotOnPage(About::Lines, Reason::LegendOfSigns, helped))
+    Some(Note::NotOnPage(About::Lines, Reason::LegendOfSigns, helped(told, told_signs::are_of_kinds(edges))))
+}
+
+/// What helps against a legend that is not on the page; where points are `of_kinds`, what is told of these says it, and
+/// gives the words of the legend.
+fn helped(told: String, of_kinds: bool) -> Told {
+    let told = Told::from(told);
+    if of_kinds { told } else { told.or("say in the title or a label what the points stand for") }
 }
 
 /// The signs among contours, each with its word.

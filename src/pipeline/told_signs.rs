@@ -23,6 +23,11 @@ pub(super) fn places(edges: &Edges, figure: MmRect) -> Vec<(MmPoint, bool)> {
     signs.map(|range| (middle(range), range.kind.stroke.is_none())).collect()
 }
 
+/// Whether there are signs of several kinds, of which `told` tells: hollow ones, beside filled ones or alone.
+pub(super) fn are_of_kinds(edges: &Edges) -> bool {
+    edges.chains.iter().any(|range| range.kind.sign.is_some() && range.kind.stroke.is_some())
+}
+
 /// What a point at a place is that is not on the page.
 pub(super) fn kind_of(at: MmPoint, signs: &[(MmPoint, bool)]) -> SignKind {
     match signs.iter().any(|(of, _)| (*of - at).length() < AT_PLACE) {
@@ -34,14 +39,14 @@ pub(super) fn kind_of(at: MmPoint, signs: &[(MmPoint, bool)]) -> SignKind {
 /// What the maker is told of signs of several kinds: how they are told apart on the page, if they are, with the words
 /// of their legend. Those that are not on the page are told as lost, and do not count.
 pub(super) fn told(drawn: &Lines, edges: &Edges, texts: &[Text], layout: &Layout) -> Option<Note> {
+    if !are_of_kinds(edges) {
+        return None;
+    }
     let mut signs = places(edges, layout.figure);
     signs.retain(|(at, _)| drawn.lost.signs.iter().all(|sign| (sign.at - *at).length() >= AT_PLACE));
     let lines = &drawn.lines;
     let filled = signs.iter().filter(|(_, is_filled)| *is_filled).count();
     let hollow = signs.len() - filled;
-    if hollow == 0 {
-        return None;
-    }
     let is_ring = |line: &&Line| {
         let of = extent(line);
         !line.is_disc() && line.goes_round() && of.width().max(of.height()) <= LARGEST

@@ -68,3 +68,10 @@ fn a_legend_without_a_frame_has_one_sign_of_each_kind_in_line() {
     let named: Vec<PlacedSign> = points().into_iter().map(|point| PlacedSign { word: Some(2), ..point }).collect();
     assert_eq!(in_line(&[&named[..], &column].concat(), &texts), [], "all points have names");
 }
+
+#[test]
+fn what_helps_is_said_once() {
+    let told = |of_kinds: bool| helped("the legend".to_owned(), of_kinds).to_string();
+    assert_eq!(told(false), "the legend; say in the title or a label what the points stand for");
+    assert_eq!(told(true), "the legend", "what is told of points of several kinds says it");
+}
