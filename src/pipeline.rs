@@ -26,6 +26,8 @@ mod label;
 mod label_params;
 mod leaders;
 mod legend;
+mod legend_column;
+mod legend_patches;
 mod line_legend;
 mod lines_of_part;
 mod links_of_overview;

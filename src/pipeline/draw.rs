@@ -9,6 +9,7 @@ use super::given::{Given, GivenLines, erase};
 use super::hand_lines::{SAME_SHAPE, weaken_thin_strokes};
 use super::key::KeySheets;
 use super::legend::{self, LegendEntry};
+use super::legend_column::Column;
 use super::margins::Lettered;
 use super::named::NamedThings;
 use super::outlines::regions_of_figure;
@@ -166,15 +167,19 @@ fn apart_from_words(
     let is_label = become_labels(words);
     if plan.profile().figure.lines {
         told.extend(sign_legend::taken_out(edges, texts, raster, layout));
-        let of_legend = line_legend::to_curves(edges, texts, &is_label, raster, layout);
-        has_named_lines = of_legend.is_some();
-        told.extend(of_legend);
+    }
+    let column = Column::find(edges, texts, raster, &PageTransform::new(edges.size, layout.figure));
+    let column = column.as_ref();
+    if plan.profile().figure.lines {
+        let of_legend = line_legend::to_curves(edges, texts, (&is_label, column), raster, layout);
+        has_named_lines = of_legend.as_ref().is_some_and(|(count, _)| *count > 1);
+        told.extend(of_legend.map(|(_, told)| told));
         let draw = |edges: &Edges| draw_lines(edges, lines_of, layout, plan, &mut |_| ()).lines.lines;
         told.extend(leaders::whole_or_none(edges, texts, leaders::FROM_PRINT, &is_label, layout, draw));
     }
-    let legend = legend::entries(edges, texts, raster, layout, plan);
+    let legend = legend::entries(edges, texts, raster, column, layout, plan);
     if words.key != KeySheets::Never && plan.profile().braille.on && plan.profile().figure.textures {
-        told.extend(legend::moved_to_key(edges, &legend, (texts, is_label), raster, layout));
+        told.extend(legend::moved_to_key(edges, (&legend, column), (texts, is_label), raster, layout));
     }
     ApartFromWords { legend, has_named_lines, told }
 }

@@ -1,6 +1,8 @@
 //! What the colours of a drawing mean where that is not told by areas: a legend, small patches of colour with words
 //! beside them, and lines that only their colours tell apart. A patch has no room for a texture, and a line has none.
 
+use super::legend_column::{self, Column};
+use super::legend_patches::{Patch, SAME, index, is_beside, patches};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
@@ -18,16 +20,6 @@ use crate::raster::lab::pixel;
 use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 use crate::{About, Note, Reason};
 
-/// Short side of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
-const PATCH: std::ops::RangeInclusive<f32> = 1.5..=12.0;
-/// Its long side and its area at most, mm and mm2: the patches of Matplotlib are three times as wide as high, and in a
-/// chart that is small before it is drawn across the sheet they are 17 mm wide. What is larger may have a texture.
-const LONGEST_PATCH: f32 = 24.0;
-const LARGEST_PATCH: f32 = 144.0;
-/// Farthest that the word of a patch lies from it, mm: print stands up to half of its own width beside it.
-const FARTHEST_WORD: f32 = 8.0;
-/// Colours nearer than this are one (perceptual; 2 can just be told apart side by side).
-const SAME: f32 = 4.0;
 /// A patch stands for areas elsewhere that are at least so many times as large: the others would be marks.
 const LARGER: usize = 3;
 /// Every so many-th pixel of a row or column is looked at for them.
@@ -72,86 +64,67 @@ impl LegendEntry {
     }
 }
 
-/// The legend of a drawing: patches of different colours, two and more, each with a
-/// word at its side, whose colours larger areas have.
+/// The legend of a drawing: patches of different colours, two and more, each with a word at its side, whose colours
+/// larger areas have. Where shapes with words beside them have the same colour, as the towns of a map, those of the
+/// `column`.
 pub(super) fn entries(
     edges: &Edges,
     texts: &[Text],
     raster: &Raster,
+    column: Option<&Column>,
     layout: &Layout,
     plan: &Plan,
 ) -> Vec<LegendEntry> {
     let transform = PageTransform::new(edges.size, layout.figure);
     let params = plan.classes(transform.px_per_mm());
-    let mut patches: Vec<(&Text, MmRect, usize)> = Vec::new();
-    for chain in edges.chains.iter().filter(|chain| chain.closed && chain.kind.of_drawing) {
-        let place = MmRect::from_points(on_sheet(edges, chain, &transform));
-        // in a legend in one line a patch has the word of another on its other side
-        let beside = texts.iter().filter(|text| text.is_read() && is_beside(place, text.place));
-        let text = beside.min_by(|a, b| gap(place, a.place).total_cmp(&gap(place, b.place)));
-        let is_patch = may_be_patch(place);
-        let known = |(other, of, _): &(&Text, MmRect, usize)| {
-            text.is_some_and(|text| std::ptr::eq(*other, text)) || of.contains(place.center())
-        };
-        let middle = index(raster, transform.to_px(place.center()));
-        if let (Some(text), Some(middle), true) = (text, middle, is_patch && patches.len() < MOST)
-            && !patches.iter().any(known)
-            && !is_on_line(place, edges, &transform)
-        {
-            patches.push((text, place, middle));
-        }
+    let mut patches = patches(edges, texts, raster, &transform);
+    patches.retain(|patch| !column.is_some_and(|column| column.is_sign(patch.place)));
+    patches.truncate(MOST);
+    if !are_of_different_colours(&patches, raster) {
+        patches = column.map(|column| column.patches.clone()).unwrap_or_default();
     }
-    let colours: Vec<[f32; 3]> = patches.iter().map(|(_, _, at)| pixel(raster, *at)).collect();
-    let is_same = |a: [f32; 3], b: [f32; 3]| distance(a, b) < SAME;
-    let is_one = |number: usize| colours.iter().filter(|other| is_same(**other, colours[number])).count() == 1;
-    if patches.len() < 2 || !(0..patches.len()).all(is_one) {
+    if patches.len() < 2 {
         return Vec::new();
     }
-    let elsewhere = pixels_elsewhere(raster, &colours, &patches, &transform);
+    let elsewhere = pixels_elsewhere(raster, &patches, &transform);
     let px2 = |place: MmRect| place.area() * transform.px_per_mm().powi(2);
     let least = |place: MmRect| (LARGER as f32 * px2(place)) as usize / (STEP * STEP);
-    let entry = |(number, (text, place, at)): (usize, &(&Text, MmRect, usize))| {
-        let class = class_at(raster, *at, &params).filter(|_| elsewhere[number] >= least(*place))?;
-        Some(LegendEntry { text: text.string.clone(), class, place: Some(*place), has_blank: false })
+    let entry = |(patch, elsewhere): (&Patch, usize)| {
+        let class = class_at(raster, patch.middle, &params).filter(|_| elsewhere >= least(patch.place))?;
+        let text = texts[patch.text].string.clone();
+        Some(LegendEntry { text, class, place: Some(patch.place), has_blank: false })
     };
-    let entries: Vec<LegendEntry> = patches.iter().enumerate().filter_map(entry).collect();
+    let entries: Vec<LegendEntry> = patches.iter().zip(elsewhere).filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
 }
 
-/// Whether a shape is as large as a patch.
-fn may_be_patch(place: MmRect) -> bool {
-    let (short, long) = (place.width().min(place.height()), place.width().max(place.height()));
-    PATCH.contains(&short) && long <= LONGEST_PATCH && short * long <= LARGEST_PATCH
+fn are_of_different_colours(patches: &[Patch], raster: &Raster) -> bool {
+    let colours: Vec<[f32; 3]> = patches.iter().map(|patch| pixel(raster, patch.middle)).collect();
+    let is_known = |number: usize| colours[..number].iter().any(|other| distance(*other, colours[number]) < SAME);
+    !(0..colours.len()).any(is_known)
 }
-
-/// Whether a line ends at a small shape or goes through it: then it is a point of a curve, and the word beside it a
-/// number at an axis. The lines of a grid may lie behind a legend.
-fn is_on_line(place: MmRect, edges: &Edges, transform: &PageTransform) -> bool {
-    let around = place.inflate(OF_POINT, OF_POINT);
-    let lines = edges.chains.iter().filter(|chain| !chain.closed && chain.kind.of_drawing && !chain.kind.faint);
-    lines.flat_map(|chain| on_sheet(edges, chain, transform)).any(|at| around.contains(at))
-}
-
-/// A line that is seen up to a point ends no farther from it, mm.
-const OF_POINT: f32 = 0.5;
 
 /// Takes a legend whose words would become labels out of a drawing that has a key: its patches have no room for a
 /// texture, and a blank one beside a word would say that blank areas are what it names; words alone say nothing there,
-/// and neither does a frame around them. Tells of it.
+/// and neither does a frame around them. With the patches go the samples of lines and signs in their `column`, and a
+/// heading in the frame. Tells of it.
 pub(super) fn moved_to_key(
     edges: &mut Edges,
-    entries: &[LegendEntry],
+    (entries, column): (&[LegendEntry], Option<&Column>),
     (texts, is_label): (&mut [Text], impl Fn(&Text) -> bool),
     raster: &Raster,
     layout: &Layout,
-) -> Option<Note> {
+) -> Vec<Note> {
+    let labels: Vec<bool> = texts.iter().map(is_label).collect();
     let is_entry = |text: &Text| entries.iter().any(|entry| entry.is_of(text));
-    let own: Vec<bool> = texts.iter().map(|text| is_entry(text) && is_label(text)).collect();
+    let own: Vec<bool> = texts.iter().zip(&labels).map(|(text, is_label)| *is_label && is_entry(text)).collect();
     if entries.is_empty() || own.iter().filter(|own| **own).count() < entries.len() {
-        return None;
+        return Vec::new();
     }
     texts.iter_mut().zip(own).for_each(|(text, own)| text.of_legend |= own);
     let transform = PageTransform::new(edges.size, layout.figure);
+    let samples = column.map(|column| column.samples(edges, texts, &transform, &labels)).unwrap_or_default();
+    samples.iter().for_each(|sample| texts[sample.text].of_legend = true);
     let patches: Vec<MmRect> =
         entries.iter().filter_map(|entry| entry.place).map(|of| of.inflate(OF_PATCH, OF_PATCH)).collect();
     let is_patch = |chain: &ChainRange| {
@@ -161,14 +134,50 @@ pub(super) fn moved_to_key(
             .and_then(|first| patches.iter().find(|patch| patch.contains(first)))
             .is_some_and(|patch| points.all(|at| patch.contains(at)))
     };
-    let of_patches: Vec<bool> = edges.chains.iter().map(is_patch).collect();
-    let of_frame = frames(edges, &of_patches, &patches, texts, raster, &transform);
+    let mut of_patches: Vec<bool> = edges.chains.iter().map(is_patch).collect();
+    samples.iter().flat_map(|sample| &sample.chains).for_each(|chain| of_patches[*chain] = true);
+    let (of_frame, heading) = with_heading(edges, &of_patches, &patches, texts, raster, &transform);
     let mut gone = of_patches.into_iter().zip(of_frame).map(|(of_patch, of_frame)| of_patch || of_frame);
     edges.chains.retain(|_| !gone.next().unwrap_or(false));
     let names: Vec<&str> = entries.iter().map(|entry| entry.text.as_str()).collect();
+    let but = heading.map(|heading| format!(", but not its heading {}", named(&[&texts[heading].string])));
     let why = "its patches have no room for textures, and blank they would say something else; the key has it";
-    let told = format!("the legend in the figure ({}), as {why}", named(&names));
-    Some(Note::NotOnPage(About::Areas, Reason::LegendInKey, told.into()))
+    let told = format!("the legend in the figure ({}), as {why}{}", named(&names), but.unwrap_or_default());
+    let told = Note::NotOnPage(About::Areas, Reason::LegendInKey, told.into());
+    std::iter::once(told).chain(legend_column::told(&samples, texts)).collect()
+}
+
+/// Which of the contours are [`frames`], and the number of the text that is the heading in them: one above all patches,
+/// and the only one that is not of the legend.
+fn with_heading(
+    edges: &Edges,
+    of_patches: &[bool],
+    patches: &[MmRect],
+    texts: &mut [Text],
+    raster: &Raster,
+    transform: &PageTransform,
+) -> (Vec<bool>, Option<usize>) {
+    let of_frame = frames(edges, of_patches, patches, texts, raster, transform);
+    let top = patches.iter().map(|patch| patch.min.y).fold(f32::INFINITY, f32::min);
+    let is_above = |text: &Text| text.is_read() && !text.of_legend && text.place.center().y < top;
+    let heading = |frame: MmRect| {
+        let mut inside =
+            (0..texts.len()).filter(|&text| frame.contains(texts[text].place.center()) && is_above(&texts[text]));
+        inside.next().filter(|_| inside.next().is_none())
+    };
+    let holds_patches =
+        |frame: &MmRect| patches.iter().all(|patch| holds_box(*frame, patch.inflate(-OF_PATCH, -OF_PATCH)));
+    let boxes = edges.chains.iter().filter_map(|chain| along_box(edges, chain, transform)).filter(holds_patches);
+    let headings: Vec<usize> = boxes.filter_map(heading).collect();
+    for number in headings.into_iter().filter(|_| !of_frame.contains(&true)) {
+        texts[number].of_legend = true;
+        let of_frame = frames(edges, of_patches, patches, texts, raster, transform);
+        if of_frame.contains(&true) {
+            return (of_frame, Some(number));
+        }
+        texts[number].of_legend = false;
+    }
+    (of_frame, None)
 }
 
 /// Which of the contours are frames of a legend: closed, along the sides of a box that holds all `patches`, and in that
@@ -284,24 +293,9 @@ pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
     entries
 }
 
-/// Whether a text stands at the side of a patch, at its height.
-pub(super) fn is_beside(patch: MmRect, text: MmRect) -> bool {
-    let level = (patch.center().y - text.center().y).abs() <= 0.5 * patch.height().max(text.height());
-    level && (0.0..=FARTHEST_WORD).contains(&gap(patch, text))
-}
-
-/// The blank between a patch and a text on its left or right, mm.
-pub(super) fn gap(patch: MmRect, text: MmRect) -> f32 {
-    (text.min.x - patch.max.x).max(patch.min.x - text.max.x)
-}
-
-/// How many pixels have each colour outside of the patches.
-fn pixels_elsewhere(
-    raster: &Raster,
-    colours: &[[f32; 3]],
-    patches: &[(&Text, MmRect, usize)],
-    transform: &PageTransform,
-) -> Vec<usize> {
+/// How many pixels have the colour of each patch outside of it.
+fn pixels_elsewhere(raster: &Raster, patches: &[Patch], transform: &PageTransform) -> Vec<usize> {
+    let colours: Vec<[f32; 3]> = patches.iter().map(|patch| pixel(raster, patch.middle)).collect();
     let size = raster.size();
     let (width, height) = (size.width as usize, size.height as usize);
     let mut counts = vec![0; colours.len()];
@@ -309,18 +303,11 @@ fn pixels_elsewhere(
         let at = transform.to_mm(PxPoint::new(x as f32 + 0.5, y as f32 + 0.5));
         let colour = pixel(raster, y * width + x);
         let own = colours.iter().position(|other| distance(*other, colour) < SAME);
-        if let Some(own) = own.filter(|own| !patches[*own].1.contains(at)) {
+        if let Some(own) = own.filter(|own| !patches[*own].place.contains(at)) {
             counts[own] += 1;
         }
     }
     counts
-}
-
-/// The number of the pixel at a place; none outside.
-fn index(raster: &Raster, at: PxPoint) -> Option<usize> {
-    let size = raster.size();
-    let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < size.width as f32 && at.y < size.height as f32;
-    is_inside.then(|| at.y as usize * size.width as usize + at.x as usize)
 }
 
 /// The legend of a page with the textures of this figure. Colours without any there, as labels stand in their areas or

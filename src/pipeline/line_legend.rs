@@ -1,7 +1,9 @@
 //! A legend of lines: short pieces of lines with words beside them, which tell by their colours what curves mean. On a
 //! page all lines are alike and a sample says nothing, so each word becomes the label of its curve.
 
-use super::legend::{MOST, OF_PATCH, frames, gap, is_beside, places_along};
+use super::legend::{MOST, OF_PATCH, frames, places_along};
+use super::legend_column::Column;
+use super::legend_patches::{SAME, gap, is_beside};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
@@ -10,6 +12,7 @@ use crate::geom::{nearest_on_segment, polyline};
 use crate::page::layout::Layout;
 use crate::raster::Raster;
 use crate::raster::contrast::{self, dot as cosine};
+use crate::raster::lab::pixel;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason};
 
@@ -27,8 +30,12 @@ const INK: f32 = 0.1;
 /// Places of one stroke have one colour, and a sample has that of its curve: the cosine between the ways from the
 /// ground to both (8 degrees). A thin stroke is blended with its ground: that changes how far it is, not the way.
 const ONE_COLOUR: f32 = 0.99;
+/// A stroke that is so broad, px, has its own colour in its middle.
+const BROAD: f32 = 3.0;
 /// Samples have different colours (15 degrees).
 const OTHER: f32 = 0.966;
+/// The way from a ground to grey.
+const GREY: Colour = [0.577_35; 3];
 /// A marker on a sample reaches so far beside it at most, as a share of its length.
 const MARKER: f32 = 0.35;
 /// Curves are so long at least, mm: longer than most samples.
@@ -60,6 +67,7 @@ struct Sample {
     text: usize,
     place: MmRect,
     colour: Colour,
+    ink: Option<[f32; 3]>,
 }
 
 /// A line that a sample may stand for.
@@ -67,6 +75,7 @@ struct Curve {
     chain: usize,
     length: f32,
     colour: Colour,
+    ink: Option<[f32; 3]>,
     /// Whether it is level or upright, as axes are.
     is_axial: bool,
 }
@@ -80,30 +89,22 @@ struct Contours<'a> {
     places: Vec<MmRect>,
 }
 
-/// Takes a legend of lines whose words would become labels out of a drawing, and has each word stand at its curve.
-/// Tells of it.
+/// Takes a legend of lines whose words would become labels out of a drawing, and has each word stand at its curve:
+/// two samples and more, or single ones in a column of patches of colour. How many there are, and what is told of them.
 pub(super) fn to_curves(
     edges: &mut Edges,
     texts: &mut [Text],
-    is_label: impl Fn(&Text) -> bool,
+    (is_label, column): (impl Fn(&Text) -> bool, Option<&Column>),
     raster: &Raster,
     layout: &Layout,
-) -> Option<Note> {
+) -> Option<(usize, Note)> {
     let labels = texts.iter().filter(|text| is_label(text)).count();
     if labels < 2 || raster.is_grey() || !edges.of_drawing() {
         return None;
     }
     let transform = PageTransform::new(edges.size, layout.figure);
     let contours = Contours::of(edges, raster, &transform);
-    let samples = in_line(contours.samples(texts, is_label));
-    let is_other = |a: &Sample, b: &Sample| std::ptr::eq(a, b) || cosine(a.colour, b.colour) <= OTHER;
-    if samples.len() < 2 || !samples.iter().all(|a| samples.iter().all(|b| is_other(a, b))) {
-        return None;
-    }
-    let curves = contours.curves();
-    let signs = contours.named_signs(texts, &samples);
-    let place = |sample| contours.place_at(sample, &curves, &signs);
-    let places: Vec<MmPoint> = samples.iter().map(place).collect::<Option<_>>()?;
+    let (samples, places) = contours.legend(texts, is_label, column)?;
     let own: Vec<MmRect> = samples.iter().map(|sample| with_marker(sample.place)).collect();
     let is_of_sample = |points: &Vec<MmPoint>| own.iter().any(|sample| points.iter().all(|at| sample.contains(*at)));
     let of_samples: Vec<bool> = contours.points.iter().map(is_of_sample).collect();
@@ -116,11 +117,8 @@ pub(super) fn to_curves(
     edges.chains.retain(|_| !gone.next().unwrap_or(false));
     let names: Vec<&str> = samples.iter().map(|sample| texts[sample.text].string.as_str()).collect();
     let told = "each word is the label of its line, and the samples are left out, as all lines are alike on the page";
-    Some(Note::TakenAs(
-        About::Lines,
-        Reason::LegendAtLines,
-        format!("the legend of lines in the figure ({}): {told}", named(&names)).into(),
-    ))
+    let told = format!("the legend of lines in the figure ({}): {told}", named(&names));
+    Some((names.len(), Note::TakenAs(About::Lines, Reason::LegendAtLines, told.into())))
 }
 
 impl<'a> Contours<'a> {
@@ -129,6 +127,41 @@ impl<'a> Contours<'a> {
             edges.chains.iter().map(|chain| on_sheet(edges, chain, transform).collect()).collect();
         let places = points.iter().map(MmRect::from_points).collect();
         Self { edges, raster, points, places }
+    }
+
+    /// The samples of a legend, each with the place of its word at its curve.
+    fn legend(
+        &self,
+        texts: &[Text],
+        is_label: impl Fn(&Text) -> bool,
+        column: Option<&Column>,
+    ) -> Option<(Vec<Sample>, Vec<MmPoint>)> {
+        let all = self.samples(texts, is_label);
+        let is_in = |of: &&Sample| column.is_some_and(|column| column.has_sample(of.text));
+        let of_column: Vec<Sample> = all.iter().filter(is_in).cloned().collect();
+        // many lines are grey or black
+        let is_coloured = |of: &Sample| cosine(of.colour, GREY).abs() <= OTHER;
+        let samples = in_line(all);
+        if samples.len() < 2 && of_column.is_empty() {
+            return None;
+        }
+        let (curves, signs) = (self.curves(), self.named_signs(texts, &samples));
+        let place = |sample: &Sample| self.place_at(sample, &curves, &signs);
+        let are_other = |a: &Sample, b: &Sample| cosine(a.colour, b.colour) <= OTHER;
+        let is_other = |a: &Sample| samples.iter().all(|b| std::ptr::eq(a, b) || are_other(a, b));
+        let is_legend = samples.len() > 1 && samples.iter().all(is_other);
+        let places: Option<Vec<MmPoint>> = if is_legend { samples.iter().map(place).collect() } else { None };
+        let (mut samples, mut places) = places.map_or_else(Default::default, |places| (samples, places));
+        for sample in &of_column {
+            let is_known = samples.iter().any(|other| other.text == sample.text);
+            let others = samples.iter().chain(&of_column).filter(|other| other.text != sample.text);
+            let is_clear = is_coloured(sample) && others.into_iter().all(|other| are_other(sample, other));
+            if let Some(at) = place(sample).filter(|_| is_clear && !is_known) {
+                samples.push(sample.clone());
+                places.push(at);
+            }
+        }
+        (!samples.is_empty()).then_some((samples, places))
     }
 
     /// Short level strokes, each with a word at its side; none where there are too many.
@@ -142,7 +175,7 @@ impl<'a> Contours<'a> {
             let nearest = beside.min_by(|&a, &b| gap(place, texts[a].place).total_cmp(&gap(place, texts[b].place)));
             let Some(text) = nearest.filter(|text| !found.iter().any(|other| other.text == *text)) else { continue };
             if let Some(colour) = self.colour(chain).filter(|_| self.is_free(chain)) {
-                found.push(Sample { text, place, colour });
+                found.push(Sample { text, place, colour, ink: self.ink(chain) });
             }
         }
         if found.len() > MOST { Vec::new() } else { found }
@@ -156,7 +189,7 @@ impl<'a> Contours<'a> {
                 return None;
             }
             let is_axial = self.places[chain].width().min(self.places[chain].height()) <= LEVEL;
-            Some(Curve { chain, length, colour: self.colour(chain)?, is_axial })
+            Some(Curve { chain, length, colour: self.colour(chain)?, ink: self.ink(chain), is_axial })
         };
         (0..self.points.len()).filter_map(curve).collect()
     }
@@ -176,8 +209,9 @@ impl<'a> Contours<'a> {
     /// Where the word of a sample stands at its curve: the longest of its colour, or a level or upright one if it is
     /// the only one.
     fn place_at(&self, sample: &Sample, curves: &[Curve], signs: &[MmPoint]) -> Option<MmPoint> {
-        let (own, others): (Vec<&Curve>, Vec<&Curve>) =
-            curves.iter().partition(|curve| cosine(curve.colour, sample.colour) >= ONE_COLOUR);
+        let has_ink = |of: &Curve| of.ink.zip(sample.ink).is_some_and(|(a, b)| contrast::distance(a, b) < SAME);
+        let is_own = |curve: &&Curve| cosine(curve.colour, sample.colour) >= ONE_COLOUR || has_ink(curve);
+        let (own, others): (Vec<&Curve>, Vec<&Curve>) = curves.iter().partition(is_own);
         let longer = own.iter().filter(|curve| curve.length > 2.0 * sample.place.width());
         let (axial, bent): (Vec<&Curve>, Vec<&Curve>) = longer.copied().partition(|curve| curve.is_axial);
         let longest = bent.into_iter().max_by(|a, b| a.length.total_cmp(&b.length));
@@ -213,6 +247,19 @@ impl<'a> Contours<'a> {
             places.into_iter().filter_map(|(at, ground)| colour_on(self.raster, at, ground?)).collect();
         let count = |colour: Colour| seen.iter().filter(|other| cosine(**other, colour) >= ONE_COLOUR).count();
         seen.iter().copied().max_by_key(|colour| count(*colour)).filter(|colour| 2 * count(*colour) > seen.len())
+    }
+
+    /// The colour of most of a stroke that is so broad that pixels in its middle have no other in them: it may lie on
+    /// another ground than its sample.
+    fn ink(&self, chain: usize) -> Option<[f32; 3]> {
+        let chain = &self.edges.chains[chain];
+        let width = chain.kind.stroke.filter(|width| *width >= BROAD)?;
+        let places = places_along(self.edges, chain, width, self.raster);
+        let seen: Vec<[f32; 3]> = places.into_iter().map(|(at, _)| pixel(self.raster, at)).collect();
+        let is_most = |ink: &[f32; 3]| {
+            2 * seen.iter().filter(|other| contrast::distance(**other, *ink) < SAME).count() > seen.len()
+        };
+        seen.iter().copied().find(is_most)
     }
 }
 

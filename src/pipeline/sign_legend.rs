@@ -2,7 +2,8 @@
 //! points stand for. On a page a sample would be felt as one more point. So samples are left out, and with them their
 //! words and their frame, which say nothing alone.
 
-use super::legend::{BESIDE_FRAME, OF_PATCH, along_box, frames, gap};
+use super::legend::{BESIDE_FRAME, OF_PATCH, along_box, frames};
+use super::legend_patches::{IN_LINE, are_in_column, gap};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::told_signs;
@@ -20,10 +21,8 @@ const FARTHEST_IN_FONTS: f32 = 2.0;
 /// A frame lies so far around samples and words at most, in sizes of their font: what is wider may hold a point that
 /// has a name.
 const AROUND: f32 = 2.5;
-/// Without a frame, samples stand in a column or a row, and the words of a column begin in line, mm.
-const IN_LINE: f32 = 0.5;
-const WORDS_IN_LINE: f32 = 1.0;
-/// Of all other signs at most this share has a word beside it then: else words are names of points, or their values.
+/// Without a frame, samples stand in a column or a row, and at most this share of all other signs has a word beside
+/// it: else words are names of points, or their values.
 const NAMED: f32 = 0.2;
 
 /// A sign on the sheet.
@@ -135,11 +134,10 @@ fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect]) -> Vec<Place
 /// The samples of a legend without a frame: one of each kind, two kinds and more, in a column or a row.
 fn in_line(signs: &[PlacedSign], texts: &[Text]) -> Vec<PlacedSign> {
     let with_words = || signs.iter().filter(|sign| sign.word.is_some());
-    let begins = |sign: &PlacedSign| sign.word.map_or(f32::NAN, |word| texts[word].place.min.x);
     let is_in_line = |a: &PlacedSign, b: &PlacedSign| {
-        let off = a.place.center() - b.place.center();
-        let in_column = off.x.abs() <= IN_LINE && (begins(a) - begins(b)).abs() <= WORDS_IN_LINE;
-        in_column || off.y.abs() <= IN_LINE
+        let words = a.word.zip(b.word).map(|(a, b)| [texts[a].place, texts[b].place]);
+        let in_column = words.is_some_and(|words| are_in_column([a.place, b.place], words));
+        in_column || (a.place.center().y - b.place.center().y).abs() <= IN_LINE
     };
     let kinds = |of: &[PlacedSign]| {
         let mut kinds: Vec<u8> = of.iter().map(|sign| sign.kind).collect();

@@ -4,18 +4,6 @@ use super::*;
 use crate::lines::{Lost, Run};
 
 #[test]
-fn a_patch_may_be_flat() {
-    let may_be = |width: f32, height: f32| {
-        may_be_patch(MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + width, 10.0 + height)))
-    };
-    assert!(may_be(5.0, 5.0) && may_be(11.5, 11.5));
-    assert!(may_be(16.8, 5.9) && may_be(5.9, 16.8), "of Matplotlib, on A4");
-    assert!(!may_be(1.0, 5.0), "a stroke or a point");
-    assert!(!may_be(14.0, 14.0) && !may_be(23.0, 8.0), "an area");
-    assert!(!may_be(40.0, 2.0), "a bar");
-}
-
-#[test]
 fn of_the_patches_of_a_legend_all_are_drawn_or_none() {
     let place = |y: f32| MmRect::new(MmPoint::new(150.0, y), MmPoint::new(155.0, y + 5.0));
     let heights = [20.0, 30.0, 40.0];

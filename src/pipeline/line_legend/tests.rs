@@ -12,6 +12,7 @@ fn words(samples: &[(f32, f32, f32)]) -> Vec<usize> {
         text,
         place: MmRect::new(at(x, y), at(x + length, y)),
         colour: [1.0, 0.0, 0.0],
+        ink: None,
     };
     in_line(samples.iter().enumerate().map(sample).collect()).iter().map(|sample| sample.text).collect()
 }
