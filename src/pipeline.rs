@@ -27,6 +27,7 @@ mod label_params;
 mod leaders;
 mod legend;
 mod legend_column;
+mod legend_frames;
 mod legend_patches;
 mod line_legend;
 mod lines_of_part;

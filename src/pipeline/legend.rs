@@ -2,6 +2,7 @@
 //! beside them, and lines that only their colours tell apart. A patch has no room for a texture, and a line has none.
 
 use super::legend_column::{self, Column};
+use super::legend_frames::{OF_PATCH, OFF, with_heading};
 use super::legend_patches::{Patch, SAME, index, is_beside, patches};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
@@ -17,7 +18,7 @@ use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::contrast::distance;
 use crate::raster::lab::pixel;
-use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
+use crate::units::{MmRect, PageTransform, PxPoint};
 use crate::{About, Note, Reason};
 
 /// A patch stands for areas elsewhere that are at least so many times as large: the others would be marks.
@@ -28,8 +29,6 @@ const STEP: usize = 2;
 pub(super) const MOST: usize = 24;
 /// Places of a line at which its colour is looked at.
 const PLACES: usize = 9;
-/// Beside a line, its ground is looked at so far from its edge, px.
-const OFF: f32 = 2.0;
 /// Lines of one colour are so long together at least, mm: longer than a sample in a legend.
 const LEAST: f32 = 30.0;
 
@@ -147,89 +146,6 @@ pub(super) fn moved_to_key(
     std::iter::once(told).chain(legend_column::told(&samples, texts)).collect()
 }
 
-/// Which of the contours are [`frames`], and the number of the text that is the heading in them: one above all patches,
-/// and the only one that is not of the legend.
-fn with_heading(
-    edges: &Edges,
-    of_patches: &[bool],
-    patches: &[MmRect],
-    texts: &mut [Text],
-    raster: &Raster,
-    transform: &PageTransform,
-) -> (Vec<bool>, Option<usize>) {
-    let of_frame = frames(edges, of_patches, patches, texts, raster, transform);
-    let top = patches.iter().map(|patch| patch.min.y).fold(f32::INFINITY, f32::min);
-    let is_above = |text: &Text| text.is_read() && !text.of_legend && text.place.center().y < top;
-    let heading = |frame: MmRect| {
-        let mut inside =
-            (0..texts.len()).filter(|&text| frame.contains(texts[text].place.center()) && is_above(&texts[text]));
-        inside.next().filter(|_| inside.next().is_none())
-    };
-    let holds_patches =
-        |frame: &MmRect| patches.iter().all(|patch| holds_box(*frame, patch.inflate(-OF_PATCH, -OF_PATCH)));
-    let boxes = edges.chains.iter().filter_map(|chain| along_box(edges, chain, transform)).filter(holds_patches);
-    let headings: Vec<usize> = boxes.filter_map(heading).collect();
-    for number in headings.into_iter().filter(|_| !of_frame.contains(&true)) {
-        texts[number].of_legend = true;
-        let of_frame = frames(edges, of_patches, patches, texts, raster, transform);
-        if of_frame.contains(&true) {
-            return (of_frame, Some(number));
-        }
-        texts[number].of_legend = false;
-    }
-    (of_frame, None)
-}
-
-/// Which of the contours are frames of a legend: closed, along the sides of a box that holds all `patches`, and in that
-/// nothing of the drawing but what is `of_patches` and words of the legend. What is filled stays, as its texture
-/// does.
-pub(super) fn frames(
-    edges: &Edges,
-    of_patches: &[bool],
-    patches: &[MmRect],
-    texts: &[Text],
-    raster: &Raster,
-    transform: &PageTransform,
-) -> Vec<bool> {
-    let is_frame = |(number, chain): (usize, &ChainRange)| {
-        let Some(place) = along_box(edges, chain, transform).filter(|_| !of_patches[number]) else { return false };
-        let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
-        let holds = |chain: &ChainRange| on_sheet(edges, chain, transform).any(|at| inside.contains(at));
-        let has_others = || {
-            let others = edges.chains.iter().zip(of_patches).enumerate();
-            // the lines of a grid may lie behind it
-            let mut others = others.filter(|(other, (of, of_patch))| *other != number && !**of_patch && !of.kind.faint);
-            others.any(|(_, (other, _))| holds(other))
-        };
-        patches.iter().all(|patch| holds_box(place, patch.inflate(-OF_PATCH, -OF_PATCH)))
-            && texts.iter().all(|text| text.of_legend || !place.contains(text.place.center()))
-            && is_hollow(chain, place, raster, transform)
-            && !has_others()
-    };
-    edges.chains.iter().enumerate().map(is_frame).collect()
-}
-
-/// The box around a contour, if that is closed and runs along the sides of it, as a frame does.
-pub(super) fn along_box(edges: &Edges, chain: &ChainRange, transform: &PageTransform) -> Option<MmRect> {
-    let place = MmRect::from_points(on_sheet(edges, chain, transform));
-    let inside = place.inflate(-BESIDE_FRAME, -BESIDE_FRAME);
-    (chain.closed && on_sheet(edges, chain, transform).all(|at| !inside.contains(at))).then_some(place)
-}
-
-/// Whether a frame has one colour on both of its sides, above and below.
-fn is_hollow(chain: &ChainRange, place: MmRect, raster: &Raster, transform: &PageTransform) -> bool {
-    let off = transform.mm_per_px() * (0.5 * chain.kind.stroke.unwrap_or(0.0) + OFF);
-    let colour = |y: f32| {
-        let at = transform.to_px(MmPoint::new(place.center().x, y));
-        index(raster, at).map(|at| pixel(raster, at))
-    };
-    let is_same = |y: f32| colour(y - off).zip(colour(y + off)).is_some_and(|(a, b)| distance(a, b) < SAME);
-    [place.min.y, place.max.y].into_iter().all(is_same)
-}
-
-/// A frame of a legend lies no farther from the sides of the box around it, mm: its corners may be round.
-pub(super) const BESIDE_FRAME: f32 = 1.5;
-
 /// The patches that were taken out of a drawing.
 pub(super) fn patches_in_key(entries: &[LegendEntry], texts: &[Text]) -> Vec<MmRect> {
     let is_in_key = |entry: &&LegendEntry| texts.iter().any(|text| text.of_legend && entry.is_of(text));
@@ -267,9 +183,6 @@ fn is_of_patch(line: &Line, patch: MmRect) -> bool {
 
 /// A patch is drawn, each of its sides, no farther from its place, mm.
 const MOVED: f32 = 2.5;
-
-/// Strokes around a patch reach no further beyond it, mm.
-pub(super) const OF_PATCH: f32 = 1.0;
 
 /// The legend of a page that was read, as its key told it.
 pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {

@@ -85,9 +85,13 @@ pub(super) fn gap(patch: MmRect, text: MmRect) -> f32 {
 }
 
 /// Whether two shapes and their words stand in one column.
-pub(super) fn are_in_column([a, b]: [MmRect; 2], words: [MmRect; 2]) -> bool {
-    let begin = (words[0].min.x - words[1].min.x).abs();
-    (a.center().x - b.center().x).abs() <= IN_LINE && begin <= WORDS_IN_LINE
+pub(super) fn are_in_column(shapes: [MmRect; 2], words: [MmRect; 2]) -> bool {
+    is_in_column_of(shapes[0], shapes[1]) && (words[0].min.x - words[1].min.x).abs() <= WORDS_IN_LINE
+}
+
+/// Whether the middle of a shape is above or below that of another.
+pub(super) fn is_in_column_of(shape: MmRect, other: MmRect) -> bool {
+    (shape.center().x - other.center().x).abs() <= IN_LINE
 }
 
 /// The number of the pixel at a place; none outside.

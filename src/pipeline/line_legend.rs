@@ -1,8 +1,9 @@
 //! A legend of lines: short pieces of lines with words beside them, which tell by their colours what curves mean. On a
 //! page all lines are alike and a sample says nothing, so each word becomes the label of its curve.
 
-use super::legend::{MOST, OF_PATCH, frames, places_along};
+use super::legend::{MOST, places_along};
 use super::legend_column::Column;
+use super::legend_frames::{OF_PATCH, frames};
 use super::legend_patches::{SAME, gap, is_beside};
 use super::on_sheet::on_sheet;
 use super::texts::Text;

@@ -2,8 +2,8 @@
 //! points stand for. On a page a sample would be felt as one more point. So samples are left out, and with them their
 //! words and their frame, which say nothing alone.
 
-use super::legend::{BESIDE_FRAME, OF_PATCH, along_box, frames};
-use super::legend_patches::{IN_LINE, are_in_column, gap};
+use super::legend_frames::{OF_PATCH, boxes, frames};
+use super::legend_patches::{IN_LINE, are_in_column, gap, is_in_column_of};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::told_signs;
@@ -12,7 +12,7 @@ use crate::edges::{ChainRange, Edges};
 use crate::geom::polygon::holds_box;
 use crate::page::layout::Layout;
 use crate::raster::Raster;
-use crate::units::{MmRect, PageTransform};
+use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason, Told};
 
 /// A word stands so far beside its sample at most, mm, or so many times the size of its font: in Matplotlib 1.5 times.
@@ -34,6 +34,8 @@ struct PlacedSign {
     place: MmRect,
     /// The word beside it, of which it is the nearest sign.
     word: Option<usize>,
+    /// Contours beside it that are the letters of its word, where that was not taken for one.
+    letters: Vec<usize>,
 }
 
 /// Takes a legend of signs out of a drawing. Tells of it.
@@ -43,27 +45,41 @@ pub(super) fn taken_out(edges: &mut Edges, texts: &mut [Text], raster: &Raster, 
     if signs.iter().all(|sign| sign.word.is_none()) {
         return None;
     }
-    let framed = in_frame(&signs, texts, &boxes(edges, &transform));
+    let others = edges.chains.iter().enumerate().filter(|(_, chain)| chain.kind.sign.is_none());
+    let others: Vec<(usize, MmRect)> = others.map(|(of, chain)| (of, place_of(edges, chain, &transform))).collect();
+    let boxes: Vec<MmRect> = boxes(edges, &transform).into_iter().map(|frame| frame.place).collect();
+    let framed = in_frame(&signs, texts, &boxes, &others);
     let samples = if framed.is_empty() { in_line(&signs, texts) } else { framed };
-    let names: Vec<String> = samples.iter().filter_map(|of| Some(texts[of.word?].string.clone())).collect();
-    if names.is_empty() {
+    if samples.is_empty() {
         return None;
     }
     for sample in &samples {
         if let Some(word) = sample.word {
-            (texts[word].of_legend, texts[word].of_sign) = (true, Some(sample.is_filled));
+            let of_sign = texts[word].is_read().then_some(sample.is_filled);
+            (texts[word].of_legend, texts[word].of_sign) = (true, of_sign);
         }
     }
     let patches: Vec<MmRect> = samples.iter().map(|of| of.place.inflate(OF_PATCH, OF_PATCH)).collect();
-    let of_samples: Vec<bool> =
-        (0..edges.chains.len()).map(|chain| samples.iter().any(|sample| sample.chain == chain)).collect();
+    let is_of_sample = |chain: usize| samples.iter().any(|of| of.chain == chain || of.letters.contains(&chain));
+    let of_samples: Vec<bool> = (0..edges.chains.len()).map(is_of_sample).collect();
     let of_frame = frames(edges, &of_samples, &patches, texts, raster, &transform);
     let mut gone = of_samples.into_iter().zip(of_frame).map(|(of_sample, of_frame)| of_sample || of_frame);
     edges.chains.retain(|_| !gone.next().unwrap_or(false));
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let told =
-        format!("the legend in the figure ({}): its samples would be felt as points of the drawing", named(&names));
+    let told = format!("{}: its samples would be felt as points of the drawing", legend_with(&samples, texts));
     Some(Note::NotOnPage(About::Lines, Reason::LegendOfSigns, helped(told, told_signs::are_of_kinds(edges))))
+}
+
+/// The legend of these samples in words, with what is known of theirs.
+fn legend_with(samples: &[PlacedSign], texts: &[Text]) -> String {
+    let words = samples.iter().filter_map(|of| Some(&texts[of.word?])).filter(|text| text.is_read());
+    let names: Vec<&str> = words.map(|text| text.string.as_str()).collect();
+    let legend = "the legend in the figure";
+    match (names.len(), samples.len() - names.len()) {
+        (0, _) => format!("{legend}, whose words nobody has read"),
+        (_, 0) => format!("{legend} ({})", named(&names)),
+        (_, 1) => format!("{legend} ({}, and 1 word that nobody has read)", named(&names)),
+        (_, unread) => format!("{legend} ({}, and {unread} words that nobody has read)", named(&names)),
+    }
 }
 
 /// What helps against a legend that is not on the page; where points are `of_kinds`, what is told of these says it, and
@@ -77,8 +93,8 @@ fn helped(told: String, of_kinds: bool) -> Told {
 fn signs(edges: &Edges, texts: &[Text], transform: &PageTransform) -> Vec<PlacedSign> {
     let sign = |(chain, of): (usize, &ChainRange)| {
         let kind = of.kind.sign?;
-        let place = place_of(edges, of, transform);
-        Some(PlacedSign { chain, kind, is_filled: of.kind.stroke.is_none(), place, word: word_of(place, texts) })
+        let (place, is_filled) = (place_of(edges, of, transform), of.kind.stroke.is_none());
+        Some(PlacedSign { chain, kind, is_filled, place, word: word_of(place, texts), letters: Vec::new() })
     };
     let mut signs: Vec<PlacedSign> = edges.chains.iter().enumerate().filter_map(sign).collect();
     let far = |sign: &PlacedSign, word: usize| gap(sign.place, texts[word].place);
@@ -93,13 +109,13 @@ fn signs(edges: &Edges, texts: &[Text], transform: &PageTransform) -> Vec<Placed
     signs
 }
 
-/// The word at the side of a sign, at its height.
+/// The word at the side of a sign, at its height, whether it was read or not.
 fn word_of(sign: MmRect, texts: &[Text]) -> Option<usize> {
     let is_beside = |text: &Text| {
         let off = (sign.center().y - text.place.center().y).abs();
         let farthest = FARTHEST.max(FARTHEST_IN_FONTS * text.size);
         let is_level = off <= 0.5 * sign.height().max(text.place.height());
-        text.is_read() && is_level && (0.0..=farthest).contains(&gap(sign, text.place))
+        !text.hidden && is_level && (0.0..=farthest).contains(&gap(sign, text.place))
     };
     let beside = (0..texts.len()).filter(|&text| is_beside(&texts[text]));
     beside.min_by(|&a, &b| gap(sign, texts[a].place).total_cmp(&gap(sign, texts[b].place)))
@@ -109,41 +125,62 @@ fn place_of(edges: &Edges, chain: &ChainRange, transform: &PageTransform) -> MmR
     MmRect::from_points(on_sheet(edges, chain, transform))
 }
 
-/// Closed contours that run along the sides of a box, and have something inside of it.
-fn boxes(edges: &Edges, transform: &PageTransform) -> Vec<MmRect> {
-    let others = edges.chains.iter().filter(|chain| chain.kind.sign.is_none());
-    let boxes = others.filter_map(|chain| along_box(edges, chain, transform));
-    boxes.filter(|place| !place.inflate(-BESIDE_FRAME, -BESIDE_FRAME).is_empty()).collect()
-}
-
-/// The samples in the frame of a legend: all signs that it holds, each with its word, and not much more.
-fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect]) -> Vec<PlacedSign> {
+/// The samples in the frame of a legend: all signs that it holds, each with its word, and not much more. If these are
+/// one of each kind in a column, words may be unread, and all but one may be shapes that are no texts, which are among
+/// the `others`.
+fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect], others: &[(usize, MmRect)]) -> Vec<PlacedSign> {
+    let all = kinds(signs);
     let samples = |frame: &MmRect| -> Option<Vec<PlacedSign>> {
         let inside = signs.iter().filter(|sign| frame.contains(sign.place.center()));
-        let samples: Vec<PlacedSign> = inside.cloned().collect();
+        let mut samples: Vec<PlacedSign> = inside.cloned().collect();
+        for sample in &mut samples {
+            sample.word = sample.word.filter(|word| frame.contains(texts[*word].place.center()));
+        }
+        let is_read = |of: &PlacedSign| of.word.is_some_and(|word| texts[word].is_read());
+        if !samples.iter().all(is_read) {
+            let is_column = samples.iter().all(|of| is_in_column_of(of.place, samples[0].place));
+            if !is_column || all < 2 || samples.len() != all || kinds(&samples) != all {
+                return None;
+            }
+            for sample in &mut samples {
+                sample.letters = letters(sample.place, *frame, others);
+            }
+        }
         let words: Vec<&Text> = samples.iter().filter_map(|of| Some(&texts[of.word?])).collect();
-        let holds_words = words.len() == samples.len() && words.iter().all(|of| frame.contains(of.place.center()));
+        let has_words = !words.is_empty() && samples.iter().all(|of| of.word.is_some() || !of.letters.is_empty());
         let places = samples.iter().map(|of| of.place).chain(words.iter().map(|of| of.place));
-        let around = places.reduce(|a, b| a.union(&b)).filter(|_| holds_words)?;
+        let around = places.reduce(|a, b| a.union(&b)).filter(|_| has_words)?;
         let most = AROUND * words.iter().map(|of| of.size).fold(0.0, f32::max);
         holds_box(around.inflate(most, most), *frame).then_some(samples)
     };
     boxes.iter().filter_map(samples).max_by_key(Vec::len).unwrap_or_default()
 }
 
+/// The shapes beside a sample in a frame that are no higher than letters of its size.
+fn letters(sample: MmRect, frame: MmRect, others: &[(usize, MmRect)]) -> Vec<usize> {
+    let row = MmRect::new(
+        MmPoint::new(frame.min.x, sample.min.y - 0.5 * sample.height()),
+        MmPoint::new(frame.max.x, sample.max.y + 0.5 * sample.height()),
+    );
+    let is_beside = |(_, place): &&(usize, MmRect)| holds_box(row, *place) && !place.intersects(&sample);
+    others.iter().filter(is_beside).map(|(chain, _)| *chain).collect()
+}
+
+/// How many kinds of signs there are.
+fn kinds(of: &[PlacedSign]) -> usize {
+    let mut kinds: Vec<u8> = of.iter().map(|sign| sign.kind).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    kinds.len()
+}
+
 /// The samples of a legend without a frame: one of each kind, two kinds and more, in a column or a row.
 fn in_line(signs: &[PlacedSign], texts: &[Text]) -> Vec<PlacedSign> {
-    let with_words = || signs.iter().filter(|sign| sign.word.is_some());
+    let with_words = || signs.iter().filter(|sign| sign.word.is_some_and(|word| texts[word].is_read()));
     let is_in_line = |a: &PlacedSign, b: &PlacedSign| {
         let words = a.word.zip(b.word).map(|(a, b)| [texts[a].place, texts[b].place]);
         let in_column = words.is_some_and(|words| are_in_column([a.place, b.place], words));
         in_column || (a.place.center().y - b.place.center().y).abs() <= IN_LINE
-    };
-    let kinds = |of: &[PlacedSign]| {
-        let mut kinds: Vec<u8> = of.iter().map(|sign| sign.kind).collect();
-        kinds.sort_unstable();
-        kinds.dedup();
-        kinds.len()
     };
     let all = kinds(signs);
     let samples = |first: &PlacedSign| -> Option<Vec<PlacedSign>> {
