@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::lines::{Lost, Run};
+use crate::units::MmPoint;
 
 #[test]
 fn of_the_patches_of_a_legend_all_are_drawn_or_none() {
