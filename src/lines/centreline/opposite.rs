@@ -52,7 +52,7 @@ pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &P
     let sides = OppositeSides::new(polylines, area, params);
     let of = |(number, polyline): (usize, &Polyline<Vertex>)| match sides.is_dot(number) {
         true => vec![None; polyline.vertices.len()],
-        false => (0..polyline.vertices.len()).map(|i| sides.opposite(number, i)).collect(),
+        false => (0..polyline.vertices.len()).map(|i| sides.opposite_of_edge(number, i)).collect(),
     };
     polylines.par_iter().enumerate().map(of).collect()
 }
@@ -76,6 +76,10 @@ impl<'a> OppositeSides<'a> {
                 continue;
             }
             for (i, (a, b)) in polyline.segments().enumerate() {
+                // the middle of a stroke is no side of one, and most lines of drawings are that
+                if a.is_in_stroke() && b.is_in_stroke() {
+                    continue;
+                }
                 let (line, index, arc) = (number as u32, i as u32, sides.arcs[number][i]);
                 sides.segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc });
             }
@@ -90,6 +94,12 @@ impl<'a> OppositeSides<'a> {
     /// A small ring (an eye, a button) is felt as a dot and stays whole.
     fn is_dot(&self, number: usize) -> bool {
         self.polylines[number].closed && self.params.is_dot(self.total(number))
+    }
+
+    /// The opposite of vertex `i` of a polyline if that is on an edge: without a step of colour it has none.
+    fn opposite_of_edge(&self, number: usize, i: usize) -> Option<Opposite> {
+        let is_in_stroke = self.polylines[number].vertices[i].is_in_stroke();
+        if is_in_stroke { None } else { self.opposite(number, i) }
     }
 
     /// The opposite of vertex `i` of a polyline.
