@@ -15,7 +15,6 @@
 use lyon::geom::euclid::{Point2D, Vector2D};
 
 use super::polyline::PolylineRef;
-use super::right_of;
 
 /// The longest step, in points. Only straight lines reach it; they keep one point more for it.
 const LOOK_AHEAD: usize = 512;
@@ -94,41 +93,86 @@ fn each_step<U>(
 ) {
     let mut wedge: Option<[Vector2D<f32, U>; 2]> = None; // unit vectors along its two sides, by the sign of cross
     let mut reached = 0.0_f32; // farthest of the points passed
-    for j in i + 1..points.len().min(i + 1 + longest) {
-        let chord = points[j] - points[i];
-        let distance = chord.length();
-        let inside = wedge.is_none_or(|[low, high]| {
-            low.cross(chord) >= 0.0 && chord.cross(high) >= 0.0 && (low + high).dot(chord) > 0.0
-        });
-        // A point that does not lie beyond all that were passed would leave those sticking out over its end.
-        if j == i + 1 || (inside && distance >= reached) {
-            let off = |[low, high]: [Vector2D<f32, U>; 2]| {
-                let (aside, open) = ((low + high).cross(chord).abs(), low.cross(high) * distance);
-                (aside / open.max(f32::MIN_POSITIVE)).min(1.0)
-            };
-            visit(j, wedge.map_or(0.0, off));
-        }
-        reached = reached.max(distance);
-        if distance <= tolerance {
-            continue; // any direction passes it
-        }
-        let (sin, unit) = (tolerance / distance, chord / distance);
-        let (along, aside) = (unit * (1.0 - sin * sin).sqrt(), right_of(unit) * sin);
-        let (low, high) = (along - aside, along + aside);
-        wedge = Some(match wedge {
-            None => [low, high],
-            Some([old_low, old_high]) => {
-                if (old_low + old_high).dot(chord) <= 0.0 {
-                    return; // it turns back
-                }
-                let low = if old_low.cross(low) > 0.0 { low } else { old_low };
-                let high = if high.cross(old_high) > 0.0 { high } else { old_high };
-                if low.cross(high) < 0.0 {
-                    return;
-                }
-                [low, high]
+    let end = points.len().min(i + 1 + longest);
+    let mut j = i + 1;
+    while j < end {
+        let views = Views::of(points[i], &points[j..end], tolerance);
+        for k in 0..views.count {
+            let (chord, distance) = (Vector2D::new(views.x[k], views.y[k]), views.distance[k]);
+            let inside = wedge.is_none_or(|[low, high]| {
+                low.cross(chord) >= 0.0 && chord.cross(high) >= 0.0 && (low + high).dot(chord) > 0.0
+            });
+            // A point that does not lie beyond all that were passed would leave those sticking out over its end.
+            if j == i + 1 || (inside && distance >= reached) {
+                let off = |[low, high]: [Vector2D<f32, U>; 2]| {
+                    let (aside, open) = ((low + high).cross(chord).abs(), low.cross(high) * distance);
+                    (aside / open.max(f32::MIN_POSITIVE)).min(1.0)
+                };
+                visit(j, wedge.map_or(0.0, off));
             }
-        });
+            j += 1;
+            reached = reached.max(distance);
+            if distance <= tolerance {
+                continue; // any direction passes it
+            }
+            let low = Vector2D::new(views.low_x[k], views.low_y[k]);
+            let high = Vector2D::new(views.high_x[k], views.high_y[k]);
+            wedge = Some(match wedge {
+                None => [low, high],
+                Some([old_low, old_high]) => {
+                    if (old_low + old_high).dot(chord) <= 0.0 {
+                        return; // it turns back
+                    }
+                    let low = if old_low.cross(low) > 0.0 { low } else { old_low };
+                    let high = if high.cross(old_high) > 0.0 { high } else { old_high };
+                    if low.cross(high) < 0.0 {
+                        return;
+                    }
+                    [low, high]
+                }
+            });
+        }
+    }
+}
+
+/// So many points are seen from another at once, by the vectors of the processor.
+const AT_ONCE: usize = 8;
+
+/// Points as they are seen from another: the vectors to them, and the two sides of the wedge of directions that pass
+/// each within the tolerance, as unit vectors.
+#[derive(Default)]
+struct Views {
+    count: usize,
+    x: [f32; AT_ONCE],
+    y: [f32; AT_ONCE],
+    distance: [f32; AT_ONCE],
+    low_x: [f32; AT_ONCE],
+    low_y: [f32; AT_ONCE],
+    high_x: [f32; AT_ONCE],
+    high_y: [f32; AT_ONCE],
+}
+
+impl Views {
+    /// The first of these points as seen from this one.
+    #[inline(always)]
+    fn of<U>(from: Point2D<f32, U>, points: &[Point2D<f32, U>], tolerance: f32) -> Self {
+        let mut views = Self { count: points.len().min(AT_ONCE), ..Self::default() };
+        for (k, at) in points.iter().take(AT_ONCE).enumerate() {
+            (views.x[k], views.y[k]) = (at.x - from.x, at.y - from.y);
+        }
+        for k in 0..AT_ONCE {
+            let (x, y) = (views.x[k], views.y[k]);
+            let distance = (x * x + y * y).sqrt();
+            // where there is no point, or one within the tolerance, these are no numbers, and are not asked for
+            let (sin, unit_x, unit_y) = (tolerance / distance, x / distance, y / distance);
+            let cos = (1.0 - sin * sin).sqrt();
+            let (along_x, along_y) = (unit_x * cos, unit_y * cos);
+            let (aside_x, aside_y) = (-unit_y * sin, unit_x * sin);
+            views.distance[k] = distance;
+            (views.low_x[k], views.low_y[k]) = (along_x - aside_x, along_y - aside_y);
+            (views.high_x[k], views.high_y[k]) = (along_x + aside_x, along_y + aside_y);
+        }
+        views
     }
 }
 
