@@ -99,7 +99,7 @@ impl Chart {
         }
         // a gridline between two bars at the height of the lower one is no bar
         let chains = edges.chains.iter().filter(|chain| !chain.kind.faint);
-        let pieces: Vec<(PxPoint, PxPoint)> = chains.flat_map(|chain| straight(edges, chain)).collect();
+        let pieces: Vec<(PxPoint, PxPoint)> = chains.flat_map(|chain| straight(edges, chain)).take(MOST + 1).collect();
         if pieces.len() > MOST {
             return None;
         }
