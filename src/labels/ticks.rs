@@ -78,16 +78,18 @@ fn along(group: &Group, at: MmPoint) -> f32 {
     if matches!(group.lies, GroupDirection::Column(_)) { at.y } else { at.x }
 }
 
-/// Where ticks of numbers of axes will lie that are shorter than lines have to be, and are drawn longer towards their
-/// numbers: the points of those pieces.
+/// Where ticks of an axis will lie that are shorter than lines have to be, and are drawn longer towards their numbers
+/// or, as below bars, words: the points of those pieces.
 pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f32) -> Vec<MmPoint> {
-    let scales = groups.iter().filter(|group| group.steps.is_some());
+    let is_of_words = |group: &Group| group.lies == GroupDirection::Row && group.members.len() >= SCALE;
+    let scales = groups.iter().filter(|group| group.steps.is_some() || is_of_words(group));
     let pieces = scales.flat_map(|group| {
         let found = group.members.iter().filter_map(|&label| short_tick(wanted[label].anchor, to_axis(group), room));
         let found: Vec<ShortTick> = found.filter(|tick| tick.length < least).collect();
         // not most numbers of a scale stand at corners
         let are_ticks = found.len() >= SCALE && 2 * found.len() > group.members.len();
-        found.into_iter().filter(move |tick| are_ticks || tick.length >= SHORTEST_ALONE)
+        let is_scale = group.steps.is_some();
+        found.into_iter().filter(move |tick| are_ticks || is_scale && tick.length >= SHORTEST_ALONE)
     });
     let points = |ShortTick { tip, to_axis, length, .. }: ShortTick| {
         let more = to_axis * (least - length);

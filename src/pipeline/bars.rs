@@ -87,6 +87,8 @@ pub(super) struct Chart {
     pub(super) sides: Vec<BaseSpan>,
     /// Where gridlines are.
     pub(super) gridlines: Vec<f32>,
+    /// Where the side of a frame around the bars is that lies beyond all of them.
+    pub(super) frame: Option<f32>,
     /// Whether most of the bars are stacks of parts.
     pub(super) is_divided: bool,
 }
@@ -119,8 +121,8 @@ impl Chart {
         }
         let levels = joined(levels);
         let base = base(&sides, &levels)?;
-        let (bars, gridlines, is_divided) = (Vec::new(), Vec::new(), false);
-        let mut chart = Self { direction, base, bars, sides, gridlines, is_divided };
+        let (bars, gridlines, frame, is_divided) = (Vec::new(), Vec::new(), None, false);
+        let mut chart = Self { direction, base, bars, sides, gridlines, frame, is_divided };
         chart.bars = chart.bars_below(&levels);
         chart.is_divided = 2 * chart.lowest_parts(&levels).len() > chart.bars.len();
         if are_cells(&chart.bars, &levels) {
@@ -143,6 +145,7 @@ impl Chart {
         if edges.chains.iter().all(|chain| chain.kind.exact) {
             chart.gridlines = chart.gridlines(edges);
         }
+        chart.frame = chart.frame_beyond(&levels);
         Some(chart)
     }
 
@@ -255,6 +258,17 @@ impl Chart {
         if grid.len() > 1 { grid } else { Vec::new() }
     }
 
+    /// The highest of these levels, if no bar reaches it and two lines run up to its ends from the base, on either side
+    /// of the bars.
+    fn frame_beyond(&self, levels: &[BaseSpan]) -> Option<f32> {
+        let (first, last) = (self.bars.first()?, self.bars.last()?);
+        let highest = levels.iter().max_by(|a, b| a.at.total_cmp(&b.at))?;
+        let is_around = highest.from <= first.from + SAME && highest.to >= last.to - SAME;
+        let is_beyond = self.bars.iter().all(|bar| bar.top + SAME < highest.at);
+        let has_sides = self.has_side(highest.from, highest.at) && self.has_side(highest.to, highest.at);
+        (is_around && is_beyond && has_sides).then_some(highest.at)
+    }
+
     /// A chain that is one straight line across the bars.
     fn level(&self, edges: &Edges, chain: &ChainRange) -> Option<BaseSpan> {
         let mut pieces = straight(edges, chain).into_iter();
@@ -263,10 +277,16 @@ impl Chart {
         ((up - down).abs() <= SAME).then(|| BaseSpan { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) })
     }
 
-    /// Whether a chain is a gridline or a part of one.
+    /// Whether a chain is a gridline or a part of one, or, where there are none, the side of the frame beyond the bars.
     pub(super) fn is_gridline(&self, edges: &Edges, chain: &ChainRange) -> bool {
-        self.level(edges, chain)
-            .is_some_and(|level| self.gridlines.iter().any(|at| (at - level.at).abs() <= 2.0 * SAME))
+        let frame = self.frame.filter(|_| self.gridlines.is_empty());
+        let is_at = |level: BaseSpan| self.gridlines.iter().chain(&frame).any(|at| (at - level.at).abs() <= 2.0 * SAME);
+        self.level(edges, chain).is_some_and(is_at)
+    }
+
+    /// Whether there is anything beside the bars that they can do without: gridlines, or the side of a frame.
+    pub(super) fn has_more_than_bars(&self) -> bool {
+        !self.gridlines.is_empty() || self.frame.is_some()
     }
 
     /// The outline of a bar, from the base to the base.

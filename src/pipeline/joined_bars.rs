@@ -2,7 +2,7 @@
 //! another, and where a line between every two has no room either, as one common outline.
 
 use super::bars::{Bar, Chart, SAME, WantedPath, missing};
-use super::told_bars::{BarStyle, Bars};
+use super::told_bars::{BarStyle, Bars, LeftOut};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::polyline::Polyline;
 use crate::lines::Line;
@@ -144,7 +144,7 @@ impl<T> Redraw<'_, T> {
         let mut best = None;
         let mut torn = percent(least);
         'variants: for variant in VARIANTS {
-            for &place in self.places.iter().filter(|_| variant.has_gridlines || !chart.gridlines.is_empty()) {
+            for &place in self.places.iter().filter(|_| variant.has_gridlines || chart.has_more_than_bars()) {
                 if least <= 0.0 {
                     break 'variants;
                 }
@@ -248,11 +248,12 @@ impl Chart {
     }
 
     /// The middle of a bar's top, which is as near to its sides as they are to one another: a line nearer to it than
-    /// these is the top.
+    /// these, and than the frame above, is the top.
     fn middle_of_top(&self, bar: &Bar, tolerances: BarTolerances, transform: &PageTransform) -> WantedPath {
         let width = bar.to - bar.from;
         let path = MIDDLE.map(|share| self.direction.point((bar.from + share * width, bar.top))).to_vec();
-        let reach = tolerances.reach.min(NEAR_TOP * width * transform.mm_per_px());
+        let to_frame = self.frame.map_or(f32::INFINITY, |frame| NEARER * (frame - bar.top));
+        let reach = tolerances.reach.min(to_frame.min(NEAR_TOP * width) * transform.mm_per_px());
         WantedPath { path, reach, or_none: false, weight: 1.0 / (MIDDLE[1] - MIDDLE[0]) }
     }
 
@@ -297,7 +298,8 @@ impl Chart {
         // those that are far enough apart are drawn anew each by itself
         let bars = if rows.iter().any(|row| row.bars.len() > 1) { bars } else { Bars::Apart };
         let is_at_axis = rows.iter().any(is_at_axis);
-        let instead = BarStyle { bars, has_gridlines, low: low.len(), is_at_axis, torn: 0 };
+        let left_out = LeftOut::of(has_gridlines, !self.gridlines.is_empty());
+        let instead = BarStyle { bars, left_out, low: low.len(), is_at_axis, torn: 0 };
         let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
         let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
@@ -425,7 +427,12 @@ impl Chart {
             let highest = row.bars.iter().min_by(|a, b| nearest(a).total_cmp(&nearest(b)));
             inside && !in_bar && is_level && highest.is_some_and(|bar| along <= bar.top + SAME)
         };
-        low.iter().any(of_bar) || rows.iter().any(|row| row.bars.iter().any(of_bar) || between(row))
+        // a side that a low bar shares with a higher one is that of the higher one
+        let is_of_higher = |bar: &Bar| {
+            !low.contains(bar) && (near(across, bar.from) || near(across, bar.to)) && along <= bar.top + SAME
+        };
+        low.iter().any(of_bar) && !(is_side && self.bars.iter().any(is_of_higher))
+            || rows.iter().any(|row| row.bars.iter().any(of_bar) || between(row))
     }
 
     /// Where lines are: the outline of each row, and between every two of its bars if they are `touching`.

@@ -7,13 +7,33 @@ use crate::{About, Note, Reason, Told};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct BarStyle {
     pub(super) bars: Bars,
-    pub(super) has_gridlines: bool,
+    pub(super) left_out: LeftOut,
     /// How many bars are too low for an outline.
     pub(super) low: usize,
     /// Whether a bar beside an axis is drawn as standing at it.
     pub(super) is_at_axis: bool,
     /// How much of the outlines of bars is not drawn all the same, percent, rounded up.
     pub(super) torn: u32,
+}
+
+/// What is left out beside bars, so that they have room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LeftOut {
+    Nothing,
+    Gridlines,
+    /// The side beyond the bars of the frame around them.
+    FrameSide,
+}
+
+impl LeftOut {
+    /// Of a chart whose `has_grid` says whether it has gridlines to leave out.
+    pub(super) fn of(has_gridlines: bool, has_grid: bool) -> Self {
+        match (has_gridlines, has_grid) {
+            (true, _) => Self::Nothing,
+            (false, true) => Self::Gridlines,
+            (false, false) => Self::FrameSide,
+        }
+    }
 }
 
 /// How the bars of a row stand beside one another.
@@ -37,14 +57,14 @@ pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -
 
 impl BarStyle {
     pub(super) const AS_IT_IS: Self =
-        Self { bars: Bars::Apart, has_gridlines: true, low: 0, is_at_axis: false, torn: 0 };
+        Self { bars: Bars::Apart, left_out: LeftOut::Nothing, low: 0, is_at_axis: false, torn: 0 };
 
     /// What of an overview is told beside its figure: what is so in both is no news.
     fn beside(self, figure: Self) -> Self {
         let bars = if self.bars == figure.bars { Bars::Apart } else { self.bars };
         let low = if self.low == figure.low { 0 } else { self.low };
-        let has_gridlines = self.has_gridlines || !figure.has_gridlines;
-        Self { bars, low, has_gridlines, is_at_axis: self.is_at_axis && !figure.is_at_axis, ..self }
+        let left_out = if self.left_out == figure.left_out { LeftOut::Nothing } else { self.left_out };
+        Self { bars, low, left_out, is_at_axis: self.is_at_axis && !figure.is_at_axis, ..self }
     }
 
     fn told(self, part: PagePart) -> Vec<Note> {
@@ -77,8 +97,13 @@ impl BarStyle {
             let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
             Note::TakenAs(about, Reason::BarAtAxis, told.into())
         });
-        let grid = (!self.has_gridlines).then(|| {
-            let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
+        let left_out = match self.left_out {
+            LeftOut::Nothing => None,
+            LeftOut::Gridlines => Some("the gridlines of the chart"),
+            LeftOut::FrameSide => Some("the side of the frame around the chart that lies beyond its bars"),
+        };
+        let grid = left_out.map(|what| {
+            let told = format!("{what}, {place}as a whole, so that its bars have room");
             Note::NotOnPage(about, Reason::ChartGrid, told.into())
         });
         let torn = (self.torn > 0).then(|| {

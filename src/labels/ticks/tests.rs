@@ -49,10 +49,10 @@ fn lines_of_a_grid_are_no_ticks() {
     assert_eq!(counts_of(&[0, 5, 10], (-20.0, 20.0)), [1, 2, 5, 10]);
 }
 
-/// How far towards the numbers 0 to 3, 20 mm apart, the ticks of an axis will reach that are to be 8 mm long: the least
+/// How far towards four texts, 20 mm apart, the ticks of an axis will reach that are to be 8 mm long: the least
 /// x of them, where the axis is upright, at 40 mm, from `first` mm down to 80; the first number stands at 10 mm. Of a
-/// level axis the same with x and y swapped. The print ends `blank` mm before the ticks.
-fn nearest_of_longer(tick: f32, blank: f32, first: f32, is_level: bool) -> f32 {
+/// level axis the same with x and y swapped. The print ends `blank` mm before the ticks; it is these texts.
+fn nearest_beside(texts: [&str; 4], tick: f32, blank: f32, first: f32, is_level: bool) -> f32 {
     let at = |i: usize| 10.0 + 20.0 * i as f32;
     let point = |x: f32, y: f32| if is_level { MmPoint::new(y, 90.0 - x) } else { MmPoint::new(x, y) };
     let line = |from: MmPoint, to: MmPoint| Line { strength: 50.0, runs: vec![Run::stroke(1.0, vec![from, to])] };
@@ -62,7 +62,7 @@ fn nearest_of_longer(tick: f32, blank: f32, first: f32, is_level: bool) -> f32 {
     let room = Room::new(&lines, &[], &Params::of_test(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0))));
     let right = 40.0 - tick - blank;
     let number = |i: usize| Wanted {
-        text: format!("{i} \u{20ac}"),
+        text: texts[i].to_string(),
         anchor: MmRect::from_points([point(right - 6.0, at(i) - 2.0), point(right, at(i) + 2.0)]),
         lost_leader: None,
         kept_leader: None,
@@ -73,6 +73,11 @@ fn nearest_of_longer(tick: f32, blank: f32, first: f32, is_level: bool) -> f32 {
     let longer = longer(&groups, &wanted, &room, 8.0);
     let off = |at: &MmPoint| if is_level { 90.0 - at.y } else { at.x };
     longer.iter().map(off).fold(f32::INFINITY, f32::min)
+}
+
+/// The same beside the numbers 0 to 3.
+fn nearest_of_longer(tick: f32, blank: f32, first: f32, is_level: bool) -> f32 {
+    nearest_beside(["0 \u{20ac}", "1 \u{20ac}", "2 \u{20ac}", "3 \u{20ac}"], tick, blank, first, is_level)
 }
 
 #[test]
@@ -98,4 +103,13 @@ fn ticks_are_found_that_end_close_to_their_numbers() {
             assert!((31.0..33.5).contains(&nearest), "{tick} {blank}: {nearest}");
         }
     }
+}
+
+#[test]
+fn ticks_at_words_below_bars_are_laid_out_as_long_as_they_will_be_drawn() {
+    let days = ["Mon", "Tue", "Wed", "Thu"];
+    let nearest = nearest_beside(days, 1.5, 0.8, 5.0, true);
+    assert!((31.0..33.5).contains(&nearest), "{nearest}");
+    let nearest = nearest_beside(days, 0.0, 6.0, 5.0, true);
+    assert!(nearest.is_infinite(), "an axis is no tick");
 }

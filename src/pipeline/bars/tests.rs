@@ -46,7 +46,8 @@ fn bars_of_one_height_are_a_chart_if_they_are_stacks_divided_at_several_heights(
             .flat_map(|(bar, parts)| parts.iter().map(move |&at| BaseSpan { at, from: bar.from, to: bar.to }))
             .collect();
         let (sides, gridlines) = (Vec::new(), Vec::new());
-        let chart = Chart { direction: Direction::Up, base: 0.0, bars, sides, gridlines, is_divided: true };
+        let chart =
+            Chart { direction: Direction::Up, base: 0.0, bars, sides, gridlines, frame: None, is_divided: true };
         chart.are_stacks(&levels)
     };
     assert!(are_stacks(20.0, [&[40.0, 75.0], &[20.0, 70.0], &[60.0, 70.0], &[15.0, 40.0]]));
@@ -54,4 +55,28 @@ fn bars_of_one_height_are_a_chart_if_they_are_stacks_divided_at_several_heights(
     assert!(!are_stacks(0.0, [&[40.0, 75.0], &[20.0, 70.0], &[60.0, 70.0], &[15.0, 40.0]]), "cells of a table");
     assert!(!are_stacks(20.0, [&[50.0], &[50.0], &[51.0], &[80.0]]), "windows, one of them open");
     assert!(!are_stacks(20.0, [&[40.0], &[20.0], &[], &[]]), "half of them are not divided");
+}
+
+#[test]
+fn the_side_of_a_frame_lies_beyond_all_bars_between_two_lines_as_high() {
+    let frame = |at: f32, right: f32| {
+        let side = |at: f32, to: f32| BaseSpan { at, from: 0.0, to };
+        let bars = bars(&[(0.0, 50.0, 100.0), (50.0, 100.0, 150.0)]);
+        let sides =
+            vec![side(-20.0, 180.0), side(0.0, 100.0), side(50.0, 150.0), side(100.0, 150.0), side(120.0, right)];
+        let chart = Chart {
+            direction: Direction::Up,
+            base: 0.0,
+            bars,
+            sides,
+            gridlines: Vec::new(),
+            frame: None,
+            is_divided: false,
+        };
+        let tops = [(100.0, 0.0, 50.0), (150.0, 50.0, 100.0), (at, -20.0, 120.0)];
+        chart.frame_beyond(&tops.map(|(at, from, to)| BaseSpan { at, from, to }))
+    };
+    assert_eq!(frame(180.0, 180.0), Some(180.0));
+    assert_eq!(frame(180.0, 100.0), None, "a line over the bars, without a side on the right");
+    assert_eq!(frame(150.0, 150.0), None, "the highest bar reaches it");
 }

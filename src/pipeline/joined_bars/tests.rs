@@ -2,7 +2,7 @@
 
 use super::super::bars::{BaseSpan, Direction};
 use super::*;
-use crate::units::Size;
+use crate::units::{MmPoint, Size};
 
 const BARS: [Bar; 3] = [
     Bar { from: 0.0, to: 20.0, top: 100.0 },
@@ -17,7 +17,7 @@ fn chart(axis: f32) -> Chart {
     let sides = BARS.iter().flat_map(|bar| [side(bar.from, bar.top), side(bar.to, bar.top)]);
     let sides = sides.chain([side(-10.0, axis)]).collect();
     let (bars, gridlines) = (BARS.to_vec(), Vec::new());
-    Chart { direction: Direction::Up, base: 0.0, bars, sides, gridlines, is_divided: false }
+    Chart { direction: Direction::Up, base: 0.0, bars, sides, gridlines, frame: None, is_divided: false }
 }
 
 fn row(ends: [RowEnd; 2]) -> BarRow {
@@ -99,6 +99,18 @@ fn of_a_bar_that_is_too_low_its_own_outline_is_replaced_only() {
     assert!(!is_replaced((22.0, 30.0), level), "what is between it and the next");
 }
 
+#[test]
+fn a_side_that_a_bar_shares_with_one_that_is_too_low_stays() {
+    let (upwards, level) = (PxVector::new(0.0, -1.0), PxVector::new(1.0, 0.0));
+    let bars = vec![BARS[0], Bar { from: 20.0, to: 40.0, top: 8.0 }];
+    let chart = Chart { bars, ..chart(120.0) };
+    let is_replaced = |place: (f32, f32), direction: PxVector| {
+        chart.is_replaced(Direction::Up.point(place), direction, &[], &chart.bars[1..])
+    };
+    assert!(is_replaced((40.0, 6.0), upwards) && is_replaced((30.0, 8.0), level));
+    assert!(!is_replaced((20.0, 6.0), upwards));
+}
+
 /// The lengths of the runs, px, that are kept of 100 px of a straight line of which some is taken out.
 fn kept(is_out: impl Fn(usize) -> bool, is_of_base: bool) -> Vec<usize> {
     let edgel = |x: u16| Edgel { at: PxPoint::new(f32::from(x), 0.0), strength: 30.0, contrast: [0.0; 3] };
@@ -121,4 +133,14 @@ fn a_remainder_of_a_bar_goes_unless_it_is_of_the_base() {
     let is_out = |i: usize| !(40..=48).contains(&i);
     assert!(kept(is_out, false).is_empty());
     assert_eq!(kept(is_out, true), [8]);
+}
+
+#[test]
+fn the_frame_close_above_a_bar_does_not_stand_for_its_top() {
+    let tolerances = BarTolerances { gap: 3.0, low: 3.0, reach: 2.0, torn: 3.0, moved: 0.0 };
+    let at = PageTransform::new(Size::new(100, 100), MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)));
+    let reach = |frame: Option<f32>| Chart { frame, ..chart(120.0) }.middle_of_top(&BARS[0], tolerances, &at).reach;
+    assert_eq!(reach(None), 2.0);
+    assert_eq!(reach(Some(110.0)), 2.0);
+    assert!(reach(Some(102.0)) < 2.0);
 }

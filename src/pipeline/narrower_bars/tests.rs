@@ -39,6 +39,7 @@ fn the_outline_and_the_parts_of_a_bar_move_and_the_axes_stay() {
         bars: BARS.to_vec(),
         sides,
         gridlines: Vec::new(),
+        frame: None,
         is_divided: true,
     };
     let mut edges = Edges::none(Size::new(400, 200));

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn the_overview_tells_only_what_the_figure_does_not() {
-    let touching = BarStyle { bars: Bars::Touching, has_gridlines: false, low: 1, is_at_axis: false, torn: 0 };
+    let touching = BarStyle { bars: Bars::Touching, left_out: LeftOut::Gridlines, low: 1, is_at_axis: false, torn: 0 };
     let outline = BarStyle { bars: Bars::Outline, ..touching };
     assert!(told(None, None).is_empty());
     let of_figure = told(Some(touching), None);
