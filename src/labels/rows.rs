@@ -114,8 +114,9 @@ enum RowPlace {
     Margin,
 }
 
-/// The arrangements and forms in which the labels of a group are tried, in this order.
-fn attempts(group: &Group) -> Vec<(Arrangement, FormLevel)> {
+/// The arrangements and forms in which the labels of a group are tried, in this order. Words to which ticks lead need
+/// no leader lines.
+fn attempts(group: &Group, have_ticks: bool) -> Vec<(Arrangement, FormLevel)> {
     let words = [FormLevel::Whole, FormLevel::TwoLines, FormLevel::Fitting, FormLevel::UnitOnce, FormLevel::Short];
     let is_column = matches!(group.lies, GroupDirection::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
@@ -129,11 +130,12 @@ fn attempts(group: &Group) -> Vec<(Arrangement, FormLevel)> {
         if group.is_of_months { (letters, &[]) } else { (&[], letters) };
     let of_margin = if is_axis { of(RowPlace::Margin, &words) } else { Vec::new() };
     let led = if is_column { Vec::new() } else { of(RowPlace::Led, &words) };
+    let [beyond, farther] = if have_ticks { [of_margin, led] } else { [led, of_margin] };
     [
         of(RowPlace::Near, &words),
         of(RowPlace::Near, known),
-        led,
-        of_margin,
+        beyond,
+        farther,
         of(RowPlace::Near, unknown),
         of(RowPlace::Led, unknown),
     ]
@@ -163,7 +165,8 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
         numbers.rev().find(has_unit)
     };
     let mut seen: Vec<(Arrangement, Vec<usize>)> = Vec::new();
-    for (arrangement, level) in attempts(group) {
+    let have_ticks = ticks::lead_to_words(group, context.wanted, context.room);
+    for (arrangement, level) in attempts(group, have_ticks) {
         let number_of = |(i, &label): (usize, &usize)| {
             // in two lines, if it has them
             let level = if level == FormLevel::UnitOnce && Some(i) == with_unit { FormLevel::TwoLines } else { level };

@@ -99,6 +99,13 @@ pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f3
     pieces.flat_map(points).collect()
 }
 
+/// Whether most words of a row have a tick of their own, which leads to them.
+pub(super) fn lead_to_words(group: &Group, wanted: &[Wanted], room: &Room) -> bool {
+    let has_tick = |label: &&usize| short_tick(wanted[**label].anchor, to_axis(group), room).is_some();
+    let count = group.members.iter().filter(has_tick).count();
+    group.steps.is_none() && group.lies == GroupDirection::Row && count >= SCALE && 2 * count > group.members.len()
+}
+
 /// A piece of a line across an axis, between the axis and a number.
 struct ShortTick {
     /// Where it ends beside the number.

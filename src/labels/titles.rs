@@ -17,6 +17,9 @@ const ASIDE: f32 = 30.0;
 const ABOVE: f32 = 30.0;
 /// A text is turned if its box is so many times as high as it is wide.
 const TURNED: f32 = 1.5;
+/// Ticks that are drawn longer, towards the numbers of their axis, reach so far beyond it at most, mm: a title may
+/// stand beside them.
+const TICK: f32 = 10.0;
 /// Fewest letters of a text that shows by its box that it is turned.
 const LETTERS: usize = 3;
 
@@ -47,16 +50,20 @@ fn gap(label: usize, group: &Group, context: &Context<'_>) -> Option<f32> {
     let (at, is_axis) = (text.center(), group.steps.is_some() || group.members.len() >= OF_AN_AXIS);
     // what stands among lines is the name of one of them, or of a sample in a legend
     let lines = context.room.bounds()?;
+    let ticks = if is_turned { TICK } else { 0.0 };
     let gap = match group.lies {
         GroupDirection::Column(_)
             if (is_turned || is_beside && group.steps.is_some())
                 && (all.min.y..all.max.y).contains(&at.y)
-                && !(lines.min.x..lines.max.x).contains(&at.x) =>
+                && !(lines.min.x + ticks..lines.max.x - ticks).contains(&at.x) =>
         {
             (all.min.x - at.x).max(at.x - all.max.x)
         }
         GroupDirection::Row
-            if !is_turned && !text.is_empty() && (all.min.x..all.max.x).contains(&at.x) && at.y > lines.max.y =>
+            if !is_turned
+                && !text.is_empty()
+                && (all.min.x..all.max.x).contains(&at.x)
+                && at.y > lines.max.y - TICK =>
         {
             at.y - all.max.y
         }

@@ -75,14 +75,15 @@ pub(super) fn join_but_ticks(
 }
 
 /// A thread, in pieces where two of its polylines are strokes of one fan, each long enough for a line: each ends on the
-/// line to which it leads, where a bend would only touch it. What closes to a ring is a shape that stands there.
+/// line to which it leads, where a bend would only touch it. What closes to a ring is a shape that stands there, unless
+/// that line is a part of the ring, as where squares share sides in the net of a cube.
 fn without_fans(
-    thread: LinkedChain,
+    mut thread: LinkedChain,
     polylines: &[Polyline<Vertex>],
     lengths: &[f32],
     standing: &StandingEnds,
 ) -> Vec<LinkedChain> {
-    if thread.closed || thread.parts.len() < 2 {
+    if thread.parts.len() < 2 {
         return vec![thread];
     }
     let end = |part: &Part, at_start: bool| {
@@ -98,8 +99,25 @@ fn without_fans(
         };
         are_long && ends.is_some_and(are_of_fan)
     };
+    if thread.closed {
+        let passes = |at: MmPoint| thread.parts.iter().any(|part| goes_through(&polylines[part.polyline], at));
+        let touches_itself = |number: &usize| {
+            let before = &thread.parts[number.checked_sub(1).unwrap_or(thread.parts.len() - 1)];
+            let is_passed = || end(before, before.reversed).is_some_and(|(at, _)| passes(at));
+            is_fan(before, &thread.parts[*number]) && is_passed()
+        };
+        let Some(first) = (0..thread.parts.len()).find(touches_itself) else { return vec![thread] };
+        thread.parts.rotate_left(first);
+    }
     let pieces = thread.parts.chunk_by(|before, next| !is_fan(before, next));
     pieces.map(|parts| LinkedChain { parts: parts.to_vec(), closed: false }).collect()
+}
+
+/// Whether a polyline comes to a place and goes on.
+fn goes_through(polyline: &Polyline<Vertex>, at: MmPoint) -> bool {
+    let ends = [polyline.vertices.first(), polyline.vertices.last()].into_iter().flatten();
+    let is_far = |end: &Vertex| (end.at - at).length() > TOUCHING;
+    ends.into_iter().all(is_far) && polyline.distance(at) <= TOUCHING
 }
 
 /// Both ends of every open polyline.

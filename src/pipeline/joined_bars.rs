@@ -248,13 +248,14 @@ impl Chart {
     }
 
     /// The middle of a bar's top, which is as near to its sides as they are to one another: a line nearer to it than
-    /// these, and than the frame above, is the top.
+    /// these is the top. Towards the frame above it, a line nearer to that is none.
     fn middle_of_top(&self, bar: &Bar, tolerances: BarTolerances, transform: &PageTransform) -> WantedPath {
-        let width = bar.to - bar.from;
-        let path = MIDDLE.map(|share| self.direction.point((bar.from + share * width, bar.top))).to_vec();
-        let to_frame = self.frame.map_or(f32::INFINITY, |frame| NEARER * (frame - bar.top));
-        let reach = tolerances.reach.min(to_frame.min(NEAR_TOP * width) * transform.mm_per_px());
-        WantedPath { path, reach, or_none: false, weight: 1.0 / (MIDDLE[1] - MIDDLE[0]) }
+        let (width, mm_per_px) = (bar.to - bar.from, transform.mm_per_px());
+        let down = tolerances.reach.min(NEAR_TOP * width * mm_per_px);
+        let up = self.frame.map_or(down, |frame| down.min(NEARER * (frame - bar.top) * mm_per_px));
+        let along = bar.top - 0.5 * (down - up) / mm_per_px;
+        let path = MIDDLE.map(|share| self.direction.point((bar.from + share * width, along))).to_vec();
+        WantedPath { path, reach: 0.5 * (down + up), or_none: false, weight: 1.0 / (MIDDLE[1] - MIDDLE[0]) }
     }
 
     /// The contours of the chart in this variant; none if the variant changes nothing.

@@ -40,6 +40,8 @@ const AT_JOINT: f32 = 5.0;
 const TO_JOINT: f32 = 3.0;
 /// A line goes on in another that turns by 60 degrees at most: the cosine.
 const GOES_ON: f32 = 0.5;
+/// A branch of a tree ends so many times as far from its word, at most, as a leader line does.
+const BRANCH: f32 = 2.0;
 /// Ticks on a line make it an axis: so many.
 const TICKS: usize = 2;
 /// A leader line is drawn at a place if a line is so near, mm; most lines are moved by less (see
@@ -337,13 +339,39 @@ fn find(
         let place = texts[text].place;
         let leads = points_away(&path, place, beside)
             && is_free_end(path[0], place, number as u32, &index)
-            && leads_to_something(&path, number as u32, &index)
+            && leads_to_something(&path, &index, |line| line != number as u32)
             && ticks_on(number, &chains, edges) < TICKS
             && !is_hinged(&path, number, &chains, edges);
         let ends_at_line = index.nearest(tip, AT_TIP, |segment| segment.line != number as u32).is_some();
         leads.then_some(Leader { chain: number, text, path, ends_at_line })
     };
-    (0..chains.len()).filter_map(is_leader).collect()
+    let is_beside_word = |end: MmPoint| text_at(end, BRANCH * beside, texts, &of_words).is_some();
+    without_branches((0..chains.len()).filter_map(is_leader).collect(), &chains, is_beside_word, &index)
+}
+
+/// Those of some lines from words that lead to something else than to one another, or to the end of a line that comes
+/// from beside a word, too: two that lead to one place where nothing else is are the branches of a tree.
+fn without_branches(
+    found: Vec<Leader>,
+    chains: &[Vec<MmPoint>],
+    is_beside_word: impl Fn(MmPoint) -> bool,
+    index: &Nearby,
+) -> Vec<Leader> {
+    let leads_elsewhere = |leader: &Leader| {
+        let tip = leader.path[leader.path.len() - 1];
+        let is_branch = |line: u32| {
+            let points = &chains[line as usize];
+            let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return false };
+            let comes_here = |near: MmPoint, far: MmPoint| (near - tip).length() <= AT_TIP && is_beside_word(far);
+            let is_straight =
+                (last - first).length() >= STRAIGHT * PolylineRef { vertices: points, closed: false }.length();
+            found.iter().any(|other| other.chain == line as usize)
+                || is_straight && (comes_here(first, last) || comes_here(last, first))
+        };
+        leads_to_something(&leader.path, index, |line| line as usize != leader.chain && !is_branch(line))
+    };
+    let leads: Vec<bool> = found.iter().map(leads_elsewhere).collect();
+    found.into_iter().zip(leads).filter_map(|(leader, leads)| leads.then_some(leader)).collect()
 }
 
 /// The nearest of texts `of_words` to the end of a line, if it is nearer than `beside` mm.
@@ -375,10 +403,10 @@ fn is_free_end(end: MmPoint, text: MmRect, line: u32, index: &Nearby) -> bool {
     !parted && index.nearest(end, LEADER_FREE, |segment| segment.line != line).is_none()
 }
 
-/// Whether a line ends at another one, or crosses one on its way.
-fn leads_to_something(path: &[MmPoint], line: u32, index: &Nearby) -> bool {
+/// Whether a line ends at another one which is a thing, or crosses one on its way.
+fn leads_to_something(path: &[MmPoint], index: &Nearby, is_thing: impl Fn(u32) -> bool) -> bool {
     let (from, tip) = (path[0], path[path.len() - 1]);
-    let is_other = |segment: &Segment| segment.line != line;
+    let is_other = |segment: &Segment| is_thing(segment.line);
     let mut crosses = false;
     index.around(from.min(tip), from.max(tip), 0.0, |segment| {
         crosses |= is_other(segment) && crossing((from, tip), (segment.a, segment.b)).is_some();

@@ -1,7 +1,7 @@
 //! A picture is decoded, and the text in its pixels taken out of it.
 
 use super::given::Given;
-use super::misread::{ReadAt, off_their_rows};
+use super::misread::{ReadAt, off_their_scales};
 use super::progress::{Event, ONE_COLOUR, Stage, Watch, run_stage};
 use super::request::{LayoutOf, Request, working_size};
 use super::text_reader::TextReader;
@@ -239,7 +239,7 @@ fn without_misread(words: &mut [String], found: &Lettering) -> Vec<String> {
         ReadAt { middle: min.lerp(max, 0.5), height: line.height }
     };
     let places: Vec<ReadAt> = found.lines.iter().map(place).collect();
-    off_their_rows(words, &places).into_iter().map(|at| std::mem::take(&mut words[at])).collect()
+    off_their_scales(words, &places).into_iter().map(|at| std::mem::take(&mut words[at])).collect()
 }
 
 /// What the maker is told of texts in pixels that somebody has read: a word that was read wrongly is found by reading
@@ -249,7 +249,9 @@ fn told_read(words: &[String], odd: &[String]) -> Option<Note> {
     let odd: Vec<String> = odd.iter().map(|text| format!("\"{text}\"")).collect();
     let left_out = match odd.is_empty() {
         true => String::new(),
-        false => format!("; left out, as the other numbers of the row step evenly without: {}", odd.join(", ")),
+        false => {
+            format!("; left out, as the other numbers of the row or column step evenly without: {}", odd.join(", "))
+        }
     };
     let unread = match words.len() - read.len() - odd.len() {
         0 => String::new(),

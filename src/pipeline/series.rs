@@ -141,8 +141,8 @@ pub(super) fn textured(
     (textures, notes)
 }
 
-/// Makes the bars of a series alike where one series lacks textures, or one has hardly any: no bar of it has one. Where
-/// several lack some, nobody could tell these apart then, so that they stay as they are. Tells of both.
+/// Makes the bars of a series alike where one series lacks textures, or one has hardly any: no bar of it has one. A
+/// series by itself has none where most of its bars have none. Where several lack some, nobody could tell these apart then, so that they stay as they are. Tells of both.
 fn made_alike(
     bars: &[ColouredBar],
     classes: &mut Classes,
@@ -162,7 +162,9 @@ fn made_alike(
         |class: Class| Lacking { class, bars: count(class, &|_| true), bare: count(class, &|bar| is_bare[bar]) };
     let series: Vec<Lacking> = Class::ALL.into_iter().map(series).filter(|series| series.bars > 0).collect();
     let lacking: Vec<Lacking> = series.iter().copied().filter(|series| series.bare > 0).collect();
-    if series.len() < 2 || lacking.is_empty() {
+    // of one colour alone, the few bars that have a sign would seem to be others; that low ones have none says nothing
+    let is_of_few = |of: &Lacking| of.bare < of.bars && 2 * of.bare >= of.bars;
+    if lacking.is_empty() || series.len() < 2 && !lacking.iter().all(is_of_few) {
         return None;
     }
     let is_lacking = |class: Class| lacking.iter().any(|series| series.class == class);
@@ -180,7 +182,7 @@ fn made_alike(
         texture.glyphs.retain(|glyph| !is_own(glyph));
     }
     textures.retain(|texture| !texture.glyphs.is_empty());
-    if legend.is_empty() {
+    if legend.is_empty() && series.len() > 1 {
         let is_gone = |class: &Class| !textures.iter().any(|texture| texture.class == *class);
         legend.extend(blanked.iter().map(|of| of.class).filter(is_gone).map(LegendEntry::of_blank));
     }

@@ -334,6 +334,35 @@ fn titles_of_axes_stand_at_their_ends() {
     }
 }
 
+/// Ticks that are drawn longer reach beyond a title that stands close to its numbers, as in charts of matplotlib: it
+/// stands above them all the same, without a leader line, which would end at a number.
+#[test]
+fn a_title_beside_ticks_that_are_drawn_longer_stands_above_its_numbers() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='504' height='360' font-family='sans-serif' \
+        font-size='10'><rect width='504' height='360' fill='#fff'/>\
+        <path d='M44 30V320H490M60 320V220H120V320M120 220V120H180V320M180 180H240V320' fill='none' stroke='#000'/>\
+        <text x='18.5' y='175' text-anchor='middle' transform='rotate(-90 18.5 175)'>Frequency</text>"
+        .to_owned();
+    for k in 0..5 {
+        let y = 320 - 60 * k;
+        write!(
+            svg,
+            "<path d='M40.5 {y}H44' stroke='#000'/><text x='37' y='{}' text-anchor='end'>{}</text>",
+            y + 4,
+            2 * k
+        )
+        .expect("a string takes it");
+    }
+    let drawing = drawn(&(svg + "</svg>"), "swell-a4");
+    let labels = labels_of(&drawing);
+    let of = |text: &str| {
+        let found = labels.iter().find(|label| label.text == text);
+        found.unwrap_or_else(|| panic!("{text} is left out: {:?}", drawing.notes))
+    };
+    let (title, top) = (of("Frequency"), place(of("8")));
+    assert!(place(title).max.y < top.min.y && title.leader.is_none(), "{title:?} {top:?}");
+}
+
 /// Where the short ticks of an axis are drawn longer, its numbers stand at them and not in their place, the one at the
 /// corner of two axes too; the title of the axis, which is level in print, stands above all of them and names no bar.
 #[test]

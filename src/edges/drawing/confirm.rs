@@ -52,9 +52,14 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
         most_hidden(*stroke),
         line.closed,
     );
+    let length_of = |stretch: &SegmentRun| stretch.indices().map(|i| lengths[i % lengths.len()]).sum::<f32>();
+    // a border that nobody sees, as of white on white, shows a step at the end of a stroke that ends on it
+    let is_end_of_stroke =
+        |stretch: &SegmentRun| stroke.is_none() && !stretch.whole_ring && length_of(stretch) <= HIDDEN;
     stretches(&shown, line.closed)
         .into_iter()
         .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
+        .filter(|stretch| !is_end_of_stroke(stretch))
         .map(|stretch| {
             let on_borders = stretch.indices().filter(|i| seen[i % seen.len()].is_on_border).count();
             Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke, on_borders, faint: false }

@@ -107,3 +107,47 @@ fn strokes_that_lead_from_one_place_of_a_line_to_several_stay_lines_by_themselve
     let triangle = [[(50., 20.), (30., 40.)], [(30., 40.), (70., 40.)], [(70., 40.), (50., 20.)]];
     assert_eq!(lines_at_a_line(&triangle), [1, 1], "a triangle below the line");
 }
+
+/// As in the net of a cube, whose squares share sides.
+#[test]
+fn lines_that_meet_at_the_corner_of_another_stay_lines_by_themselves() {
+    let corner = Polyline::open(
+        straight((50., 20.), (50., 50.), 0.0)
+            .vertices
+            .into_iter()
+            .chain(straight((50., 50.), (20., 50.), 0.0).vertices)
+            .collect(),
+    );
+    let count = |first: (f32, f32), second: (f32, f32)| {
+        let mut lines = vec![corner.clone(), straight((50., 50.), first, 0.0), straight(second, (50., 50.), 0.0)];
+        let standing = StandingEnds::of(&mut lines, area(), &Params { of_drawing: true, ..Params::TEST });
+        join(lines, 3.0, &standing, true).len()
+    };
+    assert_eq!(count((80., 50.), (50., 80.)), 3, "both from outside");
+    assert_eq!(count((80., 80.), (20., 20.)), 2, "one goes on across the corner");
+}
+
+/// The squares of the net of a cube as they are found, each without the sides that others have: the sides of three of
+/// them close to a ring that comes to one corner twice.
+#[test]
+fn a_ring_that_touches_itself_is_several_lines() {
+    let open = |corners: &[(f32, f32)]| {
+        let sides = corners.windows(2).flat_map(|side| straight(side[0], side[1], 0.0).vertices);
+        Polyline::open(sides.collect())
+    };
+    let square = |x: f32, y: f32| Polyline {
+        closed: true,
+        ..open(&[(x, y), (x + 20., y), (x + 20., y + 20.), (x, y + 20.), (x, y)])
+    };
+    let mut lines = vec![
+        square(40., 20.),
+        square(20., 40.),
+        open(&[(60., 40.), (60., 60.), (40., 60.)]),
+        open(&[(60., 40.), (80., 40.), (80., 60.), (60., 60.)]),
+        open(&[(60., 60.), (60., 80.), (40., 80.), (40., 60.)]),
+    ];
+    let standing = StandingEnds::of(&mut lines, area(), &Params { of_drawing: true, ..Params::TEST });
+    let joined = join(lines, 3.0, &standing, true);
+    assert_eq!(joined.len(), 5);
+    assert_eq!(joined.iter().filter(|line| line.closed).count(), 2);
+}

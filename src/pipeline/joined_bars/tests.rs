@@ -139,8 +139,14 @@ fn a_remainder_of_a_bar_goes_unless_it_is_of_the_base() {
 fn the_frame_close_above_a_bar_does_not_stand_for_its_top() {
     let tolerances = BarTolerances { gap: 3.0, low: 3.0, reach: 2.0, torn: 3.0, moved: 0.0 };
     let at = PageTransform::new(Size::new(100, 100), MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)));
-    let reach = |frame: Option<f32>| Chart { frame, ..chart(120.0) }.middle_of_top(&BARS[0], tolerances, &at).reach;
-    assert_eq!(reach(None), 2.0);
-    assert_eq!(reach(Some(110.0)), 2.0);
-    assert!(reach(Some(102.0)) < 2.0);
+    // how far above and below the top, at 100 mm, a line stands for it
+    let span = |frame: Option<f32>| {
+        let WantedPath { path, reach, .. } = Chart { frame, ..chart(120.0) }.middle_of_top(&BARS[0], tolerances, &at);
+        let (_, along) = Direction::Up.of(path[0]);
+        [along + reach - 100.0, 100.0 - along + reach]
+    };
+    assert_eq!(span(None), [2.0, 2.0]);
+    assert_eq!(span(Some(110.0)), [2.0, 2.0]);
+    let [up, down] = span(Some(102.0));
+    assert!(up < 1.5 && (down - 2.0).abs() < 1e-3, "{up} {down}");
 }

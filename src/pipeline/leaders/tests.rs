@@ -123,3 +123,23 @@ fn what_goes_on_from_a_line_is_no_leader_line() {
     assert!(!is_lever(&[(&[(45.0, 20.0), (45.0, 49.0)], false)]), "it leads to the end of a line");
     assert!(!is_lever(&[(&[(5.0, 50.0), (35.0, 50.0)], false)]), "a line farther off");
 }
+
+#[test]
+fn lines_from_words_that_lead_to_one_another_only_are_branches() {
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let count = |leaders: usize, others: &[[(f32, f32); 2]]| {
+        let mut index = Nearby::new(area, 5.0);
+        let branches = [[(60.0, 20.0), (20.0, 50.0)], [(60.0, 80.0), (20.0, 50.0)]];
+        let chains: Vec<Vec<MmPoint>> =
+            branches.iter().chain(others).map(|ends| ends.map(MmPoint::from).to_vec()).collect();
+        for (line, path) in (0..).zip(&chains) {
+            index.insert_line(line, PolylineRef { vertices: path, closed: false }, 0.0);
+        }
+        let leader = |chain: usize| Leader { chain, text: chain, path: chains[chain].clone(), ends_at_line: true };
+        let found = (0..leaders).map(leader).collect();
+        without_branches(found, &chains, |end| end.x == 60.0, &index).len()
+    };
+    assert_eq!(count(2, &[]), 0, "the root of a tree");
+    assert_eq!(count(1, &[]), 0, "the word of one branch stands a little farther off");
+    assert_eq!(count(2, &[[(18.0, 40.0), (18.0, 60.0)]]), 2, "two words for one thing");
+}

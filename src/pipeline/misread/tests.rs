@@ -5,7 +5,7 @@ use super::*;
 fn odd(row: &[(&str, f32)]) -> Vec<usize> {
     let words: Vec<String> = row.iter().map(|(word, _)| (*word).to_owned()).collect();
     let at = |(_, x): &(&str, f32)| ReadAt { middle: PxPoint::new(*x, 440.0), height: 10.0 };
-    off_their_rows(&words, &row.iter().map(at).collect::<Vec<_>>())
+    off_their_scales(&words, &row.iter().map(at).collect::<Vec<_>>())
 }
 
 #[test]
@@ -29,5 +29,16 @@ fn rows_are_looked_at_one_by_one() {
     let at = |x: f32, y: f32| ReadAt { middle: PxPoint::new(x, y), height: 10.0 };
     let row = [10.0, 50.0, 90.0, 130.0, 170.0].map(|x| at(x, 400.0));
     let places: Vec<ReadAt> = row.into_iter().chain([at(2.0, 100.0), at(2.0, 200.0)]).collect();
-    assert_eq!(off_their_rows(&words, &places), [2]);
+    assert_eq!(off_their_scales(&words, &places), [2]);
+}
+
+#[test]
+fn columns_are_looked_at_as_rows_are() {
+    // the axis of a chart, in line at its right end, of which 10 was read as 0
+    let words = ["25", "20", "15", "0", "5", "0"].map(str::to_owned);
+    let at = |(i, word): (usize, &String)| {
+        let middle = PxPoint::new(40.0 - 3.0 * word.len() as f32, 50.0 + 60.0 * i as f32);
+        ReadAt { middle, height: 10.0 }
+    };
+    assert_eq!(off_their_scales(&words, &words.iter().enumerate().map(at).collect::<Vec<_>>()), [3]);
 }

@@ -101,9 +101,21 @@ fn series_that_are_whole_and_several_that_lack_bars_stay_as_they_are() {
     assert!(told.contains("1 of 3 yellow bars and 1 of 3 red bars"), "{told}");
     // but of a series that has hardly any texture, none is left
     assert_eq!(alike(&bars, &[0, 1, 4]).0, [0, 4]);
-    // of one series only, the blank bars are no others
-    let of_one: Vec<ColouredBar> = bars.iter().map(|bar| ColouredBar { class: Class::Red, ..*bar }).collect();
-    assert_eq!(alike(&of_one, &[0, 1]).0, [0, 1]);
+}
+
+#[test]
+fn a_series_by_itself_has_no_texture_where_most_of_its_bars_have_none() {
+    let of_one = girls_and_boys().map(|bar| ColouredBar { class: Class::Red, ..bar });
+    // low bars without one are no others
+    assert_eq!(alike(&of_one, &[0, 1, 2, 4]).0, [0, 1, 2, 4]);
+    // the one that has one would be
+    let (with, _, told) = alike(&of_one, &[0, 1]);
+    assert_eq!(with, []);
+    assert!(told.contains("all 6 red bars (4 for want of room"), "{told}");
+    let mut legend = Vec::new();
+    let mut textures = vec![texture(&of_one[0])];
+    made_alike(&of_one, &mut classes(&of_one), &mut textures, &mut legend, FIGURE);
+    assert_eq!(legend, [], "its colour says nothing, so that a key need not name it");
 }
 
 #[test]

@@ -65,3 +65,23 @@ fn nothing_is_seen_beyond_the_picture_and_an_outline_has_two_grounds() {
     let blank = look((30.0, 10.0), (30.0, 20.0), Some(2.0));
     assert!(blank.strength < 1e-3 && !blank.is_on_border, "{blank:?}");
 }
+
+#[test]
+fn the_end_of_a_stroke_on_a_border_that_nobody_sees_is_no_contour() {
+    // a stroke 2 px wide from the upper border of a white square down, on white
+    let size = Size::new(80, 80);
+    let on_stroke = |i: usize| (39..41).contains(&(i % 80)) && (20..60).contains(&(i / 80));
+    let params = Params { low: 3.0, high: 7.0, ..Params::default() };
+    let of_border = |is_area: &dyn Fn(usize) -> bool| {
+        let light = (0..size.len()).map(|i| if on_stroke(i) || is_area(i) { 0.0 } else { 1.0 });
+        let picture = Lab::of(&Raster::grey(size, light.collect()));
+        let corners = [(10.0, 20.0), (70.0, 20.0), (70.0, 60.0), (10.0, 60.0)].map(|(x, y)| PxPoint::new(x, y));
+        let mut line = Polyline { vertices: corners.to_vec(), closed: true };
+        line.subdivide(1.0);
+        let proposal = Proposal { line, stroke: None, dashed: false };
+        confirmed(&proposal, &picture, &params).iter().map(|found| found.line.length()).sum::<f32>()
+    };
+    assert!(of_border(&|_| false).abs() < 1e-3, "{}", of_border(&|_| false));
+    let seen = of_border(&|i| (10..30).contains(&(i % 80)) && (20..60).contains(&(i / 80)));
+    assert!((78.0..86.0).contains(&seen), "the border of what is dark there: {seen}");
+}
