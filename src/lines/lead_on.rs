@@ -35,7 +35,7 @@ const AT_LINE: f32 = 0.05;
 /// How many vertices on either side of a corner that may be.
 const BESIDE_CORNER: isize = 3;
 /// How far beyond its ends a segment is still met, as a share of its length: a place between two is met by one of them.
-const VERTEX: f32 = 1e-3;
+pub(super) const VERTEX: f32 = 1e-3;
 
 /// Extends ends over gaps of at most `gap` millimetres to what lies before them.
 pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {

@@ -4,10 +4,11 @@ use super::find::FoundHead;
 use super::place::{last_piece, leads};
 use super::shapes::end;
 use crate::geom::nearby::Nearby;
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
+use crate::geom::{crossing, nearest_on_segment};
+use crate::lines::clearance::TOUCH;
 use crate::lines::faint::is_faint;
-use crate::lines::lead_on::heading;
+use crate::lines::lead_on::{VERTEX, extend_to, heading};
 use crate::lines::links;
 use crate::lines::marks::HeadMark;
 use crate::lines::params::{HEADING, Params};
@@ -24,6 +25,8 @@ const POINTED_AT: f32 = 2.0;
 /// A shaft is shortened before what it points at if so much of its last piece is left, mm: the smallest head has room
 /// before the bend. Otherwise the head may still touch what it points at, which heads of dots do not.
 const LAST_PIECE: f32 = 6.0;
+/// A line so near before the end of a shaft, mm, is what it points at, and not one that it crosses.
+const AT_END: f32 = 1.0;
 
 /// Shortens the shafts of heads up to the lines that they point at, and on until nothing is too near before their tips.
 pub(super) fn make_room(
@@ -40,9 +43,9 @@ pub(super) fn make_room(
         polylines.iter().map(|line| !is_faint(line) && line.length() >= POINTED_AT * params.min_length).collect();
     for (FoundHead { shaft, tip, .. }, mark) in heads.iter().zip(marks) {
         let is_other = |line: u32| line as usize != shaft.line && !taken[line as usize];
+        let may_be_at = |line: u32| is_other(line) && may_be_pointed_at[line as usize];
         let to_pointed_at = |at: MmPoint| {
-            let counts = |line: u32| is_other(line) && may_be_pointed_at[line as usize];
-            others.nearest(at, SHORTENED_BY, |segment| counts(segment.line)).map(|(distance, ..)| distance)
+            others.nearest(at, SHORTENED_BY, |segment| may_be_at(segment.line)).map(|(distance, ..)| distance)
         };
         let line = &polylines[shaft.line];
         let most = (line.length() - links::shortest(params)).clamp(0.0, BEYOND * tip.axis().length());
@@ -60,11 +63,28 @@ pub(super) fn make_room(
         if !params.on_dots() {
             most = (last_piece(line, shaft.which, mark.toward, most + LAST_PIECE) - LAST_PIECE).clamp(0.0, most);
         }
-        let free = until_free(line, (shaft.which, mark.toward), most, is_free);
-        if let Some((shorter, at, toward)) = free {
-            mark.shortened = line.length() - shorter.length();
-            polylines[shaft.line] = shorter;
-            (mark.at, mark.toward) = (at, toward);
+        let crossed = crossed_by(line, shaft.which, most + params.max_stub(), &others, may_be_at);
+        // of an overview, which has room for few heads, such a shaft may be shortened on to before the line
+        let is_at_crossed = |at: MmPoint| {
+            !params.in_overview_of_drawing() && crossed.iter().any(|line| others.is_near_line(at, reach, *line))
+        };
+        let ends = |at: MmPoint, toward: MmVector| is_at_crossed(at) || is_free(at, toward);
+        match until_free(line, (shaft.which, mark.toward), most, ends) {
+            // what is left beyond that line would be cut off as a stub, and the shaft seem to lead to that line
+            Some((_, at, _)) if is_at_crossed(at) => {
+                let nearest = others.nearest(mark.at, params.bridged_gap(), |segment| may_be_at(segment.line));
+                let pointed_at = nearest.filter(|(far, to, _)| *far > TOUCH && is_before(mark.at, mark.toward, *to));
+                if let Some((_, to, _)) = pointed_at {
+                    extend_to(&mut polylines[shaft.line], shaft.which, to);
+                    mark.at = to;
+                }
+            }
+            Some((shorter, at, toward)) => {
+                mark.shortened = line.length() - shorter.length();
+                polylines[shaft.line] = shorter;
+                (mark.at, mark.toward) = (at, toward);
+            }
+            None => {}
         }
     }
 }
@@ -84,6 +104,31 @@ fn up_to_pointed_at(
     near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line, at)| (line, at))
 }
 
+/// The lines that count which a shaft crosses in its last `most` mm, but for what it points at.
+fn crossed_by(
+    shaft: &Polyline<Vertex>,
+    which: Tip,
+    most: f32,
+    lines: &Nearby,
+    counts: impl Fn(u32) -> bool,
+) -> Vec<u32> {
+    // a place between two segments is met by one of them
+    let wider = |a: MmPoint, b: MmPoint| (a - (b - a) * VERTEX, b + (b - a) * VERTEX);
+    let (length, mut crossed) = (shaft.length(), Vec::new());
+    for ((a, b), arc) in shaft.segments().zip(shaft.arc_lengths()) {
+        let (a, b) = (a.at, b.at);
+        lines.around(a.min(b), a.max(b), 0.0, |segment| {
+            let place = crossing(wider(a, b), wider(segment.a, segment.b)).filter(|_| counts(segment.line));
+            let arc = place.map(|at| arc + (at - a).length());
+            let from_end = arc.map(|arc| if which == Tip::First { arc } else { length - arc });
+            if from_end.is_some_and(|far| far > AT_END && far <= most) && !crossed.contains(&segment.line) {
+                crossed.push(segment.line);
+            }
+        });
+    }
+    crossed
+}
+
 /// A shaft shortened by at most `most`, mm, until its end is free, with its end and which way it leads there; not as
 /// far as a bend, before which it leads otherwise than its head points.
 fn until_free(
@@ -101,11 +146,16 @@ fn until_free(
 
 /// Whether none of those of `lines` that count is within `reach`, mm, before a tip that points this way.
 fn is_free_before(at: MmPoint, toward: MmVector, lines: &Nearby, reach: f32, counts: impl Fn(u32) -> bool) -> bool {
-    let is_before = |of: MmPoint| (of - at).dot(toward) >= BEFORE * (of - at).length();
     let mut is_free = true;
     lines.around_point(at, reach, |segment| {
         let (distance, nearest) = nearest_on_segment(at, segment.a, segment.b);
-        is_free &= distance >= reach || !counts(segment.line) || !is_before(nearest);
+        is_free &= distance >= reach || !counts(segment.line) || !is_before(at, toward, nearest);
     });
     is_free
+}
+
+/// Whether a place is before a tip that points this way, and not beside it, or just at it.
+fn is_before(at: MmPoint, toward: MmVector, place: MmPoint) -> bool {
+    let way = place - at;
+    way.length() <= TOUCH || way.dot(toward) >= BEFORE * way.length()
 }

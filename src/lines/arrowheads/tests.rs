@@ -136,6 +136,30 @@ fn a_shaft_ends_before_what_it_points_at() {
     assert!((at - 59.5).abs() < 0.01, "{at}");
 }
 
+/// As in a food web. What it points at may lie a little before its tip, or be met by it.
+#[test]
+fn a_shaft_that_crosses_a_line_shortly_before_what_it_points_at_stays_whole() {
+    let head = contour(&[(58.0, 48.0), (60.4, 50.0), (58.0, 52.0)], false);
+    let upright = |x: f32| contour(&[(x, 10.0), (x, 90.0)], false);
+    let tip = |crossed: f32, wall: f32| taken(vec![shaft(), head.clone(), upright(wall), upright(crossed)]).0[0].at.x;
+    for wall in [60.3, 60.4, 60.6, 61.0] {
+        let at = tip(40.0, wall);
+        assert!(at < wall - PARAMS.max_clearance() + 0.01, "there is room before a line at {wall}: {at}");
+        for crossed in [51.5, 52.0, 54.1] {
+            let at = tip(crossed, wall);
+            assert!((at - wall).abs() < 0.15, "it leads to the line at {wall} over that at {crossed}: {at}");
+        }
+    }
+    // and so does one that ends a hair beyond a short line, as an extension line of a measure
+    let short = contour(&[(60.35, 44.0), (60.35, 56.0)], false);
+    let at = taken(vec![shaft(), head.clone(), short]).0[0].at.x;
+    assert!(at < 60.35 - PARAMS.max_clearance() + 0.01, "{at}");
+    // a line that ends beside it is not crossed
+    let beside = contour(&[(52.0, 51.0), (52.0, 90.0)], false);
+    let at = taken(vec![shaft(), head, upright(60.6), beside]).0[0].at.x;
+    assert!(at < 60.6 - PARAMS.max_clearance() + 0.01, "{at}");
+}
+
 /// The finished lines of contours with heads at their ends, and which heads are drawn.
 fn drawn(contours: Vec<Polyline<Vertex>>) -> (Vec<Line>, Vec<bool>) {
     let (mut heads, left) = taken(contours);
