@@ -6,6 +6,7 @@ mod adapt;
 mod areas;
 mod areas_of_colours;
 mod areas_of_overview;
+mod bar_rows;
 mod bars;
 pub mod colours;
 mod cut_contours;

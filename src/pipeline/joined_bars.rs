@@ -1,6 +1,7 @@
 //! Bars that have no room side by side: as transcribers do, gridlines are left out, or bars are drawn touching one
 //! another, and where a line between every two has no room either, as one common outline.
 
+use super::bar_rows::{BarRow, RowEnd};
 use super::bars::{Bar, Chart, SAME, WantedPath, missing};
 use super::told_bars::{BarStyle, Bars, LeftOut};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
@@ -194,20 +195,6 @@ fn percent(share: f32) -> u32 {
     (100.0 * share).ceil() as u32
 }
 
-/// Bars side by side that have no gaps for fingers, and where their outline begins and ends across: at an axis that is
-/// as near, or at their own sides.
-struct BarRow {
-    bars: Vec<Bar>,
-    ends: [RowEnd; 2],
-}
-
-#[derive(Clone, Copy)]
-struct RowEnd {
-    at: f32,
-    /// Whether an axis is there.
-    is_axis: bool,
-}
-
 /// Contours in which bars are drawn otherwise.
 struct Redrawn {
     edges: Edges,
@@ -283,7 +270,8 @@ impl Chart {
         if rows.is_empty() && low.is_empty() && has_gridlines {
             return None;
         }
-        let Kept { edges: mut kept, replaced, ground } = self.kept(edges, has_gridlines, &rows, &low);
+        let Kept { edges: mut kept, replaced, ground } =
+            self.kept(edges, has_gridlines, &rows, &low, tolerances.moved > 0.0);
         let paths = self.paths(&rows, bars == Bars::Touching);
         if let Some((kind, strength)) = replaced {
             // like the middle of a broad stroke, which has no other side
@@ -328,7 +316,7 @@ impl Chart {
 
     /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be
     /// no grid.
-    fn kept(&self, edges: &Edges, has_gridlines: bool, rows: &[BarRow], low: &[Bar]) -> Kept {
+    fn kept(&self, edges: &Edges, has_gridlines: bool, rows: &[BarRow], low: &[Bar], only_axes: bool) -> Kept {
         let mut others = Edges { dashed: edges.dashed, ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
@@ -352,7 +340,12 @@ impl Chart {
                 let on_base = |edgel: &Edgel| self.is_base(edgel.at).then(|| self.direction.of(edgel.at).0);
                 let pairs = run.windows(2).filter_map(|pair| Some((on_base(&pair[0])?, on_base(&pair[1])?)));
                 ground.extend(pairs.map(|(a, b)| (a.min(b), a.max(b))));
-                others.push_as(chain.kind, run.into_iter(), chain.closed && dropped == 0);
+                if chain.closed && dropped == 0 {
+                    others.push_as(chain.kind, run.into_iter(), true);
+                } else {
+                    let run = self.with_divider_led_on(Polyline::open(run), rows, only_axes);
+                    others.push_as(chain.kind, run.vertices.into_iter(), false);
+                }
             }
         }
         Kept { edges: others, replaced: kind.map(|kind| (kind, sum / count.max(1) as f32)), ground }
@@ -434,30 +427,6 @@ impl Chart {
         };
         low.iter().any(of_bar) && !(is_side && self.bars.iter().any(is_of_higher))
             || rows.iter().any(|row| row.bars.iter().any(of_bar) || between(row))
-    }
-
-    /// Where lines are: the outline of each row, and between every two of its bars if they are `touching`.
-    fn paths(&self, rows: &[BarRow], touching: bool) -> Vec<Vec<PxPoint>> {
-        let mut paths = Vec::new();
-        for BarRow { bars, ends: [first, last] } in rows {
-            let mut outline = vec![(first.at, bars[0].top)];
-            if !first.is_axis {
-                outline.insert(0, (first.at, self.base));
-            }
-            for pair in bars.windows(2) {
-                let middle = 0.5 * (pair[0].to + pair[1].from);
-                outline.extend([(middle, pair[0].top), (middle, pair[1].top)]);
-                if touching {
-                    paths.push(vec![(middle, self.base), (middle, pair[0].top.min(pair[1].top))]);
-                }
-            }
-            outline.push((last.at, bars[bars.len() - 1].top));
-            if !last.is_axis {
-                outline.push((last.at, self.base));
-            }
-            paths.push(outline);
-        }
-        paths.into_iter().map(|path| path.into_iter().map(|at| self.direction.point(at)).collect()).collect()
     }
 }
 
