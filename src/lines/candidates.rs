@@ -14,7 +14,7 @@ use super::standing::StandingEnds;
 use super::tears::torn;
 use super::ticks::{ThinnedScale, alone, crossbars};
 use super::vertex::{Vertex, nearby};
-use super::{arrowheads, centreline, faint, few, join, lead_on, links, saliency, ticks, weight};
+use super::{arrowheads, centreline, extension_lines, faint, few, join, lead_on, links, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -57,6 +57,7 @@ impl LineCandidates {
         let is_overview = params.in_overview_of_drawing();
         let gridlines = if is_overview { faint::take_gridlines(&mut polylines) } else { 0 };
         let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
+        extension_lines::keep_apart(&mut polylines, &heads, area, params);
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
         // dots of lines give way one by one

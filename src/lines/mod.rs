@@ -16,6 +16,7 @@ mod centreline;
 mod clearance;
 mod corner;
 mod crowded;
+mod extension_lines;
 mod faint;
 mod few;
 mod join;

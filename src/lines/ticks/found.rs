@@ -140,6 +140,6 @@ impl Bases<'_> {
 }
 
 /// Whether a line is straight enough for a tick, or an axis.
-pub(super) fn is_straight(line: &Polyline<Vertex>) -> bool {
+pub(in crate::lines) fn is_straight(line: &Polyline<Vertex>) -> bool {
     !line.closed && line.chord() >= STRAIGHT * line.length()
 }
