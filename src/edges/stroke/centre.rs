@@ -45,7 +45,7 @@ const BEYOND: f32 = 1.5;
 const SHORTEST: f32 = 3.0;
 /// A stroke with the same ground on both sides is at least so many least lengths long: the end of an axis beyond a bar
 /// is part of a longer line. Between two areas there is an edge that is longer.
-const SHORTEST_APART: f32 = 1.5;
+pub(super) const SHORTEST_APART: f32 = 1.5;
 /// The ground on both sides is the same if the step between them is at most this share of the contrast with it.
 const SAME_GROUND: f32 = 0.25;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
@@ -142,6 +142,14 @@ pub(super) fn strokes(
     });
     let found = strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, residue.size, params));
     found.map(|found| Stroke { is_dash, ..found }).collect()
+}
+
+/// A line of this width as a stroke, if most of it is clearly one on the same ground on both sides.
+pub(super) fn on_one_ground(line: &Polyline<PxPoint>, width: f32, planes: &[Plane], params: &Params) -> Option<Stroke> {
+    let contrasts: Vec<StrokeContrast> = (0..line.vertices.len()).map(|i| contrast(line, i, width, planes)).collect();
+    let is_clear = |contrast: &&StrokeContrast| contrast.is_apart && contrast.of_stroke() >= params.high;
+    let is_stroke = 2 * contrasts.iter().filter(is_clear).count() > contrasts.len();
+    is_stroke.then(|| stroke(line, &contrasts, width, planes[0].size, params))
 }
 
 /// Whether a line is about as wide here as there. Where cross sections were cut off, they are read anew as far as

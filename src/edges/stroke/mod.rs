@@ -4,7 +4,7 @@
 //! Lab -> residue (what a square of a size does not fit into) -> skeleton (thinned to a pixel)
 //!     -> arms (joined through junctions) -> parts of one breadth -> centred (sub-pixel, width, contrast, of one tint)
 //!     -> those of their own
-//!     -> followed (where pixels show no stroke) -> Strokes
+//!     -> followed (where pixels show no stroke), stubs (short and broad, several of a kind on a stroke) -> Strokes
 //! ```
 //!
 //! A stroke thinner than the scale of the edge detector has no two clean sides: they are found too far out, link with
@@ -23,10 +23,12 @@ mod flat;
 mod follow;
 mod head;
 mod skeleton;
+mod stubs;
 mod tint;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
+use self::arms::Strand;
 pub(super) use self::breadth::are_two as are_two_breadths;
 use self::centre::LONG;
 pub(super) use self::centre::Stroke;
@@ -92,11 +94,14 @@ pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<
     let params = &noise.adapted(params);
     let polarities =
         if params.dark_lines.is_some() { &[Polarity::Below][..] } else { &[Polarity::Below, Polarity::Above] };
-    let mut found = Vec::new();
+    let (mut found, mut stubs) = (Vec::new(), Vec::new());
     for radius in radii(params.widest_of_bitmap()) {
         for plane in planes {
             for &polarity in polarities {
-                found.extend(candidates(plane, radius, polarity, planes, params).into_iter().map(|of| (radius, of)));
+                for (stroke, is_stub) in candidates(plane, radius, polarity, planes, params) {
+                    let list = if is_stub { &mut stubs } else { &mut found };
+                    list.push((radius, stroke));
+                }
             }
         }
     }
@@ -105,7 +110,9 @@ pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<
     let octave = |stroke: &Stroke| (stroke.width / THINNEST).max(1.0).log2() as i32;
     let length = |stroke: &Stroke| (stroke.contour.length() / ALIKE).round() as i32;
     let order = |(radius, stroke): &(usize, Stroke)| (octave(stroke), -length(stroke), *radius);
-    found.sort_by(|a, b| order(a).cmp(&order(b)).then(b.1.contour.length().total_cmp(&a.1.contour.length())));
+    for list in [&mut found, &mut stubs] {
+        list.sort_by(|a, b| order(a).cmp(&order(b)).then(b.1.contour.length().total_cmp(&a.1.contour.length())));
+    }
     // dashes are no strokes by themselves, and take no place of one
     let (dashes, found): (Vec<_>, Vec<_>) = found.into_iter().partition(|(_, stroke)| stroke.is_dash);
     let mut taken = StrokeCover::new(size);
@@ -126,6 +133,8 @@ pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<
             strokes.push(dash);
         }
     }
+    let stubs = stubs.into_iter().map(|(_, stub)| stub).collect();
+    strokes.extend(stubs::of_scales(stubs, &strokes, &mut taken, params.sigma));
     strokes
 }
 
@@ -166,8 +175,14 @@ fn radii(widest: f32) -> impl Iterator<Item = usize> {
     doubled.take_while(move |radius| *radius < most).chain([most.max(SMALLEST_RADIUS)])
 }
 
-/// What is thin in one plane and looks like a stroke.
-fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane], params: &Params) -> Vec<Stroke> {
+/// What is thin in one plane and looks like a stroke, or like a stub.
+fn candidates(
+    plane: &Plane,
+    radius: usize,
+    polarity: Polarity,
+    planes: &[Plane],
+    params: &Params,
+) -> Vec<(Stroke, bool)> {
     // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are
     // even.
     let residue = Plane { size: plane.size, values: residue(&plane.values, plane.size, radius, polarity) };
@@ -183,7 +198,14 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
     let set: Vec<bool> =
         residue.values.iter().zip(&most).map(|(value, most)| *value >= params.low.max(SHARE * most)).collect();
     let things = components::of_set(&set, plane.size, Connectivity::Eight);
-    let strokes = |cells: &[usize]| -> Vec<Stroke> {
+    let along = |strand: Strand| -> Vec<(Stroke, bool)> {
+        let short = stubs::is_stub(&strand).then(|| strand.clone());
+        let strokes = centre::strokes(strand, &residue, planes, radius, params);
+        let stub = short.filter(|_| strokes.is_empty());
+        let stub = stub.and_then(|strand| stubs::stub(&strand, &residue, planes, radius, params));
+        strokes.into_iter().map(|stroke| (stroke, false)).chain(stub.map(|stub| (stub, true))).collect()
+    };
+    let strokes = |cells: &[usize]| -> Vec<(Stroke, bool)> {
         let (paths, nodes) = thinned(cells, &residue);
         let arms = arms::joined(paths, &nodes);
         // the gaps between dark things are no walls
@@ -191,7 +213,7 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
             Polarity::Below => breadth::parted(arms, &residue, radius),
             Polarity::Above => arms,
         };
-        parts.into_iter().flat_map(|strand| centre::strokes(strand, &residue, planes, radius, params)).collect()
+        parts.into_iter().flat_map(along).collect()
     };
     things.par_iter().flat_map_iter(|cells| strokes(cells)).collect()
 }

@@ -148,3 +148,23 @@ fn a_gridline_does_not_vanish_with_a_code_value_of_noise() {
     assert_eq!(count(1.0, false), 0, "it may be noise");
     assert_eq!(count(0.3, true), 0, "it may be what rings beside a contour");
 }
+
+#[test]
+fn short_broad_marks_on_a_line_are_strokes_where_several_are_alike() {
+    let params =
+        Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 20.0, ..Params::default() };
+    // 20 px long and 6 px wide, on a line that is 5 px wide
+    let lengths = |marks: usize| {
+        let size = Size::new(240, 60);
+        let is_mark = |x: usize, y: usize| x / 40 < marks && (17..23).contains(&(x % 40)) && (22..42).contains(&y);
+        let is_ink = |x: usize, y: usize| (17..22).contains(&y) && (4..236).contains(&x) || is_mark(x, y);
+        let value = |cell: usize| if is_ink(cell % 240, cell / 240) { 0.0 } else { 100.0 };
+        let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+        let found = find(&planes, PixelNoise::default(), &params);
+        found.iter().map(|stroke| stroke.contour.length().round()).collect::<Vec<f32>>()
+    };
+    let five = lengths(5);
+    let marks = five.iter().filter(|length| (18.0..=25.0).contains(*length)).count();
+    assert!(five.len() == 6 && marks == 5, "{five:?}");
+    assert!(lengths(2).len() == 1, "{:?}", lengths(2));
+}
