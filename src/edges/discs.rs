@@ -122,6 +122,11 @@ fn leads_to(contour: &Contour, disc: &Disc, reach: f32, or_before: bool) -> bool
 }
 
 impl Disc {
+    /// Its middle.
+    pub(super) fn at(&self) -> PxPoint {
+        self.at
+    }
+
     /// Whether an end of a contour leads to the middle.
     fn is_ahead(&self, contour: &Contour, end: usize, forwards: bool) -> bool {
         let inwards = contour.heading(end, forwards, [0.0, HEADING]);

@@ -17,7 +17,8 @@
 //! ```text
 //! [bitmaps: signs that mark places (taken out of the picture first; in the end rings among the contours)]
 //! [bitmaps: filled heads of arrows (taken out, and the strokes found once more)]
-//! strokes, edges -> windows (in the walls of a plan: one stroke each)
+//! strokes, edges -> dials (hands of clocks and the marks at their rims: one stroke each)
+//!                -> windows (in the walls of a plan: one stroke each)
 //!                -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
 //!                -> tips (ends that make a corner or go on in one another meet)
 //!                -> straight (what goes straight on through a corner gets the side behind it, with its final ends)
@@ -37,6 +38,7 @@ mod chain;
 mod contour;
 mod corner;
 mod dashes;
+mod dials;
 mod discs;
 mod drawing;
 mod edge_stopping;
@@ -281,7 +283,8 @@ impl<'a> Ridges<'a> {
 
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
-        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, discs, taken_out } = self;
+        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, mut discs, taken_out } =
+            self;
         let (size, params, of_drawing) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
@@ -296,6 +299,7 @@ impl<'a> Ridges<'a> {
         let mut found: Vec<FoundContour> = edges.chain(strokes).collect();
         let mut dashed = 0;
         if of_drawing {
+            found = dials::with_hands(found, &mut discs, &heads, &planes, params);
             found = windows::merged(found);
             (found, dashed) = dashes::merged_dashes(found, params.sigma, params.min_length);
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
