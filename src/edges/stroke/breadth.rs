@@ -52,41 +52,56 @@ pub(in crate::edges) fn are_two(width: f32, other: f32) -> bool {
 /// The lines of a connected part of a picture, of which those of two breadths are parted where the broad ones are
 /// walls: level and upright along much of the picture, both together. The stem of a plant and its roots stay one.
 pub(super) fn parted(strands: Vec<Strand>, residue: &Plane, radius: usize) -> Vec<Strand> {
-    let (mut level, mut upright, mut parts) = (0.0, 0.0, Vec::new());
-    for strand in &strands {
-        for (part, is_broad) in self::parts(strand.clone(), residue, radius) {
-            if is_broad {
-                let along = part.line.vertices.iter().zip(part.line.vertices.iter().skip(AHEAD)).step_by(AHEAD);
-                for way in along.map(|(from, to)| (*to - *from).abs()) {
-                    level += if way.y <= OFF * way.x { way.x } else { 0.0 };
-                    upright += if way.x <= OFF * way.y { way.y } else { 0.0 };
-                }
-            }
-            parts.push(part);
+    let parts: Vec<Part> = strands.iter().flat_map(|strand| parts(strand.clone(), residue, radius)).collect();
+    if parts.len() == strands.len() {
+        return strands;
+    }
+    // walls are those too that are as broad and have no door, as most of those around a house
+    let least = parts.iter().filter(|part| part.is_broad).map(|part| EVEN * part.width).fold(f32::INFINITY, f32::min);
+    let (mut level, mut upright) = (0.0, 0.0);
+    for Part { strand, .. } in parts.iter().filter(|part| part.width >= least) {
+        let vertices = &strand.line.vertices;
+        let along = vertices.iter().zip(vertices.iter().skip(AHEAD)).step_by(AHEAD);
+        for way in along.map(|(from, to)| (*to - *from).abs()) {
+            level += if way.y <= OFF * way.x { way.x } else { 0.0 };
+            upright += if way.x <= OFF * way.y { way.y } else { 0.0 };
         }
     }
     let are_walls = level >= ALONG * residue.size.width as f32 && upright >= ALONG * residue.size.height as f32;
-    if are_walls && parts.len() > strands.len() { parts } else { strands }
+    if are_walls { parts.into_iter().map(|part| part.strand).collect() } else { strands }
+}
+
+/// A line of pixels, or a part of one.
+struct Part {
+    strand: Strand,
+    /// Its median width, px; none is known of a short line.
+    width: f32,
+    /// Whether it is broad beside another part of its line.
+    is_broad: bool,
 }
 
 /// The parts of a line of pixels that are strokes of different breadth, or all of it. Its residue is that of a square
 /// of this half side, px. Each with whether it is broad beside another part.
-fn parts(strand: Strand, residue: &Plane, radius: usize) -> Vec<(Strand, bool)> {
+fn parts(strand: Strand, residue: &Plane, radius: usize) -> Vec<Part> {
     let Strand { line, free, junctions } = &strand;
     let length = line.length();
     let widths = if length < SHORTEST { Vec::new() } else { widths(line, residue, radius) };
     let step = length / widths.len().max(1) as f32;
-    let Some(found) = plateaus(&widths, line.closed, step) else { return vec![(strand, false)] };
+    let Some(found) = plateaus(&widths, line.closed, step) else {
+        let width = if widths.is_empty() { 0.0 } else { median(widths.iter().copied()) };
+        return vec![Part { strand, width, is_broad: false }];
+    };
     let count = found.len();
-    let part = |(number, part): (usize, &Plateau)| -> (Strand, bool) {
+    let part = |(number, part): (usize, &Plateau)| -> Part {
         let is_change = [line.closed || number > 0, line.closed || number + 1 < count];
         let mut vertices: Vec<PxPoint> = part.vertices(line, is_change);
         let own: Vec<PxPoint> = junctions.iter().copied().filter(|at| lies_on(*at, &vertices)).collect();
         vertices.dedup();
         let free = [0, 1].map(|end| if is_change[end] { part.is_broad } else { free[end] });
-        (Strand { line: Polyline::open(vertices), free, junctions: own }, part.is_broad)
+        let strand = Strand { line: Polyline::open(vertices), free, junctions: own };
+        Part { strand, width: part.width, is_broad: part.is_broad }
     };
-    found.iter().enumerate().map(part).filter(|(part, _)| part.line.vertices.len() > 1).collect()
+    found.iter().enumerate().map(part).filter(|part| part.strand.line.vertices.len() > 1).collect()
 }
 
 /// The width at every so many vertices of a line.

@@ -22,7 +22,9 @@ fn wall_and_leaf(broad: usize) -> (Plane, Strand) {
 fn the_leaf_of_a_door_is_no_part_of_the_wall_at_whose_end_it_stands() {
     let (plane, strand) = wall_and_leaf(8);
     let parts = parts(strand.clone(), &plane, 6);
-    let [(wall, true), (leaf, false)] = &parts[..] else { panic!("{} parts", parts.len()) };
+    let [wall, leaf] = &parts[..] else { panic!("{} parts", parts.len()) };
+    assert_eq!([wall.is_broad, leaf.is_broad], [true, false]);
+    let (wall, leaf) = (&wall.strand, &leaf.strand);
     assert_eq!([wall.free, leaf.free], [[true, true], [false, true]]);
     let last = wall.line.vertices[wall.line.vertices.len() - 1];
     assert!(last.x > 60.0 && (last.y - 24.0).abs() < 1e-3, "the wall ends at {last:?}");
@@ -33,10 +35,31 @@ fn the_leaf_of_a_door_is_no_part_of_the_wall_at_whose_end_it_stands() {
 }
 
 #[test]
+fn walls_without_a_door_are_walls_beside_one_that_has_one() {
+    let with_walls_of = |broad: usize| {
+        let (mut plane, strand) = wall_and_leaf(8);
+        for (x, y) in (0..120).flat_map(|y| (0..120).map(move |x| (x, y))) {
+            if (100..100 + broad).contains(&x) && y < 100 || x < 100 && (105..105 + broad).contains(&y) {
+                plane.values[120 * y + x] = 60.0;
+            }
+        }
+        let middle = 0.5 * broad as f32;
+        let right = (10..90).map(|y| PxPoint::new(100.0 + middle, y as f32 + 0.5));
+        let below = (10..90).map(|x| PxPoint::new(x as f32 + 0.5, 105.0 + middle));
+        let whole = |line| Strand { line, free: [true, true], junctions: Vec::new() };
+        let others = [right.collect(), below.collect()].map(|vertices| whole(Polyline::open(vertices)));
+        parted(others.into_iter().chain([strand]).collect(), &plane, 6)
+    };
+    assert_eq!(with_walls_of(8).len(), 4, "the leaf is a line of its own");
+    assert_eq!(with_walls_of(3).len(), 3, "of one wall and thin lines");
+}
+
+#[test]
 fn a_stroke_of_one_breadth_is_one() {
     for broad in [2, 3] {
         let (plane, strand) = wall_and_leaf(broad);
-        assert_eq!(parts(strand.clone(), &plane, 6), [(strand, false)]);
+        let parts = parts(strand.clone(), &plane, 6);
+        assert!(parts.len() == 1 && parts[0].strand == strand && !parts[0].is_broad, "{broad} px");
     }
 }
 
