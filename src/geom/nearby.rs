@@ -99,6 +99,12 @@ impl<T: Copy, U: Copy> Index<T, U> {
         &self.cells[row * self.columns + column]
     }
 
+    /// Whether `is_last` is true of one of the cells within `reach` of a point: no more are looked at then.
+    fn any_cell(&self, at: Point2D<f32, U>, reach: f32, mut is_last: impl FnMut(&[T]) -> bool) -> bool {
+        let (columns, mut rows) = self.covered(at - Vector2D::splat(reach), at + Vector2D::splat(reach));
+        rows.any(|row| self.cells[row * self.columns..][columns.clone()].iter().any(|cell| is_last(cell)))
+    }
+
     /// Calls `visit` with the cells within `reach` of the box `low`-`high`.
     fn each_cell<'a>(
         &'a self,
@@ -238,6 +244,19 @@ impl<U: Copy> Nearby<U> {
         });
     }
 
+    /// [`Nearby::around_point`] until `is_last` is true of a segment; whether it was.
+    pub fn any_around_point(
+        &self,
+        at: Point2D<f32, U>,
+        reach: f32,
+        mut is_last: impl FnMut(&Segment<U>) -> bool,
+    ) -> bool {
+        let square = self.farthest(reach).powi(2);
+        self.index.any_cell(at, reach, |cell| {
+            cell.iter().any(|segment| (segment.a - at).square_length() <= square && is_last(segment))
+        })
+    }
+
     /// Calls `visit` with the number of the line of each segment within `reach` of a point.
     pub fn each_line_at(&self, at: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(usize)) {
         self.around(at, at, reach, |segment| {
@@ -308,10 +327,7 @@ impl<U: Copy> Nearby<U> {
                 (segment.a - at).square_length() <= square && nearest_on_segment(at, segment.a, segment.b).0 <= reach
             })
         };
-        let index = &self.index;
-        let (columns, mut rows) = index.covered(at - Vector2D::splat(reach), at + Vector2D::splat(reach));
-        is_near(index.in_cell_of(at))
-            || rows.any(|row| index.cells[row * index.columns..][columns.clone()].iter().any(|cell| is_near(cell)))
+        is_near(self.index.in_cell_of(at)) || self.index.any_cell(at, reach, is_near)
     }
 }
 

@@ -70,6 +70,15 @@ proptest! {
         }
         let nearest = nearby.nearest_of_line(at.into(), reach, line);
         prop_assert_eq!(nearby.is_near_line(at.into(), reach, line), nearest.is_some());
+        // the first that is asked for ends the search, and all before it come in the same order
+        let (mut all, mut seen) = (Vec::new(), Vec::new());
+        nearby.around_point(at.into(), reach, |segment| all.push(segment.line));
+        let has_one = nearby.any_around_point(at.into(), reach, |segment| {
+            seen.push(segment.line);
+            segment.line == line
+        });
+        let until = all.iter().position(|of| *of == line).map_or(all.len(), |first| first + 1);
+        prop_assert_eq!((&seen[..], has_one), (&all[..until], all.contains(&line)));
     }
 }
 

@@ -198,15 +198,14 @@ impl<'a> DrawnLines<'a> {
             return;
         }
         let half = 0.5 * vertex.width;
-        let mut on = true;
-        self.segments.around_point(vertex.at, self.params.max_clearance(), |segment| {
-            if !on || !is_other(segment.line) {
-                return;
+        self.segments.any_around_point(vertex.at, self.params.max_clearance(), |segment| {
+            if !is_other(segment.line) {
+                return false;
             }
             let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
             let clearance = self.params.clearance(half + segment.half_width);
             if distance >= clearance {
-                return;
+                return false;
             }
             let approach = self.params.approach(half, segment.half_width);
             let cluster_approach = self.params.cluster_approach(half, segment.half_width);
@@ -229,7 +228,7 @@ impl<'a> DrawnLines<'a> {
                 line_ring_length,
                 of_drawing,
             };
-            on = visit(&near);
+            !visit(&near)
         });
     }
 
