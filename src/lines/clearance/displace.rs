@@ -19,6 +19,9 @@ pub(super) const OUTSIDE: f32 = 0.01;
 /// Away from one line can be towards another: after so many rounds it is cut after all.
 const ROUNDS: usize = 4;
 
+/// Of so many vertices one is looked at before all are.
+const FIRST_EVERY: usize = 16;
+
 /// How far a line may be displaced, mm.
 pub(super) fn farthest(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> f32 {
     if is_held(polyline, passage, params) { RING_FARTHEST } else { FARTHEST }
@@ -74,9 +77,9 @@ fn pushes(
     drawn: &DrawnLines<'_>,
     farthest: f32,
 ) -> Option<Vec<MmVector>> {
-    let push = |(vertex, &arc): (&Vertex, &f32)| {
+    let push = |i: usize| {
         let mut push = MmVector::zero();
-        drawn.each_near(vertex, arc, passage, |near| {
+        drawn.each_near(&polyline.vertices[i], passage.arcs[i], passage, |near| {
             if near.missing + MORE > push.length() && !near.joins() {
                 push = near.away * ((near.missing + MORE) / near.distance.max(MORE));
             }
@@ -84,7 +87,12 @@ fn pushes(
         });
         (push.length() <= farthest).then_some(push)
     };
-    polyline.vertices.iter().zip(&passage.arcs).map(push).collect()
+    // a line that is far too near to others is so along much of its length: some of its vertices tell
+    let count = polyline.vertices.len();
+    if (0..count).step_by(FIRST_EVERY).any(|i| push(i).is_none()) {
+        return None;
+    }
+    (0..count).map(push).collect()
 }
 
 #[cfg(test)]
