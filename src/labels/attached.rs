@@ -118,11 +118,13 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
     let side = around.own_side();
     let least = (LEAVES_LABEL * BEFORE_LEADER).max(around.params.least_before_leader) + around.leader_off();
     let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
+    // ways are looked at last: of the corners behind the label none leads away from it
     let segments = starts
-        .filter(|from| !room.is_parted(*from, tip, end))
-        .filter(|from| side.is_none_or(|side| !room.is_parted_from_text(*from, side, 0.0)))
-        .filter_map(|from| leader_from(from, tip, around.leader_off()))
-        .filter(|[from, _]| distance_to_box(*from, place) >= least);
+        .filter_map(|from| Some((from, leader_from(from, tip, around.leader_off())?)))
+        .filter(|(_, [from, _])| distance_to_box(*from, place) >= least)
+        .filter(|(from, _)| !room.is_parted(*from, tip, end))
+        .filter(|(from, _)| side.is_none_or(|side| !room.is_parted_from_text(*from, side, 0.0)))
+        .map(|(_, segment)| segment);
     segments
         .into_iter()
         .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))
