@@ -39,6 +39,16 @@ fn sides_too_far_apart_askew_or_with_the_same_step_are_none() {
 }
 
 #[test]
+fn the_middle_of_a_stroke_is_no_side_and_hides_none() {
+    let [above, below] = <[_; 2]>::try_from(stroke(3.0)).expect("two sides");
+    let middle = side(&[(10.0, 21.0), (50.0, 21.0)], false, 0.0);
+    let all = of(&[above, middle, below]);
+    assert!(none(&all[1..2]));
+    let others: Vec<usize> = all[0].iter().flatten().map(|other| other.polyline).collect();
+    assert!(others.len() >= 49 && others.iter().all(|other| *other == 2));
+}
+
+#[test]
 fn a_ring_has_its_own_other_side_and_the_sides_of_a_sharp_corner_are_none() {
     let thin = of(&[bar(3.0, 0)]);
     assert!(thin[0].iter().flatten().count() > 180 && thin[0].iter().flatten().all(|other| other.polyline == 0));
