@@ -372,7 +372,7 @@ impl Options {
         notes.extend(pipeline::dots_left_out(page, &plan));
         self.given.texts_of_page = page.braille.len();
         let names = LineName::of(&read.names);
-        let lines = HandLines::of_figure(page, &plan).called(names).beside_areas(read.areas);
+        let lines = HandLines::of_figure(page, &plan)?.called(names).beside_areas(read.areas);
         notes.extend(lines.told_outside());
         if page.figure.lines.is_empty() {
             notes.push(pipeline::told_no_lines("draw some in a layer that is called Lines, and show it"));

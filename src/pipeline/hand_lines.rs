@@ -40,6 +40,9 @@ pub struct HandLines {
 
 /// Most lines that are named.
 const MOST_NAMED: usize = 5;
+/// Longest lines together, in longest sides of the figure: one of 174 mm has room for 22. A path of a million corners
+/// has half a million sides, of which each step would take minutes and 14 GB.
+const MOST_SIDES: f32 = 2000.0;
 /// Contours of the lines of a page, and of lines that a person adds to those of a picture.
 const OF_PAGE: ChainKind =
     ChainKind { exact: true, of_drawing: true, stroke: None, faint: false, added: false, head: false, sign: None };
@@ -49,9 +52,27 @@ pub(super) const SAME_SHAPE: f32 = 0.03;
 
 impl HandLines {
     /// The lines of a page's figure, with the strengths that their widths stand for. `plan` says which those are.
-    pub fn of_figure(page: &Page, plan: &Plan) -> Self {
+    ///
+    /// # Errors
+    /// If they are longer than can be drawn in some seconds.
+    pub fn of_figure(page: &Page, plan: &Plan) -> Result<Self, Error> {
         let overview = page.overview.as_ref().map(|overview| (overview.place.width(), overview.lines.len()));
-        Self { part: PartShown::of(page), overview, ..Self::of(&page.figure.lines, page.figure.place, plan) }
+        let lines = Self::of(&page.figure.lines, page.figure.place, plan);
+        lines.check_length()?;
+        Ok(Self { part: PartShown::of(page), overview, ..lines })
+    }
+
+    fn check_length(&self) -> Result<(), Error> {
+        // of a figure whose longest side is 1
+        let size = [self.aspect.min(1.0), self.aspect.recip().min(1.0)];
+        let sides = self.lines.iter().map(|line| line.length(size)).sum::<f32>();
+        let why = || {
+            format!(
+                "its lines are {sides:.0} times as long as the longest side of its figure, and more than {MOST_SIDES} \
+                 are not drawn"
+            )
+        };
+        if sides > MOST_SIDES { Err(Error::too_complex("page", why())) } else { Ok(()) }
     }
 
     /// The same lines, whose figure has lines of these names.

@@ -73,7 +73,7 @@ pub struct OldPage<'a> {
 /// that leads to it; one whose leader line is not drawn as a whole is led to where the tip of that was.
 ///
 /// # Errors
-/// If the figure has no area, or the page is no longer wanted.
+/// If the figure has no area, its lines are too long, or the page is no longer wanted.
 pub(super) fn marks(
     old: OldPage<'_>,
     layout: Layout,
@@ -85,7 +85,7 @@ pub(super) fn marks(
     let (px_per_mm, params) = (PageTransform::new(size, layout.figure).px_per_mm(), plan.lines());
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
-    let hand_lines = HandLines::of_figure(page, own).called(lines.to_vec());
+    let hand_lines = HandLines::of_figure(page, own)?.called(lines.to_vec());
     let mut edges = hand_lines.contours_by_hand_first(size, blank, params.full_strength)?;
     without_second_rows(&mut edges, plan);
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.contours(size)).transpose()?;

@@ -68,3 +68,17 @@ fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
     let none = lines.contours_by_hand_first(Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("the same shape");
     assert_eq!(none, lines.contours(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
 }
+
+#[test]
+fn lines_that_are_far_too_long_together_are_refused() {
+    let lines = |count: usize| {
+        let ends = [[0.0, 0.5], [1.0, 0.5]].map(|at| (at, 40.0)).to_vec();
+        let line = |of_line| HandLine { of_line, vertices: ends.clone(), closed: false, is_disc: false };
+        let lines = (0..count).map(line).collect();
+        let (left_outside, areas, names) = (Vec::new(), Vec::new(), Vec::new());
+        HandLines { lines, aspect: 2.0, part: None, left_outside, areas, names, overview: None }
+    };
+    assert_eq!(lines(1999).check_length(), Ok(()), "each is as long as the longest side");
+    let told = lines(2001).check_length().expect_err("they are longer").to_string();
+    assert!(told.contains("its lines are 2001 times as long as the longest side of its figure"), "{told}");
+}
