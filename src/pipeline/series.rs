@@ -142,7 +142,8 @@ pub(super) fn textured(
 }
 
 /// Makes the bars of a series alike where one series lacks textures, or one has hardly any: no bar of it has one. A
-/// series by itself has none where most of its bars have none. Where several lack some, nobody could tell these apart then, so that they stay as they are. Tells of both.
+/// series by itself has none where most of its bars have none. Where several lack some, nobody could tell these apart
+/// then, so that they stay as they are. Tells of both.
 fn made_alike(
     bars: &[ColouredBar],
     classes: &mut Classes,

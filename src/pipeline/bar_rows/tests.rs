@@ -10,7 +10,7 @@ const ENDS: [RowEnd; 2] = [RowEnd { at: 10.0, is_axis: true }, RowEnd { at: 170.
 
 fn led_on(direction: Direction, only_axes: bool, places: &[(f32, f32)]) -> Vec<(f32, f32)> {
     let (base, sides, gridlines) = (0.0, Vec::new(), Vec::new());
-    let chart = Chart { direction, base, bars: BARS.to_vec(), sides, gridlines, is_divided: true };
+    let chart = Chart { direction, base, bars: BARS.to_vec(), sides, gridlines, frame: None, is_divided: true };
     let edgel = |&at: &(f32, f32)| Edgel { at: direction.point(at), strength: 30.0, contrast: [0.0; 3] };
     let row = BarRow { bars: BARS.to_vec(), ends: ENDS };
     let piece = Polyline::open(places.iter().map(edgel).collect());
