@@ -145,8 +145,8 @@ fn the_frame_close_above_a_bar_does_not_stand_for_its_top() {
         let (_, along) = Direction::Up.of(path[0]);
         [along + reach - 100.0, 100.0 - along + reach]
     };
-    assert_eq!(span(None), [2.0, 2.0]);
-    assert_eq!(span(Some(110.0)), [2.0, 2.0]);
+    let is_even = |[up, down]: [f32; 2]| (up - 2.0).abs() < 1e-3 && (down - 2.0).abs() < 1e-3;
+    assert!(is_even(span(None)) && is_even(span(Some(110.0))));
     let [up, down] = span(Some(102.0));
     assert!(up < 1.5 && (down - 2.0).abs() < 1e-3, "{up} {down}");
 }
