@@ -74,12 +74,22 @@ pub struct Edges {
     pub dashed: usize,
     /// The middles of strokes of a vector drawing that lie as a whole on others, and are no chains of their own.
     pub overlaid: Vec<PxPoint>,
+    /// The tip of one of the marks on lines that are too short to be found for certain, as those of minutes on a clock.
+    pub short_marks: Option<PxPoint>,
 }
 
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, dashed: 0, overlaid: Vec::new() }
+        Self {
+            size,
+            edgels: Vec::new(),
+            chains: Vec::new(),
+            regions: None,
+            dashed: 0,
+            overlaid: Vec::new(),
+            short_marks: None,
+        }
     }
 
     /// Appends an edge that was found in the pixels.

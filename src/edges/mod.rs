@@ -80,7 +80,7 @@ use ridge::RidgePoint;
 use side_statistics::SideStatistics;
 use signs::Signs;
 use strength::Evidence;
-use stroke::{FilledHead, PixelNoise, Stroke, Tint};
+use stroke::{FilledHead, FoundStrokes, PixelNoise, Stroke, Tint};
 use tips::FoundContour;
 
 use crate::raster::Raster;
@@ -215,6 +215,8 @@ pub struct Ridges<'a> {
     planes: Vec<Plane>,
     heads: Vec<FilledHead>,
     strokes: Vec<Stroke>,
+    /// See [`Edges::short_marks`].
+    short_marks: Option<PxPoint>,
     points: Vec<RidgePoint>,
     chains: Vec<Chain>,
     sides: SideStatistics,
@@ -242,11 +244,13 @@ impl<'a> Ridges<'a> {
         let size = raster.size();
         let (noise, drawn) = (&kind.noise, kind.is_drawing);
         let params = noise.adapted(&if drawn { params.of_drawing() } else { *params });
-        let mut strokes = if drawn { stroke::find(&planes, kind.noise_of_pixel(), &params) } else { Vec::new() };
+        let find = |planes: &[Plane]| stroke::find(planes, kind.noise_of_pixel(), &params);
+        let none = FoundStrokes::default;
+        let FoundStrokes { mut strokes, mut short_marks } = if drawn { find(&planes) } else { none() };
         let heads = stroke::filled_heads(&strokes, &planes, params.high);
         if !heads.is_empty() {
             heads::take_out(&heads, &mut planes);
-            strokes = stroke::find(&planes, kind.noise_of_pixel(), &params);
+            FoundStrokes { strokes, short_marks } = find(&planes);
         }
         let strokes = dashes::without_loose(strokes, params.min_length);
         let (mut points, sides) = bands::scan(raster, &kind.weights(), &params);
@@ -268,7 +272,20 @@ impl<'a> Ridges<'a> {
         step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
         let sides = sides.finish(&points, &chains, noise.height_sigma(params.sigma));
         let taken_out = Vec::new();
-        Some(Self { raster, kind, params, planes, heads, strokes, points, chains, sides, discs, taken_out })
+        Some(Self {
+            raster,
+            kind,
+            params,
+            planes,
+            heads,
+            strokes,
+            short_marks,
+            points,
+            chains,
+            sides,
+            discs,
+            taken_out,
+        })
     }
 
     /// The regions between all chains; none of a drawing, whose lines say enough.
@@ -283,8 +300,8 @@ impl<'a> Ridges<'a> {
 
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
-        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, mut discs, taken_out } =
-            self;
+        let Self { raster, kind, params, planes, mut heads, strokes, points, chains, sides, .. } = self;
+        let (mut discs, taken_out, short_marks) = (self.discs, self.taken_out, self.short_marks);
         let (size, params, of_drawing) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
@@ -324,7 +341,7 @@ impl<'a> Ridges<'a> {
             pair.is_none_or(|(own, other)| stroke::may_lead([own, other], way, LED_ON * params.low, &planes))
         });
         heads::shorten(&mut contours, &heads);
-        let mut edges = Edges::none(size);
+        let mut edges = Edges { short_marks, ..Edges::none(size) };
         heads::add(&heads, &mut edges);
         let weighed = match of_drawing {
             true => pale_grid::parted(contours, &widths, size, taken_out),

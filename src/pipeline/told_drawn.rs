@@ -6,14 +6,14 @@ use super::overview::{DrawnOverview, told_by_hand, told_of_few, told_of_overview
 use super::texts::Text;
 use super::told_lines::{told_beside_added, told_cut, told_dashed, told_of_lost, told_opened, told_overlaid};
 use super::{areas_of_overview, links_of_overview, lost_colours, lost_marks, subject, thing_of_overview, told_signs};
-use crate::Note;
 use crate::edges::Edges;
 use crate::lines::Lines;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::regions::Chosen;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, PageTransform};
+use crate::{About, Note, Reason, Told};
 
 /// What is told of the lines of the figure: what is not drawn, and what is drawn otherwise.
 pub(super) fn told_of_figure(
@@ -27,8 +27,22 @@ pub(super) fn told_of_figure(
     let left_out = told_of_lost(drawn, edges, texts, layout).chain(of_colours);
     let has_lines = plan.profile().figure.lines;
     let signs = told_signs::told(drawn, edges, texts, layout);
-    let otherwise = [told_dashed(edges), told_overlaid(edges, layout)].into_iter().flatten().filter(|_| has_lines);
+    let otherwise = [told_short_marks(edges, layout), told_dashed(edges), told_overlaid(edges, layout)]
+        .into_iter()
+        .flatten()
+        .filter(|_| has_lines);
     left_out.chain(lost_marks::told(&drawn.lost, layout.sheets.as_ref(), plan)).chain(otherwise).chain(signs).collect()
+}
+
+/// What the maker is told of marks on a line that are too short to be found in the pixels.
+fn told_short_marks(edges: &Edges, layout: &Layout) -> Option<Note> {
+    let at = PageTransform::new(edges.size, layout.figure).to_mm(edges.short_marks?);
+    let told = format!(
+        "short lines on one line, such as those of minutes on a clock (one of them around {}): they are too short for \
+         fingers",
+        layout.place_in_words(at)
+    );
+    Some(Note::NotOnPage(About::Lines, Reason::NoRoomForTicks, Told::from(told).or_larger()))
 }
 
 /// The lines of the figure, its overview, and what both are drawn of.

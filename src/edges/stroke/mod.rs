@@ -88,9 +88,18 @@ impl PixelNoise {
     }
 }
 
-/// The strokes of a drawing, given as planes of Lab, and after them what may be dashes ([`Stroke::is_dash`]).
-pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<Stroke> {
-    let Some(size) = planes.first().map(|plane| plane.size) else { return Vec::new() };
+/// What is found of the strokes of a drawing.
+#[derive(Debug, Default)]
+pub(super) struct FoundStrokes {
+    /// The strokes, and after them what may be dashes ([`Stroke::is_dash`]), and stubs.
+    pub(super) strokes: Vec<Stroke>,
+    /// The tip of one of many stubs that are too short.
+    pub(super) short_marks: Option<PxPoint>,
+}
+
+/// The strokes of a drawing, given as planes of Lab.
+pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> FoundStrokes {
+    let Some(size) = planes.first().map(|plane| plane.size) else { return FoundStrokes::default() };
     let params = &noise.adapted(params);
     let polarities =
         if params.dark_lines.is_some() { &[Polarity::Below][..] } else { &[Polarity::Below, Polarity::Above] };
@@ -134,8 +143,9 @@ pub(super) fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<
         }
     }
     let stubs = stubs.into_iter().map(|(_, stub)| stub).collect();
-    strokes.extend(stubs::of_scales(stubs, &strokes, &mut taken, params.sigma));
-    strokes
+    let (stubs, short_marks) = stubs::of_scales(stubs, &strokes, &mut taken, params);
+    strokes.extend(stubs);
+    FoundStrokes { strokes, short_marks }
 }
 
 /// Whether the picture shows something along a segment: a stroke of a width, or the border of two areas, with at

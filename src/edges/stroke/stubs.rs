@@ -24,6 +24,8 @@ const STANDS: f32 = 3.0;
 /// So many on one stroke are a scale, of which none is so many times as long or as wide as another.
 const SCALE: usize = 4;
 const ALIKE: f32 = 1.5;
+/// So many that are too short are told.
+const MANY: usize = 8;
 /// Widths differ by this by chance, px.
 const ROUNDING: f32 = 1.0;
 /// What thinning leaves of one is at least this long, px, so that it has a direction.
@@ -78,36 +80,57 @@ pub(super) fn stub(
     let length = (last - from).length();
     let steps = length.ceil().max(1.0) as usize;
     let line = Polyline::open((0..=steps).map(|k| from.lerp(last, k as f32 / steps as f32)).collect());
-    let least = (LEAST_LONG * width).max(SHORTEST_APART * params.min_length);
-    let is_long = length >= least && (last - from).dot(along) > 0.0;
+    let is_long = length >= (LEAST_LONG * width).max(params.min_length) && (last - from).dot(along) > 0.0;
     is_long.then(|| on_one_ground(&line, width, planes, params)).flatten()
 }
 
-/// Those of these stubs that are of scales on strokes, each once. `taken` has the strokes.
-pub(super) fn of_scales(stubs: Vec<Stroke>, strokes: &[Stroke], taken: &mut StrokeCover, sigma: f32) -> Vec<Stroke> {
+/// Those of these stubs that are of scales on strokes, each once; and the tip of one of many that are too short: of
+/// those not all are found. `taken` has the strokes.
+pub(super) fn of_scales(
+    stubs: Vec<Stroke>,
+    strokes: &[Stroke],
+    taken: &mut StrokeCover,
+    params: &Params,
+) -> (Vec<Stroke>, Option<PxPoint>) {
+    let is_long = |stub: &Stroke| stub.whole >= SHORTEST_APART * params.min_length;
+    let (long, short): (Vec<Stroke>, Vec<Stroke>) = stubs.into_iter().partition(is_long);
+    let (long, short) = (own(long, taken, params), own(short, taken, params));
+    if long.len().max(short.len()) < SCALE {
+        return (Vec::new(), None);
+    }
+    let bases = Bases::of(strokes, taken);
+    let places = |stubs: &[Stroke]| -> Vec<Option<Foot>> { stubs.iter().map(|stub| bases.below(stub)).collect() };
+    let (of_long, of_short) = (places(&long), places(&short));
+    let is_many = |i: &usize| beside(*i, &short, &of_short).len() >= MANY;
+    let told = (0..short.len()).find(is_many).and_then(|i| short[i].contour.vertices.last()).map(|tip| tip.at);
+    let is_of_scale = |i: usize| {
+        let feet = beside(i, &long, &of_long);
+        feet.len() >= SCALE && are_even(&feet, &strokes[feet[0].base])
+    };
+    let are_of_scales: Vec<bool> = (0..long.len()).map(is_of_scale).collect();
+    let of_scales = long.into_iter().zip(are_of_scales).filter(|(_, is_of_scale)| *is_of_scale);
+    (of_scales.map(|(stub, _)| stub).collect(), told)
+}
+
+/// Where those stubs stand that are like one of them, and on the same stroke, with itself; none if it stands on none.
+fn beside(number: usize, stubs: &[Stroke], feet: &[Option<Foot>]) -> Vec<Foot> {
+    let Some(own) = feet[number] else { return Vec::new() };
+    let alike = (0..stubs.len()).filter(|&other| are_alike(&stubs[number], &stubs[other]));
+    alike.filter_map(|other| feet[other].filter(|foot| foot.base == own.base)).collect()
+}
+
+/// Those of these stubs that do not lie on what was taken before, each of which is taken.
+fn own(stubs: Vec<Stroke>, taken: &mut StrokeCover, params: &Params) -> Vec<Stroke> {
     let mut own: Vec<Stroke> = Vec::new();
     for stub in stubs {
         let vertices = &stub.contour.vertices;
         let is_taken = |at: usize| vertices.get(at).is_none_or(|vertex| taken.has(vertex.at));
         if !is_taken(2 * vertices.len() / 3) && !is_taken(vertices.len() - 1) {
-            taken.add(&stub, sigma);
+            taken.add(&stub, params.sigma);
             own.push(stub);
         }
     }
-    if own.len() < SCALE {
-        return Vec::new();
-    }
-    let bases = Bases::of(strokes, taken);
-    let places: Vec<Option<Foot>> = own.iter().map(|stub| bases.below(stub)).collect();
-    let is_of_scale = |i: usize| {
-        let Some(own_place) = places[i] else { return false };
-        let is_beside = |place: &Foot| place.base == own_place.base;
-        let alike = (0..own.len()).filter(|&k| are_alike(&own[i], &own[k]));
-        let beside: Vec<Foot> = alike.filter_map(|k| places[k].filter(is_beside)).collect();
-        beside.len() >= SCALE && are_even(&beside, &strokes[own_place.base])
-    };
-    let are_of_scales: Vec<bool> = (0..own.len()).map(is_of_scale).collect();
-    own.into_iter().zip(are_of_scales).filter(|(_, is_of_scale)| *is_of_scale).map(|(stub, _)| stub).collect()
+    own
 }
 
 /// Whether two stubs may be of one scale.

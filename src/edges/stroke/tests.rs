@@ -5,6 +5,10 @@ use crate::edges::contour::testing::polyline;
 
 const SIGMA: f32 = 1.8;
 
+fn find(planes: &[Plane], noise: PixelNoise, params: &Params) -> Vec<Stroke> {
+    super::find(planes, noise, params).strokes
+}
+
 fn stroke(points: &[(f32, f32)], closed: bool) -> Stroke {
     let mut contour = polyline(points);
     contour.closed = closed;
@@ -167,4 +171,21 @@ fn short_broad_marks_on_a_line_are_strokes_where_several_are_alike() {
     let marks = five.iter().filter(|length| (18.0..=25.0).contains(*length)).count();
     assert!(five.len() == 6 && marks == 5, "{five:?}");
     assert!(lengths(2).len() == 1, "{:?}", lengths(2));
+}
+
+#[test]
+fn many_marks_that_are_too_short_are_told() {
+    let params =
+        Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 10.0, widest_stroke: 20.0, ..Params::default() };
+    // 10 px long and 2 px wide, on a line that is 5 px wide
+    let found = |marks: usize| {
+        let size = Size::new(320, 60);
+        let is_mark = |x: usize, y: usize| x / 20 < marks && (9..11).contains(&(x % 20)) && (22..32).contains(&y);
+        let is_ink = |x: usize, y: usize| (17..22).contains(&y) && (4..316).contains(&x) || is_mark(x, y);
+        let value = |cell: usize| if is_ink(cell % 320, cell / 320) { 0.0 } else { 100.0 };
+        let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+        let found = super::find(&planes, PixelNoise::default(), &params);
+        (found.strokes.len(), found.short_marks.is_some())
+    };
+    assert_eq!([found(15), found(3)], [(1, true), (1, false)]);
 }
