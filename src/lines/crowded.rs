@@ -6,14 +6,13 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::candidates::LineCandidates;
-use super::clearance::{Cleared, clear, move_apart, walls};
+use super::clearance::{Cleared, clear, move_apart};
 use super::lead_on;
 use super::outlines::Rank;
-use super::params::{Params, RING_FARTHEST};
+use super::params::Params;
 use super::saliency::saliency;
-use super::vertex::{Vertex, nearby};
+use super::vertex::Vertex;
 use super::whole::Ground;
-use crate::geom::nearby::Segment;
 use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
 
@@ -32,15 +31,10 @@ const FIELD: f32 = 0.05;
 /// It may cost no more than this share of the lines: a lake or two, and not all that a shape is drawn for.
 const COSTS: f32 = 0.15;
 
-/// The stroke in whose middle a wall lies has this share of its breadth at least.
-const OF_BREADTH: f32 = 0.75;
-/// A line of another direction than a wall, by more than this cosine (20 degrees), is not the wall.
-const ALONG_WALL: f32 = 0.94;
-
 /// Clears lines (see [`clear`]). Those of a drawing may move apart, be centrelines of narrow bars, or be thinner,
-/// whichever keeps most of them; in a plan of which pieces of walls are missing walls go first; in an overview that is
-/// open without, the outline of the whole does. Also returns what was to be drawn and how it is drawn then. Where
-/// nothing has to be left out this costs nothing more, else up to nine times as much.
+/// whichever keeps most of them; in an overview that is open without, the outline of the whole goes first. Also returns
+/// what was to be drawn and how it is drawn then. Where nothing has to be left out this costs nothing more, else up to
+/// seven times as much.
 pub(super) fn cleared(
     candidates: impl Fn(&Params) -> LineCandidates + Sync,
     area: MmRect,
@@ -55,7 +49,7 @@ pub(super) fn cleared(
     // the most that could be drawn: bars with both sides
     let most = wanted(&of_wide);
     let best = if first.lost() < params.min_length { first } else { best_way(first, most, candidates, area) };
-    closed(with_walls(best, most, area), most, area).taken()
+    closed(best, most, area).taken()
 }
 
 /// The way to draw a drawing that keeps most of its lines, of which all as they are is the first.
@@ -84,63 +78,6 @@ fn best_way(first: Attempt, most: f32, candidates: impl Fn(&Params) -> LineCandi
         }
     }
     best
-}
-
-/// The same attempt, or in a figure on paper that lacks pieces of the walls of a plan one in which walls go first: the
-/// one with the fewest gaps in them that costs no more of all lines than [`COSTS`]. A gap in a wall would be a door.
-fn with_walls(attempt: Attempt, most: f32, area: MmRect) -> Attempt {
-    let (candidates, params) = (attempt.candidates.clone(), attempt.params);
-    // on dots they always go first
-    let may_go_first = !params.on_dots() && !params.in_overview_of_drawing();
-    let mut walls = if may_go_first { walls(&candidates.lines, &params) } else { Vec::new() };
-    walls.retain(|&number| is_one_stroke(&candidates.lines[number].0));
-    let of_walls: Vec<&Polyline<Vertex>> = walls.iter().map(|&number| &candidates.lines[number].0).collect();
-    let gaps = |attempt: &Attempt| missing(&of_walls, attempt.cleared.iter().map(|line| &line.polyline), area, &params);
-    let before = if walls.is_empty() { 0.0 } else { gaps(&attempt) };
-    if before < params.min_length {
-        return attempt;
-    }
-    let mut lines = candidates.lines.clone();
-    walls.iter().for_each(|&number| lines[number].1 = lines[number].1.max(Rank::Axis));
-    let (moved_apart, as_they_are) = rayon::join(
-        || Attempt::moved_apart_of(&candidates, &lines, area, params),
-        || Attempt::of_lines(&candidates, lines.clone(), area, params),
-    );
-    let least_kept = attempt.kept(most) - COSTS;
-    let (mut least, mut best) = (before - GAP, attempt);
-    for this in [moved_apart, as_they_are].into_iter().filter(|this| this.kept(most) >= least_kept) {
-        let after = gaps(&this);
-        if after < least {
-            (least, best) = (after, this);
-        }
-    }
-    best
-}
-
-/// Whether a line is not the middle of two thin strokes, as of the sides of a bed and a pillow, which has their breadth
-/// together.
-fn is_one_stroke(line: &Polyline<Vertex>) -> bool {
-    line.stroke().zip(line.breadth()).is_none_or(|(stroke, breadth)| stroke >= OF_BREADTH * breadth)
-}
-
-/// Length of walls along which no drawn line runs, mm, where it may be moved to.
-fn missing<'a>(
-    walls: &[&Polyline<Vertex>],
-    drawn: impl Iterator<Item = &'a Polyline<Vertex>>,
-    area: MmRect,
-    params: &Params,
-) -> f32 {
-    let drawn = nearby(drawn, area, params);
-    let is_missing = |(a, b): &(&Vertex, &Vertex)| {
-        let along = b.at - a.at;
-        let runs_along = |segment: &Segment| {
-            let way = segment.b - segment.a;
-            way.dot(along).abs() >= ALONG_WALL * way.length() * along.length()
-        };
-        drawn.nearest(a.at.lerp(b.at, 0.5), RING_FARTHEST, runs_along).is_none()
-    };
-    let pieces = walls.iter().flat_map(|wall| wall.segments()).filter(is_missing);
-    pieces.map(|(a, b)| (b.at - a.at).length()).sum()
 }
 
 /// The same attempt, or in an overview on paper of which much is open, one in which the outline of the whole goes
@@ -275,6 +212,3 @@ fn apart(
     let saliencies = all.iter().map(|(line, _)| saliency(line, params)).collect();
     (all, saliencies)
 }
-
-#[cfg(test)]
-mod tests;

@@ -27,8 +27,8 @@ const STRAIGHT: f32 = 0.99;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;
 
-/// The saliency of each line, raised for those of a drawing to at least that of the lines that end on it; axes and, on
-/// dots, walls get their rank.
+/// The saliency of each line, raised for those of a drawing to at least that of the lines that end on it; axes and
+/// walls get their rank.
 pub(super) fn raised(
     saliencies: &[f32],
     lines: &mut [(Polyline<Vertex>, Rank)],
@@ -38,8 +38,7 @@ pub(super) fn raised(
     let mut all = saliencies.to_vec();
     let on_bases = lines_on_bases(lines, area, params);
     if params.of_drawing {
-        let walls = if params.on_dots() { walls(lines, params) } else { Vec::new() };
-        for number in axes(lines, &on_bases).into_iter().chain(walls) {
+        for number in axes(lines, &on_bases).into_iter().chain(walls(lines, params)) {
             lines[number].1 = lines[number].1.max(Rank::Axis);
         }
     }

@@ -29,7 +29,6 @@ pub(crate) use cluster::APART;
 pub(crate) use passage::TOUCH;
 pub(super) use queue::Cleared;
 pub(crate) use self_distance::{BEND, BEND_LEAST};
-pub(super) use walls::walls;
 
 use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};

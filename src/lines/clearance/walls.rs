@@ -1,7 +1,6 @@
 //! On dots the walls of a plan go before what stands beside them: a bed 4 mm from a wall gives way to it. As a closed
 //! outline it is more salient than a short piece of a wall, of which it would take what lies beside it. On paper both
-//! mostly have room, moved apart; where a wall has none, `lines/crowded` lets them go first there too. Of an edge in
-//! pixels no breadth is known.
+//! have room, moved apart. Of an edge in pixels no breadth is known.
 //!
 //! Walls are level and upright, and much broader than whatever is not:
 //!
@@ -71,8 +70,11 @@ impl Stroke {
     }
 }
 
-/// The numbers of those lines of a drawing that are the walls of a plan.
-pub(in crate::lines) fn walls(lines: &[(Polyline<Vertex>, Rank)], params: &Params) -> Vec<usize> {
+/// The numbers of those lines of a drawing that are the walls of a plan; none on paper.
+pub(super) fn walls(lines: &[(Polyline<Vertex>, Rank)], params: &Params) -> Vec<usize> {
+    if !params.on_dots() {
+        return Vec::new();
+    }
     let has_breadth = |vertex: &Vertex| vertex.source.is_exact() || vertex.source == FoundIn::Stroke;
     let is_stroke = |line: &Polyline<Vertex>| line.vertices.iter().all(has_breadth);
     let drawn = lines.iter().enumerate().filter(|(_, (line, rank))| *rank != Rank::Faint && is_stroke(line));
