@@ -34,7 +34,7 @@ struct PlacedSign {
     place: MmRect,
     /// The word beside it, of which it is the nearest sign.
     word: Option<usize>,
-    /// Contours beside it that are the letters of its word, where that was not taken for one.
+    /// Contours in a bitmap beside it that are letters of its word, where these were not taken for text.
     letters: Vec<usize>,
 }
 
@@ -45,7 +45,8 @@ pub(super) fn taken_out(edges: &mut Edges, texts: &mut [Text], raster: &Raster, 
     if signs.iter().all(|sign| sign.word.is_none()) {
         return None;
     }
-    let others = edges.chains.iter().enumerate().filter(|(_, chain)| chain.kind.sign.is_none());
+    let is_other = |(_, chain): &(usize, &ChainRange)| chain.kind.sign.is_none() && !chain.kind.exact;
+    let others = edges.chains.iter().enumerate().filter(is_other);
     let others: Vec<(usize, MmRect)> = others.map(|(of, chain)| (of, place_of(edges, chain, &transform))).collect();
     let boxes: Vec<MmRect> = boxes(edges, &transform).into_iter().map(|frame| frame.place).collect();
     let framed = in_frame(&signs, texts, &boxes, &others);
@@ -137,14 +138,13 @@ fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect], others: &[(u
             sample.word = sample.word.filter(|word| frame.contains(texts[*word].place.center()));
         }
         let is_read = |of: &PlacedSign| of.word.is_some_and(|word| texts[word].is_read());
-        if !samples.iter().all(is_read) {
-            let is_column = samples.iter().all(|of| is_in_column_of(of.place, samples[0].place));
-            if !is_column || all < 2 || samples.len() != all || kinds(&samples) != all {
-                return None;
-            }
-            for sample in &mut samples {
-                sample.letters = letters(sample.place, *frame, others);
-            }
+        let is_column = || samples.iter().all(|of| is_in_column_of(of.place, samples[0].place));
+        let has_each_kind = || all > 1 && samples.len() == all && kinds(&samples) == all;
+        if !samples.iter().all(is_read) && !(has_each_kind() && is_column()) {
+            return None;
+        }
+        for sample in &mut samples {
+            sample.letters = letters(sample.place, *frame, others);
         }
         let words: Vec<&Text> = samples.iter().filter_map(|of| Some(&texts[of.word?])).collect();
         let has_words = !words.is_empty() && samples.iter().all(|of| of.word.is_some() || !of.letters.is_empty());
@@ -156,11 +156,11 @@ fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect], others: &[(u
     boxes.iter().filter_map(samples).max_by_key(Vec::len).unwrap_or_default()
 }
 
-/// The shapes beside a sample in a frame that are no higher than letters of its size.
+/// The shapes beside a sample in a frame that are no higher than letters of its size, without the sides of the frame.
 fn letters(sample: MmRect, frame: MmRect, others: &[(usize, MmRect)]) -> Vec<usize> {
     let row = MmRect::new(
-        MmPoint::new(frame.min.x, sample.min.y - 0.5 * sample.height()),
-        MmPoint::new(frame.max.x, sample.max.y + 0.5 * sample.height()),
+        MmPoint::new(frame.min.x + OF_PATCH, sample.min.y - 0.5 * sample.height()),
+        MmPoint::new(frame.max.x - OF_PATCH, sample.max.y + 0.5 * sample.height()),
     );
     let is_beside = |(_, place): &&(usize, MmRect)| holds_box(row, *place) && !place.intersects(&sample);
     others.iter().filter(is_beside).map(|(chain, _)| *chain).collect()

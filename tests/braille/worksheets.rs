@@ -144,3 +144,46 @@ fn the_key_tells_what_the_colours_of_a_legend_mean() {
     let drawing = drawn(&self::svg(PIE, bars), "swell-a4");
     assert!(drawing.key.is_empty() && !notes(&drawing).contains("legend"), "{}", notes(&drawing));
 }
+
+/// On a map the town beside its name has the colour of the sample for towns, and a line is named by its colour.
+#[test]
+fn a_legend_of_a_map_may_have_samples_of_lines_and_signs() {
+    let mut marks = String::from(
+        "<rect x='20' y='20' width='560' height='440' fill='#8ec5ff'/>\
+         <path d='M90 110C160 50 300 60 380 90C480 120 550 190 520 290C490 390 360 430 240 410C130 390 60 320 60 230Z' \
+         fill='#b7e08a' stroke='#000' stroke-width='2'/>\
+         <path d='M150 300C190 260 250 280 270 320C260 370 180 380 150 340Z' fill='#f3e06a' stroke='#000'/>\
+         <path d='M330 250C310 300 330 340 300 410' fill='none' stroke='#1a5fd0' stroke-width='5'/>\
+         <circle cx='140' cy='180' r='7' fill='red'/><text x='152' y='186'>Norton</text>\
+         <circle cx='430' cy='320' r='7' fill='red'/><text x='394' y='350'>Easton</text>\
+         <rect x='600' y='60' width='180' height='190' fill='#fff' stroke='#000'/>\
+         <text x='690' y='88' text-anchor='middle'>Legend</text>",
+    );
+    for (y, colour, word) in [(105, "#b7e08a", "Grass"), (137, "#f3e06a", "Desert"), (169, "#8ec5ff", "Sea")] {
+        let patch = format!("<rect x='615' y='{y}' width='34' height='22' fill='{colour}' stroke='#000'/>");
+        write!(marks, "{patch}<text x='660' y='{}'>{word}</text>", y + 17).expect("text");
+    }
+    marks += "<path d='M615 212H649' stroke='#1a5fd0' stroke-width='5'/><text x='660' y='218'>River</text>\
+              <circle cx='632' cy='234' r='6' fill='red'/><text x='660' y='240'>Town</text>";
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = drawn(&svg([800.0, 480.0], &marks), profile);
+        let told = notes(&drawing);
+        for wanted in [
+            "the legend in the figure (\"Grass\", \"Desert\", \"Sea\")",
+            "the key has it, but not its heading \"Legend\"",
+            "the legend of lines in the figure (\"River\")",
+            "the samples of signs in the legend (\"Town\")",
+        ] {
+            assert!(told.contains(wanted), "{profile}: {wanted}\n{told}");
+        }
+        let of_key: Vec<&str> =
+            drawing.key.iter().flat_map(|page| &page.braille).map(|text| text.text.as_str()).collect();
+        assert!(["green: Grass", "blue: Sea"].iter().all(|meaning| of_key.contains(meaning)), "{profile}: {of_key:?}");
+        let labels: Vec<&str> = drawing.page.braille.iter().map(|text| text.text.as_str()).collect();
+        assert!(labels.contains(&"River") && !labels.contains(&"Town"), "{profile}: {labels:?}\n{told}");
+        let figure = drawing.page.figure.place;
+        let left = figure.min.x + 590.0 / 800.0 * figure.width();
+        let mut points = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        assert!(points.all(|at| at.x < left), "{profile}: {told}");
+    }
+}
