@@ -3,7 +3,7 @@
 
 use super::legend_column::{self, Column};
 use super::legend_frames::{OF_PATCH, OFF, with_heading};
-use super::legend_patches::{Patch, SAME, index, is_beside, patches};
+use super::legend_patches::{Patch, SAME, are_of_different_colours, colours_of, index, is_beside, patches};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
@@ -79,7 +79,7 @@ pub(super) fn entries(
     let mut patches = patches(edges, texts, raster, &transform);
     patches.retain(|patch| !column.is_some_and(|column| column.is_sign(patch.place)));
     patches.truncate(MOST);
-    if !are_of_different_colours(&patches, raster) {
+    if !are_of_different_colours(&colours_of(&patches, raster)) {
         patches = column.map(|column| column.patches.clone()).unwrap_or_default();
     }
     if patches.len() < 2 {
@@ -95,12 +95,6 @@ pub(super) fn entries(
     };
     let entries: Vec<LegendEntry> = patches.iter().zip(elsewhere).filter_map(entry).collect();
     if entries.len() < 2 { Vec::new() } else { entries }
-}
-
-fn are_of_different_colours(patches: &[Patch], raster: &Raster) -> bool {
-    let colours: Vec<[f32; 3]> = patches.iter().map(|patch| pixel(raster, patch.middle)).collect();
-    let is_known = |number: usize| colours[..number].iter().any(|other| distance(*other, colours[number]) < SAME);
-    !(0..colours.len()).any(is_known)
 }
 
 /// Takes a legend whose words would become labels out of a drawing that has a key: its patches have no room for a
@@ -208,7 +202,7 @@ pub(super) fn of_page(page: &Page) -> Vec<LegendEntry> {
 
 /// How many pixels have the colour of each patch outside of it.
 fn pixels_elsewhere(raster: &Raster, patches: &[Patch], transform: &PageTransform) -> Vec<usize> {
-    let colours: Vec<[f32; 3]> = patches.iter().map(|patch| pixel(raster, patch.middle)).collect();
+    let colours = colours_of(patches, raster);
     let size = raster.size();
     let (width, height) = (size.width as usize, size.height as usize);
     let mut counts = vec![0; colours.len()];

@@ -1,14 +1,13 @@
 //! A legend whose patches of colour stand in a column, such as that of a map, with what else stands in it: samples of
 //! lines and of signs, each with its word. The key has only what colours mean, so these are told.
 
-use super::legend_patches::{Patch, SAME, are_in_column, patches};
+use super::legend_patches::{Patch, are_in_column, are_of_different_colours, patches};
 use super::on_sheet::on_sheet;
 use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::Edges;
 use crate::geom::polygon::holds_box;
 use crate::raster::Raster;
-use crate::raster::contrast::distance;
 use crate::raster::lab::pixel;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note, Reason};
@@ -69,8 +68,7 @@ impl Column {
             }
         }
         let colours: Vec<[f32; 3]> = largest.iter().map(colour).collect();
-        let is_known = |number: usize| colours[..number].iter().any(|other| distance(*other, colours[number]) < SAME);
-        if largest.len() < LEAST || (0..colours.len()).any(is_known) {
+        if largest.len() < LEAST || !are_of_different_colours(&colours) {
             return None;
         }
         largest.sort_by(|a, b| a.place.min.y.total_cmp(&b.place.min.y));

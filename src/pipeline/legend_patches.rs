@@ -4,6 +4,8 @@ use super::on_sheet::on_sheet;
 use super::texts::Text;
 use crate::edges::Edges;
 use crate::raster::Raster;
+use crate::raster::contrast::distance;
+use crate::raster::lab::pixel;
 use crate::units::{MmRect, PageTransform, PxPoint};
 
 /// Short side of a patch, mm: smaller ones are points, and larger ones may be areas by themselves.
@@ -57,6 +59,17 @@ pub(super) fn patches(edges: &Edges, texts: &[Text], raster: &Raster, transform:
         }
     }
     patches
+}
+
+/// The colours in the middle of patches.
+pub(super) fn colours_of(patches: &[Patch], raster: &Raster) -> Vec<[f32; 3]> {
+    patches.iter().map(|patch| pixel(raster, patch.middle)).collect()
+}
+
+/// Whether no two of these colours are one.
+pub(super) fn are_of_different_colours(colours: &[[f32; 3]]) -> bool {
+    let is_known = |number: usize| colours[..number].iter().any(|other| distance(*other, colours[number]) < SAME);
+    !(0..colours.len()).any(is_known)
 }
 
 /// Whether a shape is as large as a patch.

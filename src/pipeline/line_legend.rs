@@ -152,11 +152,11 @@ impl<'a> Contours<'a> {
         let is_other = |a: &Sample| samples.iter().all(|b| std::ptr::eq(a, b) || are_other(a, b));
         let is_legend = samples.len() > 1 && samples.iter().all(is_other);
         let places: Option<Vec<MmPoint>> = if is_legend { samples.iter().map(place).collect() } else { None };
-        let (mut samples, mut places) = places.map_or_else(Default::default, |places| (samples, places));
+        let (mut samples, mut places) = places.map(|places| (samples, places)).unwrap_or_default();
         for sample in &of_column {
             let is_known = samples.iter().any(|other| other.text == sample.text);
-            let others = samples.iter().chain(&of_column).filter(|other| other.text != sample.text);
-            let is_clear = is_coloured(sample) && others.into_iter().all(|other| are_other(sample, other));
+            let mut others = samples.iter().chain(&of_column).filter(|other| other.text != sample.text);
+            let is_clear = is_coloured(sample) && others.all(|other| are_other(sample, other));
             if let Some(at) = place(sample).filter(|_| is_clear && !is_known) {
                 samples.push(sample.clone());
                 places.push(at);
