@@ -6,7 +6,6 @@ use super::shapes::end;
 use crate::geom::nearby::Nearby;
 use crate::geom::polyline::Polyline;
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::clearance::TOUCH;
 use crate::lines::faint::is_faint;
 use crate::lines::lead_on::{VERTEX, extend_to, heading};
 use crate::lines::links;
@@ -27,6 +26,8 @@ const POINTED_AT: f32 = 2.0;
 const LAST_PIECE: f32 = 6.0;
 /// A line so near before the end of a shaft, mm, is what it points at, and not one that it crosses.
 const AT_END: f32 = 1.0;
+/// A tip this near to a line, mm, before it or beyond, is on it: it was put there in steps, up to half a step off.
+const JUST_AT: f32 = 0.52 * SHORTENED_BY;
 
 /// Shortens the shafts of heads up to the lines that they point at, and on until nothing is too near before their tips.
 pub(super) fn make_room(
@@ -73,7 +74,7 @@ pub(super) fn make_room(
             // what is left beyond that line would be cut off as a stub, and the shaft seem to lead to that line
             Some((_, at, _)) if is_at_crossed(at) => {
                 let nearest = others.nearest(mark.at, params.bridged_gap(), |segment| may_be_at(segment.line));
-                let pointed_at = nearest.filter(|(far, to, _)| *far > TOUCH && is_before(mark.at, mark.toward, *to));
+                let pointed_at = nearest.filter(|(far, to, _)| *far > JUST_AT && is_before(mark.at, mark.toward, *to));
                 if let Some((_, to, _)) = pointed_at {
                     extend_to(&mut polylines[shaft.line], shaft.which, to);
                     mark.at = to;
@@ -157,5 +158,5 @@ fn is_free_before(at: MmPoint, toward: MmVector, lines: &Nearby, reach: f32, cou
 /// Whether a place is before a tip that points this way, and not beside it, or just at it.
 fn is_before(at: MmPoint, toward: MmVector, place: MmPoint) -> bool {
     let way = place - at;
-    way.length() <= TOUCH || way.dot(toward) >= BEFORE * way.length()
+    way.length() <= JUST_AT || way.dot(toward) >= BEFORE * way.length()
 }
