@@ -140,7 +140,7 @@ fn in_frame(signs: &[PlacedSign], texts: &[Text], boxes: &[MmRect], others: &[(u
         let is_read = |of: &PlacedSign| of.word.is_some_and(|word| texts[word].is_read());
         let is_column = || samples.iter().all(|of| is_in_column_of(of.place, samples[0].place));
         let has_each_kind = || all > 1 && samples.len() == all && kinds(&samples) == all;
-        if !samples.iter().all(is_read) && !(has_each_kind() && is_column()) {
+        if !(samples.iter().all(is_read) || has_each_kind() && is_column()) {
             return None;
         }
         for sample in &mut samples {
