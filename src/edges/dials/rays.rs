@@ -63,6 +63,9 @@ pub(super) fn hands(ink: &Ink, widest: f32) -> Option<Vec<Ray>> {
         let is_new = rays.iter().all(|other| other.way.dot(ray.way) <= SAME_WAY);
         if is_new && ray.is_hand(ink, BROADEST * widest) {
             rays.push(ray);
+        } else if rays.is_empty() {
+            // the longest hand is no hand, as what is bent
+            return None;
         }
     }
     (HANDS.contains(&rays.len()) && beyond(&left) <= REST * all).then_some(rays)
