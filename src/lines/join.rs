@@ -5,6 +5,7 @@ use super::standing::StandingEnds;
 use super::vertex::{Vertex, is_no_step};
 use crate::geom::link::{End, LinkedChain, Part, link};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::first_beyond;
 use crate::raster::contrast::dot;
 use crate::units::{Mm, MmPoint, MmVector};
 
@@ -76,7 +77,7 @@ pub(super) fn join_but_ticks(
 
 /// A thread, in pieces where two of its polylines are strokes of one fan, each long enough for a line: each ends on the
 /// line to which it leads, where a bend would only touch it. What closes to a ring is a shape that stands there, unless
-/// that line is a part of the ring, as where squares share sides in the net of a cube.
+/// it touches itself: then it is parted wherever it bends.
 fn without_fans(
     mut thread: LinkedChain,
     polylines: &[Polyline<Vertex>],
@@ -91,33 +92,48 @@ fn without_fans(
         let tip = if at_start { polyline.vertices.first() } else { polyline.vertices.last() };
         Some((tip?.at, direction(polyline, at_start, JOINED_HEADING)))
     };
+    let ends = |before: &Part, next: &Part| end(before, before.reversed).zip(end(next, !next.reversed));
     let is_fan = |before: &Part, next: &Part| {
         let are_long = [before, next].iter().all(|part| lengths[part.polyline] >= standing.least);
-        let ends = end(before, before.reversed).zip(end(next, !next.reversed));
         let are_of_fan = |(a, b): ((MmPoint, MmVector), (MmPoint, MmVector))| {
             a.1.dot(b.1) <= BLADE && standing.are_on_one_side([a, b], TOUCHING)
         };
-        are_long && ends.is_some_and(are_of_fan)
+        are_long && ends(before, next).is_some_and(are_of_fan)
     };
-    if thread.closed {
-        let passes = |at: MmPoint| thread.parts.iter().any(|part| goes_through(&polylines[part.polyline], at));
-        let touches_itself = |number: &usize| {
-            let before = &thread.parts[number.checked_sub(1).unwrap_or(thread.parts.len() - 1)];
-            let is_passed = || end(before, before.reversed).is_some_and(|(at, _)| passes(at));
-            is_fan(before, &thread.parts[*number]) && is_passed()
-        };
-        let Some(first) = (0..thread.parts.len()).find(touches_itself) else { return vec![thread] };
-        thread.parts.rotate_left(first);
+    if !thread.closed {
+        let pieces = thread.parts.chunk_by(|before, next| !is_fan(before, next));
+        return pieces.map(|parts| LinkedChain { parts: parts.to_vec(), closed: false }).collect();
     }
-    let pieces = thread.parts.chunk_by(|before, next| !is_fan(before, next));
+    let touches_itself = |number: &usize| {
+        let (count, next) = (thread.parts.len(), &thread.parts[*number]);
+        let crossed = |(at, a, b): (MmPoint, MmVector, MmVector)| {
+            thread.parts.iter().any(|part| goes_through_between(&polylines[part.polyline], at, [-a, -b]))
+        };
+        ends(&thread.parts[(number + count - 1) % count], next).is_some_and(|(a, b)| crossed((a.0, a.1, b.1)))
+    };
+    let Some(first) = (0..thread.parts.len()).find(touches_itself) else { return vec![thread] };
+    thread.parts.rotate_left(first);
+    let bends = |before: &Part, next: &Part| ends(before, next).is_none_or(|(a, b)| a.1.dot(b.1) > -FACING);
+    let pieces = thread.parts.chunk_by(|before, next| !bends(before, next));
     pieces.map(|parts| LinkedChain { parts: parts.to_vec(), closed: false }).collect()
 }
 
-/// Whether a polyline comes to a place and goes on.
-fn goes_through(polyline: &Polyline<Vertex>, at: MmPoint) -> bool {
+/// Whether a polyline bends at a place from which lines lead away in two other directions, as at the corners of four
+/// squares: no two of the four are nearer than 60 degrees, as some are in the middle of a pie chart.
+fn goes_through_between(polyline: &Polyline<Vertex>, at: MmPoint, away: [MmVector; 2]) -> bool {
+    let far = |vertex: &Vertex| (vertex.at - at).length();
     let ends = [polyline.vertices.first(), polyline.vertices.last()].into_iter().flatten();
-    let is_far = |end: &Vertex| (end.at - at).length() > TOUCHING;
-    ends.into_iter().all(is_far) && polyline.distance(at) <= TOUCHING
+    let nearest = (0..polyline.vertices.len())
+        .min_by(|a, b| far(&polyline.vertices[*a]).total_cmp(&far(&polyline.vertices[*b])))
+        .filter(|vertex| far(&polyline.vertices[*vertex]) <= TOUCHING && ends.clone().all(|end| far(end) > TOUCHING));
+    let Some(nearest) = nearest else { return false };
+    let side = |forwards: bool| {
+        let points = polyline.walk(nearest, forwards).map(|(vertex, _)| polyline.vertices[vertex].at);
+        first_beyond(points, at, JOINED_HEADING).and_then(|to| (to - at).try_normalize())
+    };
+    let Some((back, on)) = side(false).zip(side(true)) else { return false };
+    let all = [back, on, away[0], away[1]];
+    (0..all.len()).all(|i| all[..i].iter().all(|other| all[i].dot(*other) <= FACING))
 }
 
 /// Both ends of every open polyline.

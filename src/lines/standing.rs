@@ -9,7 +9,6 @@ use super::vertex::{Tip, Vertex, nearby};
 use crate::geom::nearby::{Index, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
-use crate::geom::walk::first_beyond;
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// An end this near to another line stands on it, mm.
@@ -37,8 +36,8 @@ struct Standing {
     at: MmPoint,
     /// The number of the line on which it stands.
     base: u32,
-    /// The directions in which that leads away from the place, back and on, where it has any.
-    sides: [MmVector; 2],
+    /// The direction of that.
+    along: MmVector,
     /// Whether that is thin and pale.
     is_faint: bool,
 }
@@ -76,7 +75,8 @@ impl StandingEnds {
     pub(super) fn are_on_one_side(&self, ends: [(MmPoint, MmVector); 2], reach: f32) -> bool {
         let side = |(at, direction): (MmPoint, MmVector)| {
             let end = self.first(at, reach).filter(|end| !end.is_faint)?;
-            Some((end.base, is_left_of(end.sides, -direction)?))
+            let sine = end.along.cross(direction);
+            (sine.abs() >= ASIDE).then_some((end.base, sine > 0.0))
         };
         let [one, other] = ends.map(side);
         one.is_some() && one == other
@@ -121,31 +121,10 @@ fn standing(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Ve
         };
         let (_, _, segment) = lines.nearest(at, TOUCHES, goes_on)?;
         let base = segment.line;
-        let on = &polylines[base as usize];
-        let sides = sides(on, segment.index as usize, at);
-        Some(Standing { line, which, at, base, sides, is_faint: is_faint(on) })
+        let along = (segment.b - segment.a).try_normalize().unwrap_or_default();
+        Some(Standing { line, which, at, base, along, is_faint: is_faint(&polylines[base as usize]) })
     };
     ends.filter_map(stands).collect()
-}
-
-/// The directions in which a line leads away, back and on, from a place on one of its segments: it may bend there.
-fn sides(line: &Polyline<Vertex>, segment: usize, at: MmPoint) -> [MmVector; 2] {
-    [(segment, false), ((segment + 1) % line.vertices.len(), true)].map(|(vertex, forwards)| {
-        let points = line.walk(vertex, forwards).map(|(vertex, _)| line.vertices[vertex].at);
-        let far = first_beyond(points, at, GOES_ON);
-        far.and_then(|far| (far - at).try_normalize()).unwrap_or_default()
-    })
-}
-
-/// Whether a direction away from a place on a line that leads from there in two directions, `back` and `on`, is one to
-/// its left; none if it is within 9 degrees of one of them, see [`ASIDE`].
-fn is_left_of([back, on]: [MmVector; 2], direction: MmVector) -> Option<bool> {
-    let is_along = |side: MmVector| side.dot(direction) > 0.0 && side.cross(direction).abs() < ASIDE;
-    if is_along(back) || is_along(on) {
-        return None;
-    }
-    let turn = |to: MmVector| on.cross(to).atan2(on.dot(to)).rem_euclid(std::f32::consts::TAU);
-    Some(turn(direction) > turn(back))
 }
 
 /// Moves two short lines on which the ends of others stand that lead towards one another apart, with these ends, so

@@ -108,25 +108,6 @@ fn strokes_that_lead_from_one_place_of_a_line_to_several_stay_lines_by_themselve
     assert_eq!(lines_at_a_line(&triangle), [1, 1], "a triangle below the line");
 }
 
-/// As in the net of a cube, whose squares share sides.
-#[test]
-fn lines_that_meet_at_the_corner_of_another_stay_lines_by_themselves() {
-    let corner = Polyline::open(
-        straight((50., 20.), (50., 50.), 0.0)
-            .vertices
-            .into_iter()
-            .chain(straight((50., 50.), (20., 50.), 0.0).vertices)
-            .collect(),
-    );
-    let count = |first: (f32, f32), second: (f32, f32)| {
-        let mut lines = vec![corner.clone(), straight((50., 50.), first, 0.0), straight(second, (50., 50.), 0.0)];
-        let standing = StandingEnds::of(&mut lines, area(), &Params { of_drawing: true, ..Params::TEST });
-        join(lines, 3.0, &standing, true).len()
-    };
-    assert_eq!(count((80., 50.), (50., 80.)), 3, "both from outside");
-    assert_eq!(count((80., 80.), (20., 20.)), 2, "one goes on across the corner");
-}
-
 /// The squares of the net of a cube as they are found, each without the sides that others have: the sides of three of
 /// them close to a ring that comes to one corner twice.
 #[test]
