@@ -129,9 +129,11 @@ pub(super) fn frames(
         let is_inside = |chain: usize| on_sheet(edges, &edges.chains[chain], transform).any(|at| inside.contains(at));
         // the lines of a grid may lie behind it
         let is_other = |&chain: &usize| !is_own(chain) && !edges.chains[chain].kind.faint && is_inside(chain);
+        // what nobody has read is left out whether a frame is around it or not
+        let is_other_text = |text: &Text| text.is_read() && !text.of_legend;
         let is_frame = !chains.iter().any(|chain| of_patches[*chain])
             && holds_patches(place)
-            && texts.iter().all(|text| text.of_legend || !place.contains(text.place.center()))
+            && !texts.iter().any(|text| is_other_text(text) && place.contains(text.place.center()))
             && is_hollow(edges, chains[0], place, raster, transform)
             && !(0..are.len()).any(|chain| is_other(&chain));
         if is_frame {
