@@ -6,7 +6,8 @@ use lyon::geom::euclid::Box2D;
 
 use super::arms::Strand;
 use super::centre::{SHORTEST_APART, Stroke, on_one_ground, width_at};
-use super::{StrokeCover, ends};
+use super::cover::StrokeCover;
+use super::ends;
 use crate::edges::params::Params;
 use crate::geom::nearby::Index;
 use crate::geom::order::{median, sorted};
