@@ -357,6 +357,8 @@ fn without_branches(
     is_beside_word: impl Fn(MmPoint) -> bool,
     index: &Nearby,
 ) -> Vec<Leader> {
+    let mut are_found = vec![false; chains.len()];
+    found.iter().for_each(|leader| are_found[leader.chain] = true);
     let leads_elsewhere = |leader: &Leader| {
         let tip = leader.path[leader.path.len() - 1];
         let is_branch = |line: u32| {
@@ -364,9 +366,8 @@ fn without_branches(
             let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return false };
             let comes_here = |near: MmPoint, far: MmPoint| (near - tip).length() <= AT_TIP && is_beside_word(far);
             let is_straight =
-                (last - first).length() >= STRAIGHT * PolylineRef { vertices: points, closed: false }.length();
-            found.iter().any(|other| other.chain == line as usize)
-                || is_straight && (comes_here(first, last) || comes_here(last, first))
+                || (last - first).length() >= STRAIGHT * PolylineRef { vertices: points, closed: false }.length();
+            are_found[line as usize] || (comes_here(first, last) || comes_here(last, first)) && is_straight()
         };
         leads_to_something(&leader.path, index, |line| line as usize != leader.chain && !is_branch(line))
     };
