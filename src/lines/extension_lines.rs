@@ -19,7 +19,6 @@ use super::vertex::{Tip, Vertex, nearby};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::geom::{nearest_on_segment, segment_distance};
-
 use crate::units::MmRect;
 
 /// The shortest gap that is one, mm: in bitmaps strokes that meet may end beside one another.

@@ -34,6 +34,22 @@ pub struct Text {
 }
 
 impl Text {
+    /// A level one in print of 4 mm.
+    #[cfg(test)]
+    pub(super) fn of_test(string: &str, place: MmRect) -> Self {
+        Self {
+            string: string.to_owned(),
+            place,
+            angle: 0.0,
+            size: 4.0,
+            hidden: false,
+            lost_leader: None,
+            kept_leader: None,
+            of_legend: false,
+            of_sign: None,
+        }
+    }
+
     /// Whether it is seen in the picture, and known what it says.
     pub(super) fn is_read(&self) -> bool {
         !self.hidden && !self.string.is_empty()

@@ -1,5 +1,7 @@
 //! The face of a dial: what its rim is like, and the ink at its middle.
 
+use lyon::geom::euclid::Box2D;
+
 use crate::edges::contour::Contour;
 use crate::geom::order::median;
 use crate::raster::plane::Plane;
@@ -40,12 +42,9 @@ impl Face {
             return None;
         }
         let at = || rim.vertices.iter().map(|vertex| vertex.at);
-        let ends = |of: &dyn Fn(PxPoint) -> f32| {
-            at().map(of).fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), here| (low.min(here), high.max(here)))
-        };
-        let ((left, right), (top, bottom)) = (ends(&|at| at.x), ends(&|at| at.y));
-        let middle = PxPoint::new(0.5 * (left + right), 0.5 * (top + bottom));
-        if 0.5 * (right - left).min(bottom - top) < least {
+        let extent = Box2D::from_points(at());
+        let middle = extent.center();
+        if 0.5 * extent.width().min(extent.height()) < least {
             return None;
         }
         let mut farthest = [0.0_f32; DIRECTIONS];

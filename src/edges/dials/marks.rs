@@ -1,10 +1,12 @@
 //! Marks of a dial inside its rim: short strokes that point at its middle, all as far from it. One is found as a stroke
 //! and another as a ring, by a fraction of a pixel; of one kind all are strokes.
 
+use lyon::geom::euclid::Box2D;
+
 use super::face::Face;
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::tips::FoundContour;
-use crate::units::PxVector;
+use crate::units::{PxPoint, PxVector};
 
 /// Marks lie between these distances from the middle, and are no longer than this, in radii.
 const BETWEEN: [f32; 2] = [0.55, 1.02];
@@ -36,13 +38,10 @@ impl Mark {
         let places = || found.contour.vertices.iter().map(|vertex| vertex.at - face.middle);
         let sum = places().fold(PxVector::zero(), |sum, place| sum + place);
         let way = sum.try_normalize()?;
-        let ends = |of: &dyn Fn(PxVector) -> f32| {
-            places()
-                .map(of)
-                .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), here| (low.min(here), high.max(here)))
-        };
-        let ((inner, outer), (left, right)) = (ends(&|place| place.dot(way)), ends(&|place| place.cross(way)));
-        let width = (right - left).max(found.stroke.unwrap_or(0.0));
+        // away from the middle, and across
+        let turned = Box2D::from_points(places().map(|place| PxPoint::new(place.dot(way), place.cross(way))));
+        let (inner, outer) = (turned.min.x, turned.max.x);
+        let width = turned.height().max(found.stroke.unwrap_or(0.0));
         let length = outer - inner;
         let [nearest, farthest] = BETWEEN.map(|share| share * face.radius);
         let is_between = inner >= nearest && outer <= farthest;

@@ -32,15 +32,8 @@ fn a_leader_line_that_lacks_its_tip_or_its_middle_is_torn() {
 #[test]
 fn those_left_out_are_told_by_their_texts() {
     let text = |string: &str, lost_leader: bool| Text {
-        string: string.to_owned(),
-        place: MmRect::zero(),
-        angle: 0.0,
-        size: 5.0,
-        hidden: false,
         lost_leader: lost_leader.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
-        kept_leader: None,
-        of_legend: false,
-        of_sign: None,
+        ..Text::of_test(string, MmRect::zero())
     };
     let note = told_lost(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
     assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");

@@ -10,17 +10,7 @@ fn rect(x: f32, y: f32, width: f32, height: f32) -> MmRect {
 
 /// A word of 10 mm that begins at a place, at its height.
 fn word(string: &str, (x, y): (f32, f32)) -> Text {
-    Text {
-        string: string.to_owned(),
-        place: rect(x, y - 2.0, 10.0, 4.0),
-        angle: 0.0,
-        size: 4.0,
-        hidden: false,
-        lost_leader: None,
-        kept_leader: None,
-        of_legend: false,
-        of_sign: None,
-    }
+    Text::of_test(string, rect(x, y - 2.0, 10.0, 4.0))
 }
 
 /// A shape of a size around a place, with the word of this number; `middle` stands for its colour.

@@ -14,17 +14,7 @@ fn sign(kind: u8, (x, y): (f32, f32), word: Option<usize>) -> PlacedSign {
 
 /// A text of 4 mm that begins at a place, at its height.
 fn text((x, y): (f32, f32)) -> Text {
-    Text {
-        string: "Boys".to_owned(),
-        place: rect(x, y - 2.0, 10.0, 4.0),
-        angle: 0.0,
-        size: 4.0,
-        hidden: false,
-        lost_leader: None,
-        kept_leader: None,
-        of_legend: false,
-        of_sign: None,
-    }
+    Text::of_test("Boys", rect(x, y - 2.0, 10.0, 4.0))
 }
 
 /// Five points of two kinds.

@@ -139,17 +139,7 @@ fn a_line_that_is_gone_is_told_with_its_form() {
 
 #[test]
 fn a_line_that_is_gone_is_told_with_the_text_that_is_nearest_to_it() {
-    let text = |string: &str, y: f32| Text {
-        string: string.to_owned(),
-        place: MmRect::new((20.0, y).into(), (40.0, y + 4.0).into()),
-        angle: 0.0,
-        size: 4.0,
-        hidden: false,
-        lost_leader: None,
-        kept_leader: None,
-        of_legend: false,
-        of_sign: None,
-    };
+    let text = |string: &str, y: f32| Text::of_test(string, MmRect::new((20.0, y).into(), (40.0, y + 4.0).into()));
     let door = LostLine {
         extent: MmRect::new((22.0, 40.0).into(), (46.0, 40.0).into()),
         length: 24.0,
